@@ -1,0 +1,124 @@
+#include "barrier/response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/check.h"
+#include "dem/axial_law.h"
+
+namespace lahar::barrier {
+
+namespace {
+
+/// A spring of this force: F^2 / (2 k).
+double spring_energy(double force_squared, double stiffness) {
+  return stiffness > 0 ? 0.5 * force_squared / stiffness : 0.0;
+}
+
+/// Energy of one bond, with the stiffnesses of Potyondy & Cundall (2004), Eqs. 14 and 15: k_n A, k_s A, k_n I, k_s J.
+dem::BondEnergy bond_energy(const dem::Bonds& bonds, std::size_t b) {
+  const dem::BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
+  const double r2 = sort.bond_radius * sort.bond_radius, area = std::numbers::pi * r2, inertia = 0.25 * area * r2;
+  const dem::AxialCurve curve = dem::axial_curve(sort.axial, area);
+  const bool plastic = sort.axial.plastic_unloading;
+  dem::BondEnergy e;
+  e.axial = plastic ? spring_energy(bonds.axial_force[b] * bonds.axial_force[b], curve.k1)
+                    : dem::curve_energy(curve, bonds.elongation[b]);
+  e.shear = spring_energy(bonds.shear_force[b].squaredNorm(), sort.shear_stiffness * area);
+  e.bending = spring_energy(bonds.moment[b].squaredNorm(), sort.axial.stiffness[0] * inertia);
+  e.torsion = spring_energy(bonds.torsion_moment[b] * bonds.torsion_moment[b], sort.shear_stiffness * 2 * inertia);
+  if (plastic) e.plastic = dem::plastic_work(curve, bonds.plastic_elongation[b]);
+  return e;
+}
+
+void add_bonds(const Wire& wire, const dem::Bonds& bonds, ComponentResponse& sum) {
+  for (std::size_t b = wire.first_bond; b < wire.first_bond + wire.bonds; ++b) {
+    if (!bonds.intact[b]) {
+      ++sum.broken_bonds;
+      continue;
+    }
+    sum.force_sum += std::hypot(bonds.axial_force[b], bonds.shear_force[b].norm());
+    sum.max_tension = std::max(sum.max_tension, bonds.axial_force[b]);
+    sum.energy += bond_energy(bonds, b);
+  }
+}
+
+/// What acts on a fixed bead and its anchor takes up; 0 for a free one.
+Vec3 anchored(const dem::Particles& particles, dem::ParticleIndex i) {
+  return particles.state[i] == dem::ParticleState::fixed ? particles.force[i] : Vec3::Zero();
+}
+
+void add_reactions(const Wire& wire, const dem::Particles& particles, ComponentResponse& sum) {
+  const dem::ParticleIndex end = wire.first_bead + wire.beads;
+  sum.start_reaction = anchored(particles, wire.first_bead);
+  sum.end_reaction = anchored(particles, end - 1);
+  for (dem::ParticleIndex i = wire.first_bead; i < end; ++i) sum.reaction += anchored(particles, i);
+}
+
+void add_component(const ComponentResponse& part, ComponentResponse& whole) {
+  whole.force_sum += part.force_sum;
+  whole.max_tension = std::max(whole.max_tension, part.max_tension);
+  whole.reaction += part.reaction;
+  whole.energy += part.energy;
+  whole.broken_bonds += part.broken_bonds;
+}
+
+Component component_of(Side side) {
+  switch (side) {
+    case Side::lower:
+      return Component::lower_cable;
+    case Side::upper:
+      return Component::upper_cable;
+    case Side::left:
+      return Component::left_cable;
+    case Side::right:
+      break;
+  }
+  return Component::right_cable;
+}
+
+void add_motion(const Net& net, const dem::Particles& particles, const Vec3& gravity, BarrierResponse& r) {
+  for (std::size_t k = 0; k < net.beads; ++k) {
+    const std::size_t i = net.first_bead + k;
+    const Vec3 moved = particles.position[i] - net.start[k];
+    r.elongation = std::max(r.elongation, moved.dot(net.normal));
+    r.potential_energy -= particles.mass[i] * gravity.dot(moved);
+    if (particles.state[i] != dem::ParticleState::free) continue;
+    r.kinetic_energy += 0.5 * (particles.mass[i] * particles.velocity[i].squaredNorm() +
+                               particles.inertia[i] * particles.angular_velocity[i].squaredNorm());
+  }
+}
+
+}  // namespace
+
+std::string_view name(Component component) {
+  constexpr std::array<std::string_view, 6> names{"lower_cable", "upper_cable", "left_cable",
+                                                  "right_cable", "rings",       "barrier"};
+  return names[static_cast<std::size_t>(component)];
+}
+
+double dissipator_elongation(const Net& net, const dem::Bonds& bonds, std::size_t k) {
+  return bonds.elongation[net.dissipators[k]];
+}
+
+BarrierResponse response(const Net& net, const dem::Particles& particles, const dem::Bonds& bonds,
+                         const Vec3& gravity) {
+  require(net.first_bead + net.beads <= particles.size() && net.first_bond + net.bonds <= bonds.size(),
+          "response: these are not the net's particles and bonds");
+  BarrierResponse r;
+  const auto part = [&](Component c) -> ComponentResponse& { return r.components[static_cast<std::size_t>(c)]; };
+  for (std::size_t k = 0; k < net.cables.size(); ++k) {
+    add_bonds(net.cables[k], bonds, part(component_of(net.cable_sides[k])));
+    add_reactions(net.cables[k], particles, part(component_of(net.cable_sides[k])));
+  }
+  for (const Wire& ring : net.rings) add_bonds(ring, bonds, part(Component::rings));
+  for (const Component c : all_components)
+    if (c != Component::barrier) add_component(part(c), part(Component::barrier));
+  add_motion(net, particles, gravity, r);
+  for (std::size_t k = 0; k < net.dissipators.size(); ++k)
+    r.largest_dissipator_elongation = std::max(r.largest_dissipator_elongation, dissipator_elongation(net, bonds, k));
+  return r;
+}
+
+}  // namespace lahar::barrier

@@ -1,0 +1,47 @@
+#pragma once
+// What a barrier does under load: forces, elongation and energy of its parts. Only looks; changes nothing.
+#include <array>
+#include <string_view>
+
+#include "barrier/net.h"
+#include "dem/bond_forces.h"
+
+namespace lahar::barrier {
+
+/// Parts that are reported by name.
+enum class Component { lower_cable, upper_cable, left_cable, right_cable, rings, barrier };
+inline constexpr std::array<Component, 6> all_components{Component::lower_cable, Component::upper_cable,
+                                                         Component::left_cable,  Component::right_cable,
+                                                         Component::rings,       Component::barrier};
+[[nodiscard]] std::string_view name(Component component);
+
+struct ComponentResponse {
+  double force_sum = 0;    ///< N, sum over intact bonds of the force's magnitude (axial and shear): the paper's "force
+                           ///< of a cable"; grows with the number of beads
+  double max_tension = 0;  ///< N, largest axial tension of a bond, 0 if none is stretched
+  Vec3 start_reaction = Vec3::Zero();  ///< N, that the anchors at a cable's two ends must hold; 0 if not fixed
+  Vec3 end_reaction = Vec3::Zero();
+  Vec3 reaction = Vec3::Zero();  ///< N, that all anchors of the component must hold
+  dem::BondEnergy energy;  ///< J: the elastic parts and `plastic`; damping and breakage are not told apart by component
+  int broken_bonds = 0;
+};
+
+struct BarrierResponse {
+  std::array<ComponentResponse, 6> components;  ///< by Component; cables that the net lacks are 0
+  double elongation = 0;        ///< m, largest displacement of a bead along the flow since the net was built
+  double kinetic_energy = 0;    ///< J, with rotation
+  double potential_energy = 0;  ///< J, in gravity since the net was built
+  double largest_dissipator_elongation = 0;  ///< m
+  [[nodiscard]] const ComponentResponse& operator[](Component c) const {
+    return components[static_cast<std::size_t>(c)];
+  }
+};
+
+/// The response as of the last force evaluation. gravity in m/s^2.
+[[nodiscard]] BarrierResponse response(const Net& net, const dem::Particles& particles, const dem::Bonds& bonds,
+                                       const Vec3& gravity = {0, 0, -9.81});
+
+/// Elongation of the k-th dissipator of net.dissipators, m.
+[[nodiscard]] double dissipator_elongation(const Net& net, const dem::Bonds& bonds, std::size_t k);
+
+}  // namespace lahar::barrier

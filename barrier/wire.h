@@ -1,0 +1,53 @@
+#pragma once
+// A wire as the DEM sees it: beads on a centre-line, neighbours joined by bonds. Rings are closed wires, cables open
+// ones.
+#include <cstdint>
+#include <vector>
+
+#include "barrier/polyline.h"
+#include "dem/bonds.h"
+#include "dem/particles.h"
+
+namespace lahar::barrier {
+
+/// What all beads of a wire share.
+struct WireProperties {
+  double diameter = 0;  ///< m, of a bead
+  double density = 0;   ///< kg/m^3, of a bead
+  int material = 0;     ///< index into dem::Materials
+};
+
+/// A range of beads and of bonds. Bond k joins beads k and k + 1; the last bond of a closed wire closes it.
+struct Wire {
+  dem::ParticleIndex first_bead = 0;
+  std::uint32_t beads = 0;
+  std::size_t first_bond = 0;
+  std::size_t bonds = 0;
+  bool closed = false;
+  std::int32_t body = -1;
+};
+
+struct WireSpec {
+  Polyline line;  ///< bead centres, m
+  WireProperties properties;
+  int sort = 0;                               ///< bond sort of all bonds ...
+  int dissipator_sort = -1;                   ///< ... but of those listed next
+  std::vector<std::size_t> dissipator_bonds;  ///< numbers within the wire
+  std::vector<std::size_t> fixed_beads;       ///< numbers within the wire
+  std::int32_t body = 0;
+};
+
+/// Adds the beads and, at rest, the bonds.
+Wire add_wire(const WireSpec& spec, dem::Particles& particles, dem::Bonds& bonds);
+
+/// The centre-line of a wire as it lies now.
+[[nodiscard]] Polyline centre_line(const Wire& wire, const dem::Particles& particles);
+
+/// False once a bond of the wire has broken.
+[[nodiscard]] bool is_whole(const Wire& wire, const dem::Bonds& bonds);
+
+/// Widest spacing of bead centres, in bead diameters, that holds other chains of the same beads back. At sqrt(2) two
+/// crossing chains pass through each other without any overlap: bead between beads.
+inline constexpr double largest_spacing = 1.4142135623730951;
+
+}  // namespace lahar::barrier

@@ -1,0 +1,69 @@
+// lahar: runs and checks scenes.
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "cases/runner/check.h"
+#include "cases/runner/interrupt.h"
+#include "cases/runner/machine.h"
+#include "cases/runner/options.h"
+#include "cases/runner/run.h"
+#include "cases/scene/key_list.h"
+#include "cases/scene/load.h"
+
+namespace lahar::cases {
+namespace {
+
+struct Arguments {
+  std::string scene_file;
+  CommonOptions common;
+};
+
+int run(const Arguments& arguments) {
+  const scene::Scene scene = scene::load(arguments.scene_file, overrides_of(arguments.common));
+  const RunOptions options = run_options(arguments.common, scene);
+  watch_for_interrupt();
+  const RunResult result = run_to_folder(scene, options, run_scene);
+  if (!options.quiet)
+    fmt::print("{}{}results are in {}\n", results_table(result.summary), result.interrupted ? "interrupted; " : "",
+               options.out.string());
+  return result.interrupted ? exit_interrupted : exit_done;
+}
+
+int check(const Arguments& arguments) {
+  const scene::Scene scene = scene::load(arguments.scene_file, overrides_of(arguments.common));
+  const int all = static_cast<int>(std::thread::hardware_concurrency());
+  const CheckReport report = check_scene(scene, arguments.common.threads > 0 ? arguments.common.threads : all);
+  if (!arguments.common.quiet) fmt::print("{}", report_text(scene, report));
+  return exit_done;
+}
+
+int keys() {
+  fmt::print("{}", scene::reference_page());
+  return exit_done;
+}
+
+}  // namespace
+}  // namespace lahar::cases
+
+int main(int argc, char** argv) {
+  using namespace lahar::cases;
+  CLI::App app("Lahar: debris flow on flexible ring-net barriers", "lahar");
+  app.set_version_flag("--version", "lahar " + version() + " (" + commit() + ")");
+  app.require_subcommand(1);
+  Arguments arguments;
+  const auto add = [&](const char* name, const char* what) {
+    CLI::App* command = app.add_subcommand(name, what);
+    command->add_option("scene", arguments.scene_file, "Scene file (TOML)")->required()->type_name("SCENE.toml");
+    add_common_options(*command, arguments.common);
+    return command;
+  };
+  const CLI::App* run_command = add("run", "Run a scene");
+  const CLI::App* check_command = add("check", "Validate a scene and print what it will take");
+  app.add_subcommand("keys", "Print the reference of all scene keys (Markdown)");
+  return parse_and_run(app, argc, argv, [&] {
+    if (*run_command) return run(arguments);
+    if (*check_command) return check(arguments);
+    return keys();
+  });
+}

@@ -1,0 +1,105 @@
+#include "cases/runner/build.h"
+
+#include "cases/runner/estimates.h"
+#include "cases/scene/geometry.h"
+#include "cases/scene/net_spec.h"
+#include "dem/packing.h"
+
+namespace lahar::cases {
+
+namespace {
+
+lbm::CollisionOperator collision_of(scene::Collision c) {
+  switch (c) {
+    case scene::Collision::bgk:
+      return lbm::CollisionOperator::bgk;
+    case scene::Collision::trt:
+      return lbm::CollisionOperator::trt;
+    case scene::Collision::central_moments:
+      break;
+  }
+  return lbm::CollisionOperator::central_moments;
+}
+
+lbm::FaceKind face_kind(const scene::Scene& scene, int face) {
+  if (scene.domain.periodic(static_cast<scene::Axis>(face / 2))) return lbm::FaceKind::periodic;
+  return scene.domain.open(static_cast<scene::Face>(face)) ? lbm::FaceKind::open : lbm::FaceKind::closed;
+}
+
+dem::PackingSpec packing_spec(const scene::Scene& scene, const scene::Packing& packing) {
+  dem::PackingSpec spec;
+  spec.lower = packing.lower;
+  spec.upper = packing.upper;
+  spec.seed = static_cast<std::uint64_t>(scene.run.seed);
+  spec.target_height = packing.target_height;
+  for (const auto& s : packing.sizes)
+    spec.classes.push_back(
+        {s.diameter / 2, static_cast<int>(s.count), s.density, scene::material_index(scene, s.material)});
+  return spec;
+}
+
+void add_grains(const scene::Scene& scene, dem::Particles& particles) {
+  for (const auto& packing : scene.grains.packings)
+    for (const dem::ParticleSpec& grain : dem::pack(packing_spec(scene, packing))) particles.add(grain);
+  for (const auto& s : scene.grains.spheres) {
+    dem::ParticleSpec grain;
+    grain.position = s.position;
+    grain.velocity = s.velocity;
+    grain.angular_velocity = s.angular_velocity;
+    grain.radius = s.diameter / 2;
+    grain.density = s.density;
+    grain.material = scene::material_index(scene, s.material);
+    grain.state = s.fixed ? dem::ParticleState::fixed : dem::ParticleState::free;
+    particles.add(grain);
+  }
+}
+
+}  // namespace
+
+lbm::FluidOptions fluid_options(const scene::Scene& scene) {
+  lbm::FluidOptions o;
+  o.domain.lower = scene.domain.lower;
+  o.domain.upper = scene.domain.upper;
+  o.domain.cell_size = scene.fluid.cell_size;
+  for (int face = 0; face < 6; ++face) o.domain.faces[static_cast<std::size_t>(face)] = face_kind(scene, face);
+  o.domain.walls = scene::make_walls(scene);
+  o.time_step = fluid_time_step(scene);
+  o.density = scene.fluid.density;
+  o.kinematic_viscosity = scene.fluid.kinematic_viscosity;
+  o.gravity = scene.gravity.vector();
+  o.collision = collision_of(scene.fluid.collision);
+  o.weighting = scene.coupling.body_weighting == scene::BodyWeighting::noble_torczynski
+                    ? lbm::BodyWeighting::noble_torczynski
+                    : lbm::BodyWeighting::solid_fraction;
+  o.smagorinsky = scene.fluid.smagorinsky;
+  return o;
+}
+
+std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene) {
+  std::vector<lbm::LiquidRegion> regions;
+  for (const auto& r : scene.fluid.regions) regions.push_back({r.lower, r.upper, r.velocity});
+  return regions;
+}
+
+BuiltSolids build_solids(const scene::Scene& scene) {
+  dem::Particles particles;
+  dem::Bonds bonds;
+  add_grains(scene, particles);
+  std::optional<barrier::Net> net;
+  if (scene.barrier.enabled) net = barrier::build_net(scene::make_net_spec(scene), particles, bonds);
+  dem::SolidsOptions options;
+  options.gravity = scene.gravity.vector();
+  options.time_step = solids_time_step(scene);
+  if (scene.fluid.enabled) options.time_step = fluid_time_step(scene) / substeps_of(scene);
+  return {dem::Solids(std::move(particles), std::move(bonds), scene::make_materials(scene), scene::make_walls(scene),
+                      options),
+          std::move(net)};
+}
+
+int substeps_of(const scene::Scene& scene) {
+  return scene.fluid.enabled && scene.has_solids()
+             ? static_cast<int>(substeps(fluid_time_step(scene), solids_time_step(scene)))
+             : 1;
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,103 @@
+#include "cases/runner/check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cases/runner/warnings.h"
+#include "cases/scene/memory.h"
+#include "core/units.h"
+
+namespace lahar::cases {
+namespace {
+
+// Rates of one thread assumed for the estimate of the run time: wet cells with surface and bodies, and particles with
+// contacts and bonds.
+constexpr double cells_per_second = 10e6, particle_steps_per_second = 3e6;
+// A layer that runs out thin touches more blocks than the same liquid in a heap.
+constexpr double spreading = 3;
+
+/// Blocks that hold the regions and a layer of one cell around them.
+double blocks_at_start(const scene::Scene& scene) {
+  const double dx = scene.fluid.cell_size;
+  double blocks = 0;
+  for (const scene::FluidRegion& r : scene.fluid.regions)
+    blocks += (((r.upper - r.lower) / dx).array() + 2.0).unaryExpr([](double n) { return std::ceil(n / 8); }).prod();
+  return blocks;
+}
+
+double depth_of(const scene::Scene& scene) {
+  double depth = 0;
+  for (const scene::FluidRegion& r : scene.fluid.regions) depth = std::max(depth, r.upper.z() - r.lower.z());
+  return depth;
+}
+
+/// nu, tau, Ma, Re, Fr, Bo.
+void set_numbers(const scene::Scene& scene, FluidFigures& f) {
+  const scene::Fluid& fluid = scene.fluid;
+  const double normal_gravity = -scene.gravity.vector().z();
+  const LatticeUnits units{fluid.cell_size, f.time_step, fluid.density};
+  f.lattice_viscosity = units.viscosity_to_lu(fluid.kinematic_viscosity);
+  f.tau = 0.5 + 3 * f.lattice_viscosity;
+  const double speed_lu = units.velocity_to_lu(f.max_speed);
+  f.mach = std::sqrt(3.0) * speed_lu;
+  f.compressibility_error = 3 * speed_lu * speed_lu;
+  f.reynolds = f.max_speed * f.depth / fluid.kinematic_viscosity;
+  f.froude =
+      normal_gravity > 0 ? f.max_speed / std::sqrt(normal_gravity * f.depth) : std::numeric_limits<double>::infinity();
+  f.bond = fluid.density * scene.gravity.magnitude * f.depth * f.depth / water_surface_tension;
+}
+
+FluidFigures fluid_figures(const scene::Scene& scene) {
+  FluidFigures f;
+  const double dx = scene.fluid.cell_size;
+  const auto bytes_per_block = 512.0 * static_cast<double>(scene::fluid_bytes_per_cell(scene.run.precision));
+  const auto cells = ((scene.domain.upper - scene.domain.lower) / dx).array();
+  f.domain_cells = cells.unaryExpr([](double n) { return std::ceil(n - 1e-9); }).prod();
+  f.liquid_cells = scene::liquid_cells(scene);
+  f.start_blocks = blocks_at_start(scene);
+  const double all_blocks = cells.unaryExpr([](double n) { return std::ceil((n + 2) / 8); }).prod();
+  f.expected_blocks = std::min(all_blocks, spreading * f.start_blocks);
+  f.start_bytes = f.start_blocks * bytes_per_block;
+  f.expected_bytes = f.expected_blocks * bytes_per_block;
+  f.max_speed = expected_max_speed(scene);
+  f.time_step = fluid_time_step(scene);
+  f.steps = std::ceil(scene.run.duration / f.time_step);
+  f.depth = depth_of(scene);
+  set_numbers(scene, f);
+  return f;
+}
+
+SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<FluidFigures>& fluid) {
+  SolidsFigures s;
+  s.grains = grain_count(scene);
+  s.beads = scene.barrier.enabled ? net_beads(scene.barrier.net) : 0;
+  s.limits = solids_limits(scene);
+  s.time_step = solids_time_step(scene);
+  if (fluid) {
+    s.substeps = substeps(fluid->time_step, s.time_step);
+    s.time_step = fluid->time_step / static_cast<double>(s.substeps);
+    const double grain = smallest_grain(scene);
+    if (s.grains > 0) s.cells_per_smallest_grain = grain / scene.fluid.cell_size;
+    if (s.beads > 0) s.cells_per_wire = scene.barrier.net.wire_diameter / scene.fluid.cell_size;
+  }
+  s.steps = std::ceil(scene.run.duration / s.time_step);
+  return s;
+}
+
+}  // namespace
+
+CheckReport check_scene(const scene::Scene& scene, int threads) {
+  CheckReport report;
+  if (scene.fluid.enabled) report.fluid = fluid_figures(scene);
+  if (scene.has_solids()) report.solids = solids_figures(scene, report.fluid);
+  const double n = std::max(1, threads);
+  if (report.fluid) report.run_time += report.fluid->steps * report.fluid->liquid_cells / (n * cells_per_second);
+  if (report.solids)
+    report.run_time += report.solids->steps * static_cast<double>(report.solids->grains + report.solids->beads) /
+                       (n * particle_steps_per_second);
+  report.warnings = warnings(scene, report);
+  return report;
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,47 @@
+#pragma once
+// `lahar check`: what a scene will take and how well it is resolved, without running it.
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/runner/estimates.h"
+#include "cases/scene/scene.h"
+
+namespace lahar::cases {
+
+struct FluidFigures {
+  double domain_cells = 0, liquid_cells = 0;     ///< of the whole domain; of the liquid at the start
+  double start_blocks = 0, expected_blocks = 0;  ///< blocks of 8^3 cells
+  double start_bytes = 0, expected_bytes = 0;
+  double time_step = 0, steps = 0;  ///< s, -
+  double max_speed = 0, depth = 0;  ///< m/s, m: expected speed, depth of the deepest region
+  double lattice_viscosity = 0, tau = 0, mach = 0;
+  double compressibility_error = 0;           ///< 3 u_lattice^2, as a fraction
+  double reynolds = 0, froude = 0, bond = 0;  ///< with expected speed and depth
+};
+
+struct SolidsFigures {
+  std::int64_t grains = 0, beads = 0;
+  SolidsLimits limits{};
+  double time_step = 0, steps = 0;  ///< s, -
+  std::int64_t substeps = 0;        ///< in a fluid step; 0 without fluid
+  std::optional<double> cells_per_smallest_grain, cells_per_wire;
+};
+
+struct CheckReport {
+  std::optional<FluidFigures> fluid;
+  std::optional<SolidsFigures> solids;
+  double run_time = 0;  ///< s, estimated
+  std::vector<std::string> warnings;
+};
+
+/// Surface tension of clean water at 20 degrees C, N/m: for the Bond number alone.
+inline constexpr double water_surface_tension = 0.0728;
+
+/// `threads` is what the estimate of the run time is for.
+CheckReport check_scene(const scene::Scene& scene, int threads = 1);
+
+/// The report for the terminal.
+std::string report_text(const scene::Scene& scene, const CheckReport& report);
+
+}  // namespace lahar::cases

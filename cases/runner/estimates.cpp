@@ -1,0 +1,101 @@
+#include "cases/runner/estimates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "cases/scene/geometry.h"
+#include "cases/scene/net_spec.h"
+#include "dem/time_step.h"
+
+namespace lahar::cases {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Largest of direction . p over the corners of a box.
+double highest(const Vec3& lower, const Vec3& upper, const Vec3& direction) {
+  return (direction.array() > 0).select(upper, lower).dot(direction);
+}
+
+double bead_mass(const scene::Net& net) { return net.density * std::numbers::pi / 6 * std::pow(net.wire_diameter, 3); }
+
+}  // namespace
+
+double expected_max_speed(const scene::Scene& scene) {
+  if (scene.fluid.max_speed > 0) return scene.fluid.max_speed;
+  const Vec3 up = -scene.gravity.vector();
+  const double lowest = -highest(scene.domain.lower, scene.domain.upper, -up);
+  double fastest = 0;
+  for (const scene::WallSettings& w : scene.walls) fastest = std::max(fastest, w.velocity.norm());
+  for (const scene::FluidRegion& r : scene.fluid.regions) {
+    const double fall = std::max(0.0, highest(r.lower, r.upper, up) - lowest);  // g h
+    fastest = std::max(fastest, std::sqrt(r.velocity.squaredNorm() + 2 * fall));
+  }
+  return fastest;
+}
+
+double fluid_time_step(const scene::Scene& scene) {
+  return scene.fluid.lattice_velocity * scene.fluid.cell_size / expected_max_speed(scene);
+}
+
+std::int64_t net_columns(const scene::Net& net) { return std::llround(net.width / net.ring_pitch); }
+std::int64_t net_rows(const scene::Net& net) { return std::llround(net.height / net.ring_pitch); }
+
+std::int64_t net_beads(const scene::Net& net) {
+  const double cables = 2 * (net.width + net.height) / net.wire_diameter;
+  return net_columns(net) * net_rows(net) * net.beads_per_ring + std::llround(cables);
+}
+
+std::int64_t grain_count(const scene::Scene& scene) {
+  auto count = static_cast<std::int64_t>(scene.grains.spheres.size());
+  for (const scene::Packing& p : scene.grains.packings)
+    for (const scene::GrainSize& s : p.sizes) count += s.count;
+  return count;
+}
+
+double smallest_grain(const scene::Scene& scene) {
+  double smallest = never;
+  for (const scene::Packing& p : scene.grains.packings)
+    for (const scene::GrainSize& s : p.sizes) smallest = std::min(smallest, s.diameter);
+  for (const scene::GrainSphere& s : scene.grains.spheres) smallest = std::min(smallest, s.diameter);
+  return smallest;
+}
+
+SolidsLimits solids_limits(const scene::Scene& scene) {
+  const dem::Materials materials = scene::make_materials(scene);
+  const auto rayleigh = [&](double diameter, double density, const std::string& material) {
+    return dem::rayleigh_time_step(diameter / 2, density, materials[scene::material_index(scene, material)]);
+  };
+  SolidsLimits limits{never, never, never, never};
+  for (const scene::Packing& p : scene.grains.packings)
+    for (const scene::GrainSize& s : p.sizes)
+      limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
+  for (const scene::GrainSphere& s : scene.grains.spheres)
+    limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
+  if (!scene.barrier.enabled) return limits;
+  const scene::Net& net = scene.barrier.net;
+  const barrier::RingNetSpec spec = scene::make_net_spec(scene);
+  const double mass = bead_mass(net);
+  limits.bead_rayleigh = rayleigh(net.wire_diameter, net.density, net.material);
+  limits.ring_bond = dem::bond_time_step(spec.ring, mass);
+  limits.cable_bond = dem::bond_time_step(spec.cable, mass);
+  if (!scene.barrier.bonds.dissipator_stiffness.empty())
+    limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.dissipator, mass));
+  return limits;
+}
+
+double solids_time_step(const scene::Scene& scene) {
+  if (scene.solids.time_step > 0 && scene.has_solids()) return scene.solids.time_step;
+  const SolidsLimits limits = solids_limits(scene);
+  return std::min(scene.solids.contact_safety * std::min(limits.grain_rayleigh, limits.bead_rayleigh),
+                  scene.solids.bond_safety * std::min(limits.ring_bond, limits.cable_bond));
+}
+
+std::int64_t substeps(double fluid_step, double solids_step) {
+  // A step that fits but for rounding counts as fitting.
+  return std::max<std::int64_t>(1, std::llround(std::ceil(fluid_step / solids_step * (1 - 1e-12))));
+}
+
+}  // namespace lahar::cases

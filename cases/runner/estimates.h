@@ -1,0 +1,39 @@
+#pragma once
+// What a scene's numbers imply before anything runs: speeds, time steps, counts.
+#include <cstdint>
+
+#include "cases/scene/scene.h"
+
+namespace lahar::cases {
+
+/// m/s: fluid.max_speed_m_s, or what liquid reaches that falls without loss from the highest point of its regions to
+/// the lowest of the domain, sqrt(v0^2 + 2 g h); never less than the speed of a wall.
+double expected_max_speed(const scene::Scene& scene);
+
+/// s: lattice_velocity x cell size / expected speed. The scene must have a fluid.
+double fluid_time_step(const scene::Scene& scene);
+
+/// Number of rings across and up, but for the adjustment of the pitch.
+std::int64_t net_columns(const scene::Net& net);
+std::int64_t net_rows(const scene::Net& net);
+/// Beads of all rings, and of four cables along the net's edges.
+std::int64_t net_beads(const scene::Net& net);
+/// Grains of all packings and spheres.
+std::int64_t grain_count(const scene::Scene& scene);
+
+/// Diameter of the smallest grain, m; infinity without grains.
+double smallest_grain(const scene::Scene& scene);
+
+/// Largest stable time steps by cause, s; infinity where there is nothing of the kind.
+struct SolidsLimits {
+  double grain_rayleigh, bead_rayleigh, ring_bond, cable_bond;
+};
+SolidsLimits solids_limits(const scene::Scene& scene);
+
+/// s: solids.time_step_s, or the smallest limit times its safety; infinity without solids.
+double solids_time_step(const scene::Scene& scene);
+
+/// Number of particle steps in a fluid step: the smallest that keeps each no longer than `solids_step`.
+std::int64_t substeps(double fluid_step, double solids_step);
+
+}  // namespace lahar::cases

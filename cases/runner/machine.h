@@ -1,0 +1,17 @@
+#pragma once
+// Who computed it, and with what.
+#include <cstdint>
+#include <string>
+
+namespace lahar::cases {
+
+/// "0.1.0"
+std::string version();
+/// The commit that was checked out when the build was configured, "unknown" outside a repository.
+std::string commit();
+/// Processor and number of hardware threads: "Intel(R) Xeon(R) ... , 2 threads".
+std::string machine_name();
+/// Largest resident memory of this process so far, bytes.
+std::uint64_t peak_rss_bytes();
+
+}  // namespace lahar::cases

@@ -1,0 +1,70 @@
+#include "cases/runner/options.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "core/check.h"
+
+namespace lahar::cases {
+namespace {
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
+
+void add_common_options(CLI::App& app, CommonOptions& o) {
+  app.add_option("--set", o.set, "Change a scene value: key.path=value, e.g. fluid.cell_size_m=0.02 (repeatable)")
+      ->allow_extra_args(false)
+      ->type_name("KEY=VALUE");
+  app.add_option("--out", o.out, "Folder for results (default results/NAME)")->type_name("DIR");
+  app.add_option("--threads", o.threads, "Number of threads (default: all)")
+      ->check(CLI::Range(1, 4096))
+      ->type_name("N");
+  app.add_option("--precision", o.precision, "Number format of the fluid")
+      ->check(CLI::IsMember({"float", "double"}))
+      ->type_name("float|double");
+  app.add_flag("--quiet", o.quiet, "Print nothing but mistakes");
+  app.add_flag("--overwrite", o.overwrite, "Replace a former run in the output folder");
+}
+
+std::vector<std::string> overrides_of(const CommonOptions& options) {
+  std::vector<std::string> all = options.set;
+  if (!options.precision.empty()) all.push_back("run.precision=" + options.precision);
+  return all;
+}
+
+RunOptions run_options(const CommonOptions& o, const scene::Scene& scene) {
+  std::filesystem::path out = o.out;
+  if (out.empty()) out = std::filesystem::path("results") / scene.identity.name;
+  return {.out = out, .threads = o.threads, .quiet = o.quiet, .overwrite = o.overwrite};
+}
+
+int guarded(const std::function<int()>& command) {
+  try {
+    return command();
+  } catch (const InputError& e) {
+    fmt::print(stderr, "{}\n", e.what());
+    return exit_bad_input;
+  } catch (const NumericalFailure& e) {
+    fmt::print(stderr, "numerical failure: {}\n", e.what());
+    return exit_numerical_failure;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    return exit_bug;
+  }
+}
+
+int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int()>& command) {
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
+    fmt::print(stderr, "command line:1:1: {}, expected what --help shows\n", first_line(e.what()));
+    return exit_bad_input;
+  }
+  return guarded(command);
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,56 @@
+#include "cases/runner/output_folder.h"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/scene/writer.h"
+#include "core/check.h"
+
+namespace lahar::cases {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
+  throw InputError(std::vector<InputMistake>{{"--out " + folder.string(), 1, 1, why}});
+}
+
+/// Names of section 1 of the contract with the user, and images.
+bool written_by_run(const std::string& name) {
+  static constexpr std::array<std::string_view, 9> names{"summary.json",  "scene.resolved.toml", "series.h5",
+                                                         "particles.h5",  "particles.xmf",       "bonds.xmf",
+                                                         "checkpoint.h5", "report.html",         "run.log"};
+  if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+  return (name.starts_with("fluid_") && name.ends_with(".vdb")) ||
+         (name.starts_with("image_") && name.ends_with(".png"));
+}
+
+}  // namespace
+
+bool holds_run(const fs::path& folder) {
+  std::ifstream in(folder / "scene.resolved.toml");
+  std::string first;
+  return std::getline(in, first) && first.starts_with(scene::resolved_mark);
+}
+
+void prepare_output(const fs::path& folder, bool overwrite) {
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+    refuse(folder, "is a file, expected a folder or a new name");
+  if (fs::is_directory(folder, error) && !fs::is_empty(folder, error)) {
+    if (!holds_run(folder)) refuse(folder, "is not empty and holds no former run, expected a new or an empty folder");
+    if (!overwrite) refuse(folder, "holds a former run, expected a new folder, or --overwrite to replace that run");
+    std::vector<fs::path> old;
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.is_regular_file() && written_by_run(entry.path().filename().string())) old.push_back(entry.path());
+    for (const fs::path& path : old) fs::remove(path);
+  }
+  fs::create_directories(folder, error);
+  if (error) refuse(folder, "cannot be created (" + error.message() + "), expected a folder that can be written to");
+}
+
+}  // namespace lahar::cases

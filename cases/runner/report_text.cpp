@@ -1,0 +1,60 @@
+// The terminal form of `lahar check`.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cases/runner/check.h"
+#include "cases/runner/progress.h"
+
+namespace lahar::cases {
+namespace {
+
+std::string line(const char* name, const std::string& text) { return fmt::format("  {:<26} {}\n", name, text); }
+
+std::string fluid_text(const scene::Scene& scene, const FluidFigures& f) {
+  std::string t = "fluid\n";
+  t += line("cells", fmt::format("{:.4g} in the domain, {:.4g} liquid at the start", f.domain_cells, f.liquid_cells));
+  t += line("blocks of 8^3", fmt::format("{:.0f} at the start, up to about {:.0f}", f.start_blocks, f.expected_blocks));
+  t += line("memory", fmt::format("{:.3g} GB at the start, up to about {:.3g} GB", f.start_bytes * 1e-9,
+                                  f.expected_bytes * 1e-9));
+  t += line("time step", fmt::format("{:.4g} s, {:.0f} steps", f.time_step, f.steps));
+  t += line("largest speed, depth", fmt::format("{:.4g} m/s, {:.4g} m", f.max_speed, f.depth));
+  t += line("tau", fmt::format("1/2 + {:.3g} (viscosity {:.3g} lu)", f.tau - 0.5, f.lattice_viscosity));
+  t += line("Ma", fmt::format("{:.3g} (compressibility error about {:.2g} %)", f.mach, 100 * f.compressibility_error));
+  t += line("Re, Fr, Bo",
+            fmt::format("{:.3g}, {:.3g}, {:.3g} (surface tension is not modelled)", f.reynolds, f.froude, f.bond));
+  t += line("cells per depth", fmt::format("{:.3g}", f.depth / scene.fluid.cell_size));
+  return t;
+}
+
+std::string solids_text(const SolidsFigures& s) {
+  std::string t = "particles\n";
+  t += line("grains, beads", fmt::format("{}, about {}", s.grains, s.beads));
+  const auto limit = [&](const char* name, double seconds) {
+    if (std::isfinite(seconds)) t += line(name, fmt::format("{:.3g} s", seconds));
+  };
+  limit("Rayleigh time, grains", s.limits.grain_rayleigh);
+  limit("Rayleigh time, beads", s.limits.bead_rayleigh);
+  limit("bond limit, rings", s.limits.ring_bond);
+  limit("bond limit, cables", s.limits.cable_bond);
+  t += line("time step", fmt::format("{:.4g} s, {:.0f} steps", s.time_step, s.steps));
+  if (s.substeps > 0) t += line("steps in a fluid step", fmt::format("{}", s.substeps));
+  if (s.cells_per_smallest_grain)
+    t += line("cells per smallest grain", fmt::format("{:.3g}", *s.cells_per_smallest_grain));
+  if (s.cells_per_wire) t += line("cells per wire", fmt::format("{:.3g}", *s.cells_per_wire));
+  return t;
+}
+
+}  // namespace
+
+std::string report_text(const scene::Scene& scene, const CheckReport& report) {
+  const std::string title = scene.identity.title.empty() ? "" : ": " + scene.identity.title;
+  std::string text = fmt::format("{}{}\n", scene.identity.name, title);
+  if (report.fluid) text += fluid_text(scene, *report.fluid);
+  if (report.solids) text += solids_text(*report.solids);
+  text += fmt::format("run time, a rough estimate: {}\n", time_text(report.run_time));
+  for (const std::string& w : report.warnings) text += "warning: " + w + "\n";
+  return text;
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,44 @@
+#pragma once
+// A scene from start to end.
+#include <spdlog/logger.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "cases/runner/progress.h"
+#include "cases/runner/summary.h"
+#include "cases/scene/scene.h"
+
+namespace lahar::cases {
+
+struct RunOptions {
+  std::filesystem::path out;  ///< folder for results
+  int threads = 0;            ///< 0 = all of the machine
+  bool quiet = false;
+  bool overwrite = false;  ///< replace a former run in `out`
+};
+
+/// What a run tells while it is under way.
+struct RunMonitor {
+  Progress& progress;
+  spdlog::logger& log;  ///< run.log
+};
+
+struct RunResult {
+  /// A solver fills simulated_seconds, metrics, checks, timers and performance (but for the peak memory); the rest is
+  /// known without it.
+  Summary summary;
+  bool interrupted = false;  ///< ended early by a signal, outputs whole
+};
+
+/// Builds the solvers of a scene and runs them until its duration is over or interrupted() says so, writing series and
+/// outputs into options.out, which exists. Throws NumericalFailure when numbers go wrong.
+RunResult run_scene(const scene::Scene& scene, const RunOptions& options, RunMonitor& monitor);
+
+using Runner = std::function<RunResult(const scene::Scene&, const RunOptions&, RunMonitor&)>;
+
+/// A whole run: prepares the folder (see prepare_output), writes scene.resolved.toml, opens run.log, limits the
+/// threads, runs, and writes summary.json. A failure is logged and passed on; summary.json is then absent.
+RunResult run_to_folder(const scene::Scene& scene, const RunOptions& options, const Runner& runner);
+
+}  // namespace lahar::cases

@@ -1,0 +1,47 @@
+#pragma once
+// summary.json: what came out of a run.
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lahar::cases {
+
+/// A number held against a reference. Only checks that were run are listed.
+struct ResultCheck {
+  std::string name;
+  double value = 0, reference = 0, tolerance = 0;
+  bool pass = false;
+  std::string source;  ///< where the reference is from
+};
+
+struct Performance {
+  double mlups = 0;  ///< million lattice cell updates per second
+  double dem_particle_steps_per_second = 0;
+  std::uint64_t peak_rss_bytes = 0;
+  std::uint64_t wet_cells_max = 0, blocks_max = 0;
+};
+
+struct Summary {
+  std::string case_name, version, commit, machine;
+  int threads = 0;
+  std::string precision;
+  double wall_seconds = 0, simulated_seconds = 0;
+  std::map<std::string, double> metrics;  ///< lower_snake names with a unit suffix
+  std::vector<ResultCheck> checks;
+  std::map<std::string, double> timers;  ///< s by section
+  Performance performance;
+};
+
+/// The JSON text. JSON has no infinity and no not-a-number: metrics and timers that are not finite are left out; a
+/// check whose value is not finite has `null` there and does not pass.
+std::string to_json(const Summary& summary);
+
+/// Writes summary.json into a folder, whole or not at all.
+void write_summary(const std::filesystem::path& folder, const Summary& summary);
+
+/// A short table of metrics and checks for the terminal.
+std::string results_table(const Summary& summary);
+
+}  // namespace lahar::cases

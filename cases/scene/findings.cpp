@@ -1,0 +1,46 @@
+#include "cases/scene/findings.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace lahar::scene {
+
+Place Findings::place(std::string path) const {
+  while (true) {
+    if (const auto found = places_.find(path); found != places_.end()) return found->second;
+    const std::size_t cut = path.find_last_of(".[");
+    if (cut == std::string::npos) return {file_};
+    path.resize(cut);
+  }
+}
+
+void Findings::mistake(const std::string& path, std::string message) {
+  unsound_.insert(path);
+  mistake_at(place(path), std::move(message));
+}
+
+void Findings::mistake_at(const Place& place, std::string message) {
+  mistakes_.push_back({place.file, place.line, place.column, std::move(message)});
+}
+
+bool Findings::sound(const std::vector<std::string>& paths) const {
+  // Neither the path itself, nor anything inside it, nor a table around it may be unsound.
+  const auto inside = [](const std::string& inner, const std::string& outer) {
+    return inner.starts_with(outer) &&
+           (inner.size() == outer.size() || inner[outer.size()] == '.' || inner[outer.size()] == '[');
+  };
+  return std::none_of(paths.begin(), paths.end(), [&](const std::string& path) {
+    return std::any_of(unsound_.begin(), unsound_.end(),
+                       [&](const std::string& bad) { return inside(bad, path) || inside(path, bad); });
+  });
+}
+
+std::vector<InputMistake> Findings::mistakes() const {
+  std::vector<InputMistake> sorted = mistakes_;
+  std::stable_sort(sorted.begin(), sorted.end(), [](const InputMistake& a, const InputMistake& b) {
+    return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
+  });
+  return sorted;
+}
+
+}  // namespace lahar::scene

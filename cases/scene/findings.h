@@ -1,0 +1,38 @@
+#pragma once
+// What reading a scene brings to light: where each value stands, what is wrong, and which values are not to be trusted.
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cases/scene/document.h"
+#include "core/check.h"
+
+namespace lahar::scene {
+
+class Findings {
+ public:
+  explicit Findings(std::string file) : file_(std::move(file)) {}
+
+  /// Notes where the value of a path stands; what an override had to make on its way stands nowhere.
+  void locate(const std::string& path, Place place) {
+    if (!place.file.empty()) places_[path] = std::move(place);
+  }
+  /// The place of a path, or of the nearest table around it that is written somewhere.
+  [[nodiscard]] Place place(std::string path) const;
+  /// Adds a mistake; its path is from now on not sound.
+  void mistake(const std::string& path, std::string message);
+  void mistake_at(const Place& place, std::string message);
+  /// Whether the values of all these paths, and everything inside them, were read without a mistake.
+  [[nodiscard]] bool sound(const std::vector<std::string>& paths) const;
+  /// All mistakes, by file and line.
+  [[nodiscard]] std::vector<InputMistake> mistakes() const;
+
+ private:
+  std::string file_;
+  std::map<std::string, Place> places_;
+  std::set<std::string> unsound_;
+  std::vector<InputMistake> mistakes_;
+};
+
+}  // namespace lahar::scene

@@ -1,0 +1,42 @@
+#include "cases/scene/geometry.h"
+
+namespace lahar::scene {
+namespace {
+
+Shape make_shape(const WallSettings& s) {
+  switch (s.shape) {
+    case WallShape::box:
+      return SolidBox{s.lower, s.upper};
+    case WallShape::cylinder:
+      return SolidCylinder{s.start, s.end, s.radius};
+    case WallShape::sphere:
+      return SolidSphere{s.centre, s.radius};
+    case WallShape::plane:
+      break;
+  }
+  return HalfSpace{s.point, s.normal.normalized()};
+}
+
+}  // namespace
+
+Wall make_wall(const WallSettings& settings, int material) {
+  return {settings.name, make_shape(settings), settings.slip, material, settings.velocity};
+}
+
+Walls make_walls(const Scene& scene) {
+  Walls walls;
+  for (const WallSettings& w : scene.walls) walls.add(make_wall(w, material_index(scene, w.material)));
+  return walls;
+}
+
+dem::Materials make_materials(const Scene& scene) {
+  dem::Materials materials;
+  for (const MaterialSettings& m : scene.materials)
+    materials.add({m.name, m.youngs_modulus * scene.solids.contact_modulus_scale, m.poisson_ratio});
+  for (const Contact& c : scene.contacts)
+    materials.set_pair(material_index(scene, c.materials[0]), material_index(scene, c.materials[1]), c.friction,
+                       c.restitution);
+  return materials;
+}
+
+}  // namespace lahar::scene

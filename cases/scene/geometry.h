@@ -1,0 +1,18 @@
+#pragma once
+// The core objects that a scene describes: walls and materials.
+#include "cases/scene/scene.h"
+#include "core/geometry.h"
+#include "dem/material.h"
+
+namespace lahar::scene {
+
+/// One wall; `material` is -1 where the scene names none.
+Wall make_wall(const WallSettings& settings, int material);
+
+/// All walls, in the order of the scene.
+Walls make_walls(const Scene& scene);
+
+/// All materials in the order of the scene, moduli times solids.contact_modulus_scale, with the pairs of all contacts.
+dem::Materials make_materials(const Scene& scene);
+
+}  // namespace lahar::scene

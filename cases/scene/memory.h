@@ -1,0 +1,18 @@
+#pragma once
+// How much memory a fluid takes, and how much there is.
+#include <cstddef>
+
+#include "cases/scene/scene.h"
+
+namespace lahar::scene {
+
+/// Bytes that a cell of an active block takes at most: 19 populations, surface and body fields, flags.
+std::size_t fluid_bytes_per_cell(Precision precision);
+
+/// Cells of the liquid at the start (the sum over regions; overlaps count twice).
+double liquid_cells(const Scene& scene);
+
+/// Physical memory of this machine, bytes.
+std::size_t physical_memory();
+
+}  // namespace lahar::scene

@@ -1,0 +1,66 @@
+#include "cases/scene/net_spec.h"
+
+#include <algorithm>
+
+namespace lahar::scene {
+namespace {
+
+dem::BondSort wire(const Scene& scene, double stiffness) {
+  dem::BondSort sort =
+      barrier::wire_bond(stiffness * scene.solids.bond_stiffness_scale, scene.barrier.net.wire_diameter / 2);
+  sort.damping_ratio = scene.solids.bond_damping_ratio;
+  return sort;
+}
+
+/// Two or three stages; a stage that is not given continues the one before. Force limits are not scaled.
+dem::BondSort dissipator(const Scene& scene) {
+  const BarrierBonds& bonds = scene.barrier.bonds;
+  dem::BondSort sort = wire(scene, bonds.dissipator_stiffness.front());
+  for (std::size_t stage = 1; stage < 3; ++stage) {
+    const std::size_t given = std::min(stage, bonds.dissipator_stiffness.size() - 1);
+    sort.axial.stiffness[stage] = bonds.dissipator_stiffness[given] * scene.solids.bond_stiffness_scale;
+  }
+  std::copy(bonds.dissipator_force_limit.begin(), bonds.dissipator_force_limit.end(), sort.axial.force_limit.begin());
+  sort.axial.plastic_unloading = bonds.plastic_unloading;
+  return sort;
+}
+
+barrier::CableSupport support(const Scene& scene, std::vector<double> fixed_at) {
+  const bool braked = !scene.barrier.bonds.dissipator_stiffness.empty();
+  return {.fixed_at = std::move(fixed_at),
+          .fixed_all = false,
+          .dissipators_at = braked ? std::vector<double>{0, 1} : std::vector<double>{}};
+}
+
+}  // namespace
+
+barrier::RingNetSpec make_net_spec(const Scene& scene) {
+  const Net& net = scene.barrier.net;
+  const Anchors& anchors = scene.barrier.anchors;
+  barrier::RingNetSpec spec;
+  spec.origin = net.origin;
+  spec.across = net.width_direction.normalized();
+  spec.up = net.height_direction.normalized();
+  spec.normal = spec.across.cross(spec.up);
+  spec.width = net.width;
+  spec.height = net.height;
+  spec.ring_diameter = net.ring_diameter;
+  spec.ring_pitch = net.ring_pitch;
+  spec.beads_per_ring = static_cast<int>(net.beads_per_ring);
+  spec.wire_diameter = net.wire_diameter;
+  spec.density = net.density;
+  spec.material = material_index(scene, net.material);
+  spec.ring = wire(scene, scene.barrier.bonds.ring_stiffness);
+  spec.cable = wire(scene, scene.barrier.bonds.cable_stiffness);
+  if (!scene.barrier.bonds.dissipator_stiffness.empty()) spec.dissipator = dissipator(scene);
+  spec.upper.support = support(scene, {0, 1});
+  spec.lower.support = anchors.bottom_cable_fixed
+                           ? barrier::CableSupport{.fixed_at = {}, .fixed_all = true, .dissipators_at = {}}
+                           : support(scene, {0, 1});
+  const std::vector<double> lateral =
+      anchors.lateral_cable_middles_fixed ? std::vector<double>{0, 0.5, 1} : std::vector<double>{0, 1};
+  spec.left.support = spec.right.support = support(scene, lateral);
+  return spec;
+}
+
+}  // namespace lahar::scene

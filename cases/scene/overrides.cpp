@@ -1,0 +1,118 @@
+#include "cases/scene/overrides.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <stdexcept>
+#include <utility>
+
+#include "cases/scene/value.h"
+
+namespace lahar::scene {
+namespace {
+
+/// An override that makes no sense; becomes an InputMistake.
+struct BadOverride : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+bool bare(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; }
+
+/// The value as TOML in a table of its own, so that it carries its place.
+toml::table parse_value(const std::string& value, const std::string& source) {
+  if (value.find('\n') != std::string::npos) throw BadOverride("has a line break, expected one TOML value");
+  const bool word =
+      !value.empty() && std::all_of(value.begin(), value.end(), [](char c) { return bare(c) || c == '+'; });
+  try {
+    return toml::parse("v = " + value, source);
+  } catch (const toml::parse_error& e) {
+    if (word) return toml::parse("v = " + string_text(value), source);
+    throw BadOverride(fmt::format("\"{}\" is no TOML value: {}", value, e.description()));
+  }
+}
+
+/// The node that a step leads to, null if it is not there yet; refuses to step into what is no container.
+toml::node* child_at(toml::node& node, const PathStep& step) {
+  if (!step.key.empty()) {
+    if (toml::table* table = node.as_table()) return table->get(step.key);
+    throw BadOverride(fmt::format("\"{}\" would be inside {}, expected a table", step.key, kind_text(node)));
+  }
+  toml::array* list = node.as_array();
+  if (!list) throw BadOverride(fmt::format("index [{}] into {}, expected a list", step.index, kind_text(node)));
+  if (step.index > list->size())
+    throw BadOverride(fmt::format("index [{}] is past the end, expected at most {}", step.index, list->size()));
+  return step.index < list->size() ? list->get(step.index) : nullptr;
+}
+
+/// Puts `value` where the step leads.
+template <class T>
+toml::node* put(toml::node& node, const PathStep& step, T&& value) {
+  if (!step.key.empty()) return &node.as_table()->insert_or_assign(step.key, std::forward<T>(value)).first->second;
+  toml::array& list = *node.as_array();
+  if (step.index == list.size())
+    list.push_back(std::forward<T>(value));
+  else
+    list.replace(list.cbegin() + static_cast<std::ptrdiff_t>(step.index), std::forward<T>(value));
+  return list.get(step.index);
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+void apply(toml::table& root, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) throw BadOverride("has no \"=\", expected key.path=value");
+  const std::vector<PathStep> path = parse_path(trimmed(text.substr(0, equals)));
+  if (path.empty()) throw BadOverride(fmt::format("\"{}\" is no key path, expected a.b[0].c", text.substr(0, equals)));
+  toml::table holder = parse_value(trimmed(text.substr(equals + 1)), "--set " + text);
+  toml::node* at = &root;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    toml::node* next = child_at(*at, path[i]);
+    if (!next) next = path[i + 1].key.empty() ? put(*at, path[i], toml::array{}) : put(*at, path[i], toml::table{});
+    at = next;
+  }
+  child_at(*at, path.back());  // refuses what is no container, or past its end
+  holder.get("v")->visit([&](auto& value) { put(*at, path.back(), std::move(value)); });
+}
+
+}  // namespace
+
+std::vector<PathStep> parse_path(std::string_view text) {
+  std::vector<PathStep> path;
+  std::size_t i = 0;
+  while (i < text.size()) {
+    if (text[i] == '[') {
+      PathStep step;
+      const char* last = text.data() + text.size();
+      const auto [end, error] = std::from_chars(text.data() + i + 1, last, step.index);
+      if (error != std::errc{} || end == last || *end != ']' || path.empty()) return {};
+      i = static_cast<std::size_t>(end - text.data()) + 1;
+      path.push_back(step);
+    } else {
+      if (!path.empty() && text[i++] != '.') return {};
+      const std::size_t start = i;
+      while (i < text.size() && bare(text[i])) ++i;
+      if (i == start) return {};
+      path.push_back({std::string(text.substr(start, i - start))});
+    }
+  }
+  return path;
+}
+
+std::vector<InputMistake> apply_overrides(toml::table& root, const std::vector<std::string>& overrides) {
+  std::vector<InputMistake> mistakes;
+  for (const std::string& text : overrides) {
+    try {
+      apply(root, text);
+    } catch (const BadOverride& e) {
+      mistakes.push_back({"--set " + text, 1, 1, e.what()});
+    }
+  }
+  return mistakes;
+}
+
+}  // namespace lahar::scene

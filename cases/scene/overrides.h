@@ -1,0 +1,26 @@
+#pragma once
+// `--set key.path[0].key=value`: changes to a scene from the command line.
+#include <toml++/toml.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/check.h"
+
+namespace lahar::scene {
+
+/// One step of a path: a key, or an index into a list (when `key` is empty).
+struct PathStep {
+  std::string key;
+  std::size_t index = 0;
+};
+
+/// Splits `wall[0].slip`. Returns an empty list if the text is no path.
+std::vector<PathStep> parse_path(std::string_view text);
+
+/// Applies all overrides in order. An index one past the end appends. Returns a mistake for every override that makes
+/// no sense, located as `--set TEXT:1:1`.
+std::vector<InputMistake> apply_overrides(toml::table& root, const std::vector<std::string>& overrides);
+
+}  // namespace lahar::scene

@@ -1,0 +1,226 @@
+#pragma once
+// A scene as plain typed data in SI units: what the user's file says after defaults, includes and overrides. Every
+// parameter's key, range and meaning is described once, in cases/scene/schema.h.
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/geometry.h"
+#include "core/vector.h"
+
+namespace lahar::scene {
+
+enum class Precision { float32, float64 };
+enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
+enum class Axis { x, y, z };
+enum class WallShape { plane, box, cylinder, sphere };
+enum class Collision { central_moments, bgk, trt };
+enum class BodyWeighting { solid_fraction, noble_torczynski };
+enum class ProbeKind { height, pressure };
+
+struct Identity {
+  std::optional<std::string> base;  ///< only in the file: unset in a loaded scene
+  std::string name, title;
+  bool operator==(const Identity&) const = default;
+};
+
+struct Run {
+  double duration = 0;            ///< s
+  double series_interval = 0.01;  ///< s
+  double output_interval = 0;     ///< s, 0 = off
+  double image_interval = 0;      ///< s, 0 = off
+  std::int64_t seed = 1;
+  Precision precision = Precision::float32;
+  bool operator==(const Run&) const = default;
+};
+
+struct Gravity {
+  double magnitude = 9.81;  ///< m/s^2
+  double slope_deg = 0;     ///< degrees
+  /// m/s^2: magnitude times (sin slope, 0, -cos slope); x points down the slope, z is normal to the bed.
+  [[nodiscard]] Vec3 vector() const;
+  bool operator==(const Gravity&) const = default;
+};
+
+struct Domain {
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  ///< m
+  std::vector<Face> open_faces;
+  std::vector<Axis> periodic_axes;
+  [[nodiscard]] bool open(Face face) const;
+  [[nodiscard]] bool periodic(Axis axis) const;
+  [[nodiscard]] bool contains(const Vec3& p, double tolerance = 0) const;
+  bool operator==(const Domain&) const = default;
+};
+
+/// Only the members of its shape are used: plane (point, normal), box (lower, upper), cylinder (start, end, radius),
+/// sphere (centre, radius).
+struct WallSettings {
+  std::string name;
+  WallShape shape = WallShape::plane;
+  Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
+  Vec3 start = Vec3::Zero(), end = Vec3::Zero(), centre = Vec3::Zero();
+  double radius = 0;
+  WallSlip slip = WallSlip::no_slip;
+  std::string material;  ///< empty where nothing solid can touch it
+  Vec3 velocity = Vec3::Zero();
+  bool operator==(const WallSettings&) const = default;
+};
+
+struct FluidRegion {
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero(), velocity = Vec3::Zero();
+  bool operator==(const FluidRegion&) const = default;
+};
+
+struct Fluid {
+  bool enabled = false;
+  double cell_size = 0;               ///< m
+  double density = 1000;              ///< kg/m^3
+  double kinematic_viscosity = 1e-6;  ///< m^2/s
+  Collision collision = Collision::central_moments;
+  double smagorinsky = 0;
+  double lattice_velocity = 0.1;
+  double max_speed = 0;  ///< m/s, 0 = from the drop height
+  std::vector<FluidRegion> regions;
+  bool operator==(const Fluid&) const = default;
+};
+
+struct MaterialSettings {
+  std::string name;
+  double youngs_modulus = 0;  ///< Pa
+  double poisson_ratio = 0;
+  bool operator==(const MaterialSettings&) const = default;
+};
+
+struct Contact {
+  std::vector<std::string> materials;  ///< two names
+  double friction = 0, restitution = 1;
+  bool operator==(const Contact&) const = default;
+};
+
+struct Solids {
+  double time_step = 0;  ///< s, 0 = automatic
+  double contact_safety = 0.2;
+  double bond_safety = 0.7;
+  double contact_modulus_scale = 1;
+  double bond_stiffness_scale = 1;
+  double bond_damping_ratio = 0.02;
+  bool operator==(const Solids&) const = default;
+};
+
+struct GrainSize {
+  double diameter = 0;  ///< m
+  std::int64_t count = 0;
+  double density = 0;  ///< kg/m^3
+  std::string material;
+  bool operator==(const GrainSize&) const = default;
+};
+
+struct Packing {
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  ///< m
+  double target_height = 0;                         ///< m above the floor, 0 = as it comes
+  std::vector<GrainSize> sizes;
+  bool operator==(const Packing&) const = default;
+};
+
+struct GrainSphere {
+  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
+  double diameter = 0, density = 0;
+  std::string material;
+  bool fixed = false;
+  bool operator==(const GrainSphere&) const = default;
+};
+
+struct Grains {
+  std::vector<Packing> packings;
+  std::vector<GrainSphere> spheres;
+  bool operator==(const Grains&) const = default;
+};
+
+struct Net {
+  Vec3 origin = Vec3::Zero();  ///< m, the lower corner of the net
+  Vec3 width_direction{0, 1, 0}, height_direction{0, 0, 1};
+  double width = 0, height = 0;  ///< m
+  double ring_diameter = 0;      ///< m, of the wire's centre line
+  double ring_pitch = 0;         ///< m, between ring centres
+  std::int64_t beads_per_ring = 0;
+  double wire_diameter = 0;  ///< m
+  double density = 7800;     ///< kg/m^3
+  std::string material;
+  bool operator==(const Net&) const = default;
+};
+
+struct BarrierBonds {
+  double ring_stiffness = 0, cable_stiffness = 0;  ///< N/m^3
+  std::vector<double> dissipator_stiffness;        ///< N/m^3, empty = no dissipators
+  std::vector<double> dissipator_force_limit;      ///< N
+  bool plastic_unloading = false;
+  bool operator==(const BarrierBonds&) const = default;
+};
+
+struct Anchors {
+  bool bottom_cable_fixed = false;
+  bool lateral_cable_middles_fixed = false;
+  bool operator==(const Anchors&) const = default;
+};
+
+struct Barrier {
+  bool enabled = false;
+  Net net;
+  BarrierBonds bonds;
+  Anchors anchors;
+  bool operator==(const Barrier&) const = default;
+};
+
+struct Coupling {
+  bool enabled = false;
+  BodyWeighting body_weighting = BodyWeighting::solid_fraction;
+  bool wire_drag = true;
+  bool operator==(const Coupling&) const = default;
+};
+
+struct Measure {
+  std::optional<double> section_x;  ///< m; see section_of()
+  double inflow_distance = 0.15;    ///< m, upstream of the section
+  double outflow_distance = 0.325;  ///< m, downstream of the section
+  double energy_datum_z = 0;        ///< m
+  bool operator==(const Measure&) const = default;
+};
+
+struct Probe {
+  std::string name;
+  ProbeKind kind = ProbeKind::height;
+  Vec3 position = Vec3::Zero();  ///< m
+  bool operator==(const Probe&) const = default;
+};
+
+struct Scene {
+  Identity identity;
+  Run run;
+  Gravity gravity;
+  Domain domain;
+  std::vector<WallSettings> walls;
+  Fluid fluid;
+  std::vector<MaterialSettings> materials;  ///< sorted by name
+  std::vector<Contact> contacts;
+  Solids solids;
+  Grains grains;
+  Barrier barrier;
+  Coupling coupling;
+  Measure measure;
+  std::vector<Probe> probes;
+  bool operator==(const Scene&) const = default;
+
+  [[nodiscard]] bool has_solids() const {
+    return barrier.enabled || !grains.packings.empty() || !grains.spheres.empty();
+  }
+};
+
+/// Index of a material, -1 if there is none of that name.
+int material_index(const Scene& scene, const std::string& name);
+
+/// The section that is measured: measure.section_x_m, or the barrier's plane where there is a fluid too, or none.
+std::optional<double> section_of(const Scene& scene);
+
+}  // namespace lahar::scene

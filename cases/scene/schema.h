@@ -1,0 +1,268 @@
+#pragma once
+// The one description of every parameter: key (with its unit), range, default (the member's initializer in scene.h) and
+// meaning. Reading, checking, suggestions, the resolved scene and docs/scene_reference.md all visit it. A visitor has
+//   value(key, member, rule, doc)     one parameter
+//   table(key, part, presence, doc)   a table
+//   array(key, parts, doc)            a list of tables
+//   named(key, parts, doc)            a table of tables, each under its own name
+//   for_shape(holds, condition, body) keys that are meaningful, and needed, only under a condition
+//   when_on(enabled, body)            keys of a part that can be switched off: needed only when it is on
+#include "cases/scene/range.h"
+#include "cases/scene/scene.h"
+
+namespace lahar::scene {
+
+/// Whether a table may be left out altogether.
+enum class Presence { needed, optional };
+
+template <class V>
+void describe(V& v, Identity& s) {
+  v.value("base", s.base, {},
+          "Another scene file, relative to this one, whose values hold where this file says nothing. A list given here "
+          "replaces the other's list.");
+  v.value("name", s.name, required(),
+          "Short name: letters, digits, `_` and `-`. Results go to `results/NAME` by default.");
+  v.value("title", s.title, {}, "One line for reports.");
+}
+
+template <class V>
+void describe(V& v, Run& s) {
+  v.value("duration_s", s.duration, required(positive()), "Simulated time.");
+  v.value("series_interval_s", s.series_interval, {positive()}, "Time between entries of the time series.");
+  v.value("output_interval_s", s.output_interval, {non_negative()}, "Time between full outputs; 0 = none.");
+  v.value("image_interval_s", s.image_interval, {non_negative()}, "Time between images; 0 = none.");
+  v.value("seed", s.seed, {non_negative()}, "Seed of everything random.");
+  v.value("precision", s.precision, {}, "Number format of the fluid's populations.");
+}
+
+template <class V>
+void describe(V& v, Gravity& s) {
+  v.value("magnitude_m_s2", s.magnitude, {non_negative()}, "Acceleration of gravity.");
+  v.value("slope_deg", s.slope_deg, {between(0, 90)},
+          "Slope of the bed: x points down the slope, z is normal to the bed, g = magnitude (sin, 0, -cos).");
+}
+
+template <class V>
+void describe(V& v, Domain& s) {
+  v.value("lower_m", s.lower, required(), "Lower corner of the space that is simulated.");
+  v.value("upper_m", s.upper, required(), "Upper corner.");
+  v.value("open_faces", s.open_faces, {},
+          "Faces through which water may leave (counted as outflow). Every other face is a no-slip wall for the water. "
+          "Grains are held by [[wall]] alone and removed once they have left the domain.");
+  v.value("periodic_axes", s.periodic_axes, {}, "Axes along which the fluid repeats; only without grains and barrier.");
+}
+
+template <class V>
+void describe(V& v, WallSettings& s) {
+  v.value("name", s.name, {}, "Name in results.");
+  v.value("shape", s.shape, required(), "Shape of the solid.");
+  v.for_shape(s.shape == WallShape::plane, "shape = \"plane\"", [&] {
+    v.value("point_m", s.point, required(), "A point of the plane.");
+    v.value("normal", s.normal, required(), "Normal of the plane, out of the solid; any length but zero.");
+  });
+  v.for_shape(s.shape == WallShape::box, "shape = \"box\"", [&] {
+    v.value("lower_m", s.lower, required(), "Lower corner.");
+    v.value("upper_m", s.upper, required(), "Upper corner.");
+  });
+  v.for_shape(s.shape == WallShape::cylinder, "shape = \"cylinder\"", [&] {
+    v.value("start_m", s.start, required(), "One end of the axis.");
+    v.value("end_m", s.end, required(), "Other end of the axis.");
+  });
+  v.for_shape(s.shape == WallShape::sphere, "shape = \"sphere\"",
+              [&] { v.value("centre_m", s.centre, required(), "Centre."); });
+  v.for_shape(s.shape == WallShape::cylinder || s.shape == WallShape::sphere, "shape = \"cylinder\" or \"sphere\"",
+              [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
+  v.value("slip", s.slip, {}, "How water slides along the wall.");
+  v.value("material", s.material, {}, "Name of a material; needed where the scene has grains or a barrier.");
+  v.for_shape(s.shape == WallShape::plane || s.shape == WallShape::box, "shape = \"plane\" or \"box\"", [&] {
+    v.value("velocity_m_s", s.velocity, {}, "Tangential velocity of the surface (the wall itself stays in place).");
+  });
+}
+
+template <class V>
+void describe(V& v, FluidRegion& s) {
+  v.value("lower_m", s.lower, required(), "Lower corner of a box that is full of liquid at the start.");
+  v.value("upper_m", s.upper, required(), "Upper corner.");
+  v.value("velocity_m_s", s.velocity, {}, "Velocity at the start.");
+}
+
+template <class V>
+void describe(V& v, Fluid& s) {
+  v.value("enabled", s.enabled, required(), "Whether there is a fluid.");
+  v.when_on(s.enabled, [&] {
+    v.value("cell_size_m", s.cell_size, required(positive()), "Edge of a lattice cell.");
+    v.value("density_kg_m3", s.density, {positive()}, "Density.");
+    v.value("kinematic_viscosity_m2_s", s.kinematic_viscosity, {positive()}, "Kinematic viscosity.");
+    v.value("collision", s.collision, {}, "Collision operator.");
+    v.value("smagorinsky", s.smagorinsky, {between(0, 0.5)}, "Smagorinsky constant of the eddy viscosity; 0 = off.");
+    v.value(
+        "lattice_velocity", s.lattice_velocity, {above_up_to(0, 0.3)},
+        "Largest expected speed in cells per time step; it sets the time step. Compressibility errors grow with its "
+        "square.");
+    v.value("max_speed_m_s", s.max_speed, {non_negative()},
+            "Largest expected speed; 0 = from the drop height, sqrt(v0^2 + 2 g h).");
+    v.array("region", s.regions, "Where the liquid is at the start.");
+  });
+}
+
+template <class V>
+void describe(V& v, MaterialSettings& s) {
+  v.value("youngs_modulus_Pa", s.youngs_modulus, required(positive()), "Young's modulus.");
+  v.value("poisson_ratio", s.poisson_ratio, required({.lower = 0, .upper = 0.5}), "Poisson's ratio.");
+}
+
+template <class V>
+void describe(V& v, Contact& s) {
+  v.value("materials", s.materials, {.required = true, .min_count = 2, .max_count = 2},
+          "The two materials that touch (the same name twice for a material with itself).");
+  v.value("friction", s.friction, required(non_negative()), "Coulomb coefficient.");
+  v.value("restitution", s.restitution, required(above_up_to(0, 1)), "Coefficient of restitution.");
+}
+
+template <class V>
+void describe(V& v, Solids& s) {
+  v.value(
+      "time_step_s", s.time_step, {non_negative()},
+      "Time step of the particles; 0 = the smaller of the two limits below. Shortened so that a whole number fits into "
+      "a fluid step.");
+  v.value("contact_safety", s.contact_safety, {above_up_to(0, 1)},
+          "Share of the smallest Rayleigh time of a particle that is used.");
+  v.value("bond_safety", s.bond_safety, {above_up_to(0, 1)}, "Share of the smallest limit of a bond that is used.");
+  v.value("contact_modulus_scale", s.contact_modulus_scale, {above_up_to(0, 1)},
+          "Factor on every Young's modulus in contacts: softer contacts allow longer time steps.");
+  v.value("bond_stiffness_scale", s.bond_stiffness_scale, {above_up_to(0, 1)}, "Factor on every bond stiffness.");
+  v.value("bond_damping_ratio", s.bond_damping_ratio, {between(0, 1)}, "Damping of the bonds, as a share of critical.");
+}
+
+template <class V>
+void describe(V& v, GrainSize& s) {
+  v.value("diameter_m", s.diameter, required(positive()), "Diameter.");
+  v.value("count", s.count, required(between(1, 1e7)), "Number of grains.");
+  v.value("density_kg_m3", s.density, required(positive()), "Density.");
+  v.value("material", s.material, required(), "Name of a material.");
+}
+
+template <class V>
+void describe(V& v, Packing& s) {
+  v.value("lower_m", s.lower, required(),
+          "Lower corner of a box in which grains are packed: they settle without friction along -z.");
+  v.value("upper_m", s.upper, required(), "Upper corner.");
+  v.value("target_height_m", s.target_height, {non_negative()},
+          "Height above the floor to which the packing is tapped if it stands higher; 0 = as it settles.");
+  v.array("sizes", s.sizes, "The grains, size by size.");
+}
+
+template <class V>
+void describe(V& v, GrainSphere& s) {
+  v.value("position_m", s.position, required(), "Centre.");
+  v.value("velocity_m_s", s.velocity, {}, "Velocity at the start.");
+  v.value("angular_velocity_rad_s", s.angular_velocity, {}, "Angular velocity at the start.");
+  v.value("diameter_m", s.diameter, required(positive()), "Diameter.");
+  v.value("density_kg_m3", s.density, required(positive()), "Density.");
+  v.value("material", s.material, required(), "Name of a material.");
+  v.value("fixed", s.fixed, {}, "Held in place.");
+}
+
+template <class V>
+void describe(V& v, Grains& s) {
+  v.array("packing", s.packings, "A box of randomly packed grains.");
+  v.array("sphere", s.spheres, "A single grain.");
+}
+
+template <class V>
+void describe(V& v, Net& s) {
+  v.value("origin_m", s.origin, required(), "Lower corner of the net.");
+  v.value("width_direction", s.width_direction, {}, "Direction of the width; any length but zero.");
+  v.value("height_direction", s.height_direction, {}, "Direction of the height, at right angles to the width.");
+  v.value("width_m", s.width, required(positive()), "Width of the frame that the rings fill, all wires inside.");
+  v.value("height_m", s.height, required(positive()), "Height of the frame.");
+  v.value("ring_diameter_m", s.ring_diameter, required(positive()), "Diameter of a ring along the wire's centre line.");
+  v.value("ring_pitch_m", s.ring_pitch, required(positive()),
+          "Distance between the centres of linked rings; adjusted by up to 8 % so that whole rings fill the frame.");
+  v.value("beads_per_ring", s.beads_per_ring, required(between(8, 1000)),
+          "Beads that make up a ring; they should touch.");
+  v.value("wire_diameter_m", s.wire_diameter, required(positive()), "Diameter of wire and beads.");
+  v.value("density_kg_m3", s.density, {positive()}, "Density of the beads.");
+  v.value("material", s.material, required(), "Name of a material.");
+}
+
+template <class V>
+void describe(V& v, BarrierBonds& s) {
+  v.value("ring_stiffness_N_m3", s.ring_stiffness, required(positive()),
+          "Normal and shear stiffness of ring bonds, per unit area.");
+  v.value("cable_stiffness_N_m3", s.cable_stiffness, required(positive()), "The same of cable bonds.");
+  v.value("dissipator_stiffness_N_m3", s.dissipator_stiffness, {.range = positive(), .max_count = 3},
+          "Stiffness of the two or three stages of the energy dissipators next to the fixed cable ends; empty = no "
+          "dissipators.");
+  v.value("dissipator_force_limit_N", s.dissipator_force_limit, {.range = positive(), .max_count = 2},
+          "Force at which each stage but the last ends, rising.");
+  v.value("plastic_unloading", s.plastic_unloading, {},
+          "Dissipators unload with the stiffness of the first stage instead of back along the curve.");
+}
+
+template <class V>
+void describe(V& v, Anchors& s) {
+  v.value("bottom_cable_fixed", s.bottom_cable_fixed, {}, "The whole bottom cable is fixed to the bed.");
+  v.value("lateral_cable_middles_fixed", s.lateral_cable_middles_fixed, {},
+          "The middles of the two lateral cables are fixed. The ends of all cables always are.");
+}
+
+template <class V>
+void describe(V& v, Barrier& s) {
+  v.value("enabled", s.enabled, required(), "Whether there is a barrier.");
+  v.when_on(s.enabled, [&] {
+    v.table("net", s.net, Presence::needed, "The ring net.");
+    v.table("bonds", s.bonds, Presence::needed, "Stiffness of wire, cables and dissipators.");
+    v.table("anchors", s.anchors, Presence::optional, "What is fixed.");
+  });
+}
+
+template <class V>
+void describe(V& v, Coupling& s) {
+  v.value("enabled", s.enabled, required(), "Whether fluid and particles act on each other.");
+  v.when_on(s.enabled, [&] {
+    v.value("body_weighting", s.body_weighting, {}, "Weight of the solid in a partly covered cell.");
+    v.value("wire_drag", s.wire_drag, {}, "Drag of wires thinner than the cells by a drag law.");
+  });
+}
+
+template <class V>
+void describe(V& v, Measure& s) {
+  v.value("section_x_m", s.section_x, {},
+          "Plane whose arrival times and passing masses are measured. Default: the barrier's plane if there is a "
+          "fluid, or none.");
+  v.value("inflow_distance_m", s.inflow_distance, {non_negative()},
+          "The energy of the arriving flow is taken when its front is this far upstream of the section.");
+  v.value("outflow_distance_m", s.outflow_distance, {non_negative()},
+          "Mass and energy that pass are counted this far downstream of the section.");
+  v.value("energy_datum_z_m", s.energy_datum_z, {},
+          "Potential energy is zero at the bed-normal coordinate z = this on the section.");
+}
+
+template <class V>
+void describe(V& v, Probe& s) {
+  v.value("name", s.name, required(), "Name in results: letters, digits, `_` and `-`.");
+  v.value("kind", s.kind, required(), "Depth of liquid above the point, or pressure in it.");
+  v.value("position_m", s.position, required(), "Where.");
+}
+
+/// The whole file.
+template <class V>
+void describe(V& v, Scene& s) {
+  v.table("scene", s.identity, Presence::needed, "What it is called.");
+  v.table("run", s.run, Presence::needed, "How long and what to write.");
+  v.table("gravity", s.gravity, Presence::optional, "Gravity and slope.");
+  v.table("domain", s.domain, Presence::needed, "The space that is simulated.");
+  v.array("wall", s.walls, "Solid walls, for fluid and particles alike. They never move.");
+  v.table("fluid", s.fluid, Presence::optional, "Water or slurry: the lattice Boltzmann fluid. Off when left out.");
+  v.named("materials", s.materials, "Elastic properties, each material under its own name.");
+  v.array("contact", s.contacts, "Properties of a pair of materials. Pairs left out are smooth and elastic.");
+  v.table("solids", s.solids, Presence::optional, "Time step and softening of grains and barrier.");
+  v.table("grains", s.grains, Presence::optional, "Boulders and grains.");
+  v.table("barrier", s.barrier, Presence::optional, "The flexible ring net. Off when left out.");
+  v.table("coupling", s.coupling, Presence::optional, "Fluid and particles together. Off when left out.");
+  v.table("measure", s.measure, Presence::optional, "Where arrival, inflow and outflow are measured.");
+  v.array("probe", s.probes, "Points where a time series is taken.");
+}
+
+}  // namespace lahar::scene

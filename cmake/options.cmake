@@ -1,0 +1,46 @@
+# Compiler options shared by all rooms. `lahar_options` is linked by every target of ours.
+option(LAHAR_NATIVE "Optimise for the processor of this machine (-march=native)" ON)
+option(LAHAR_WERROR "Treat warnings as errors" ON)
+option(LAHAR_BUILD_TESTS "Build the test suite" ON)
+set(LAHAR_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined or thread")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+# Once and globally: Eigen's alignment must be the same in every translation unit.
+if(LAHAR_NATIVE)
+  add_compile_options(-march=native)
+endif()
+if(LAHAR_SANITIZE)
+  add_compile_options(-fsanitize=${LAHAR_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${LAHAR_SANITIZE})
+endif()
+
+add_library(lahar_options INTERFACE)
+add_library(Lahar::options ALIAS lahar_options)
+target_compile_options(lahar_options INTERFACE
+  $<BUILD_INTERFACE:-Wall;-Wextra;-Wpedantic;-Wshadow;-Wnon-virtual-dtor;-Wno-psabi>
+  $<BUILD_INTERFACE:$<$<BOOL:${LAHAR_WERROR}>:-Werror>>
+  # GCC 12 warns of uninitialized registers inside its own AVX-512 header.
+  $<BUILD_INTERFACE:$<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>>)
+target_compile_features(lahar_options INTERFACE cxx_std_20)
+set_target_properties(lahar_options PROPERTIES EXPORT_NAME options)
+
+# lahar_library(NAME SOURCES ... DEPENDS ...): a room as a static library Lahar::NAME.
+function(lahar_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
+  add_library(lahar_${name} STATIC ${ARG_SOURCES})
+  add_library(Lahar::${name} ALIAS lahar_${name})
+  set_target_properties(lahar_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_include_directories(lahar_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                                  $<INSTALL_INTERFACE:include/lahar>)
+  target_link_libraries(lahar_${name} PUBLIC Lahar::options ${ARG_DEPENDS} PRIVATE ${ARG_PRIVATE_DEPENDS})
+endfunction()

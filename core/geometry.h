@@ -1,0 +1,78 @@
+#pragma once
+// Walls and terrain as signed distances: positive in the space that fluid and grains may fill, negative inside the
+// wall. The same walls bound the fluid (link-wise distances) and the particles (contact).
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace lahar {
+
+/// Everything on the side of the plane that `normal` (unit) points to is free; the rest is wall.
+struct HalfSpace {
+  Vec3 point, normal;
+  [[nodiscard]] double distance(const Vec3& p) const { return normal.dot(p - point); }
+  [[nodiscard]] Vec3 gradient(const Vec3&) const { return normal; }
+};
+
+/// A solid axis-aligned box; free space is outside.
+struct SolidBox {
+  Vec3 lower, upper;
+  [[nodiscard]] double distance(const Vec3& p) const;
+  [[nodiscard]] Vec3 gradient(const Vec3& p) const;
+};
+
+/// A solid capped cylinder of given axis (two end points) and radius; free space is outside.
+struct SolidCylinder {
+  Vec3 start, end;
+  double radius = 0;
+  [[nodiscard]] double distance(const Vec3& p) const;
+  [[nodiscard]] Vec3 gradient(const Vec3& p) const;
+};
+
+/// A solid sphere; free space is outside.
+struct SolidSphere {
+  Vec3 centre;
+  double radius = 0;
+  [[nodiscard]] double distance(const Vec3& p) const { return (p - centre).norm() - radius; }
+  [[nodiscard]] Vec3 gradient(const Vec3& p) const;
+};
+
+using Shape = std::variant<HalfSpace, SolidBox, SolidCylinder, SolidSphere>;
+
+/// How fluid slides along a wall.
+enum class WallSlip { no_slip, free_slip };
+
+struct Wall {
+  std::string name;
+  Shape shape;
+  WallSlip slip = WallSlip::no_slip;
+  int material = 0;               ///< index into the DEM's materials
+  Vec3 velocity = Vec3::Zero();   ///< m/s, tangential motion of the wall surface
+};
+
+struct WallPoint {
+  double distance = std::numeric_limits<double>::infinity();  ///< m, signed
+  Vec3 normal = Vec3::Zero();                                 ///< unit, out of the wall
+  int wall = -1;                                              ///< index of the nearest wall, -1 if there is none
+};
+
+/// The union of all walls of a scene.
+class Walls {
+ public:
+  void add(Wall wall) { walls_.push_back(std::move(wall)); }
+  [[nodiscard]] const std::vector<Wall>& all() const { return walls_; }
+  [[nodiscard]] bool empty() const { return walls_.empty(); }
+  /// Signed distance to one wall.
+  [[nodiscard]] double distance(std::size_t wall, const Vec3& p) const;
+  [[nodiscard]] Vec3 gradient(std::size_t wall, const Vec3& p) const;
+  /// The nearest (deepest) wall.
+  [[nodiscard]] WallPoint nearest(const Vec3& p) const;
+
+ private:
+  std::vector<Wall> walls_;
+};
+
+}  // namespace lahar

@@ -1,0 +1,321 @@
+#include "coupling/body_map.h"
+
+#include <numbers>
+
+#include "core/check.h"
+#include "core/parallel.h"
+
+namespace lahar::coupling {
+
+using lbm::Block;
+using lbm::BlockIndex;
+using lbm::CellType;
+using lbm::kNoBlock;
+
+namespace {
+
+/// Calls visit(first cell of the row, x, y, eps[8]) for the rows of a block that a sphere reaches.
+template <class Real, class Visit>
+void for_rows(const GridSphere<Real>& s, const Vec3i& lowest, const Visit& visit) {
+  const RowRange rows = rows_in_reach(s, lowest);
+  Real eps[lbm::kBlockWidth];
+  for (int x = rows.low[0]; x < rows.high[0]; ++x)
+    for (int y = rows.low[1]; y < rows.high[1]; ++y) {
+      sphere_row(s, lowest.x() + x, lowest.y() + y, lowest.z(), eps);
+      visit(lbm::cell_index(x, y, 0), x, y, eps);
+    }
+}
+
+/// Volume of a sphere in a block, in cells.
+template <class Real>
+double volume_in(const GridSphere<Real>& s, const Vec3i& lowest) {
+  Real lane[lbm::kBlockWidth] = {};
+  for_rows(s, lowest, [&](int, int, int, const Real* eps) {
+    for (int c = 0; c < lbm::kBlockWidth; ++c) lane[c] += eps[c];
+  });
+  double sum = 0;
+  for (const Real v : lane) sum += static_cast<double>(v);
+  return sum;
+}
+
+/// Volume of a sphere in the wet cells of a block, in cells.
+template <class Real>
+double wet_volume_in(const GridSphere<Real>& s, const Block<Real>& block, const Vec3i& lowest) {
+  double sum = 0;
+  for_rows(s, lowest, [&](int row, int, int, const Real* eps) {
+    for (int k = 0; k < lbm::kBlockWidth; ++k)
+      if (lbm::is_wet(block.type[static_cast<std::size_t>(row + k)])) sum += static_cast<double>(eps[k]);
+  });
+  return sum;
+}
+
+}  // namespace
+
+template <class Real>
+template <class Visit>
+void BodyMap<Real>::for_each_block(const Visit& visit) const {
+  const std::size_t blocks = block_start_.empty() ? 0 : block_start_.size() - 1;
+  parallel_for(0, blocks, 8, [&](std::size_t b) {
+    if (block_start_[b] < block_start_[b + 1]) visit(static_cast<BlockIndex>(b));
+  });
+}
+
+template <class Real>
+void BodyMap<Real>::update(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+  measure_old(fluid);
+  map(fluid, particles);
+  book_displacement(fluid);
+}
+
+template <class Real>
+void BodyMap<Real>::embed(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+  require(bodies_.empty(), "BodyMap::embed: bodies are mapped already");
+  map(fluid, particles);
+}
+
+template <class Real>
+void BodyMap<Real>::map(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+  collect(fluid, particles);
+  sort_by_block(fluid);
+  normalize(fluid);
+  write_fields(fluid);
+}
+
+/// Dry blocks may have been released since the pair was made, and their index used again.
+template <class Real>
+bool BodyMap<Real>::is_alive(const lbm::Fluid<Real>& fluid, const Pair& p) const {
+  return fluid.grid().exists(p.block) && fluid.grid().block(p.block).birth == p.birth;
+}
+
+/// The wet volume of the former mapping under the cell types of now: conversions have booked their part already.
+template <class Real>
+void BodyMap<Real>::measure_old(lbm::Fluid<Real>& fluid) {
+  parallel_for(0, pairs_.size(), 256, [&](std::size_t k) {
+    Pair& p = pairs_[k];
+    if (!is_alive(fluid, p)) {
+      p.wet_volume = 0;
+      return;
+    }
+    const Block<Real>& block = fluid.grid().block(p.block);
+    p.wet_volume = block.wet_cells == lbm::kBlockCells
+                       ? p.volume
+                       : wet_volume_in(spheres_[p.body], block, fluid.grid().lowest_cell(p.block));
+  });
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    Body& b = bodies_[k];
+    double sum = 0;
+    for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) sum += pairs_[p].wet_volume;
+    old_wet_[b.particle] = sum;
+  }
+}
+
+template <class Real>
+void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+  const auto& units = fluid.units();
+  old_wet_.resize(particles.size(), 0.0);
+  last_velocity_.resize(particles.size(), Vec3::Zero());
+  known_.resize(particles.size(), 0);
+  former_.swap(bodies_);
+  bodies_.clear(), spheres_.clear(), pairs_.clear();
+  for (dem::ParticleIndex i = 0; i < particles.size(); ++i) {
+    if (particles.kind[i] != dem::ParticleKind::grain || particles.state[i] == dem::ParticleState::removed) continue;
+    const Vec3 place = (particles.position[i] - fluid.grid().domain().origin()) / units.cell_size;
+    const double r = particles.radius[i] / units.cell_size;
+    GridSphere<Real> s;
+    const Vec3 v = particles.velocity[i] * units.velocity_to_lu(1.0), w = particles.angular_velocity[i] * units.time_step;
+    for (int a = 0; a < 3; ++a) {
+      s.centre[a] = static_cast<Real>(place[a]);
+      s.velocity[a] = static_cast<Real>(v[a]);
+      s.spin[a] = static_cast<Real>(w[a]);
+    }
+    s.radius = static_cast<Real>(mapping_radius(r));
+    Body b;
+    b.particle = i;
+    b.volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
+    b.velocity = v;
+    b.old_velocity = known_[i] ? last_velocity_[i] : v;
+    b.old_wet_volume = old_wet_[i];
+    old_wet_[i] = 0;
+    last_velocity_[i] = v;
+    known_[i] = 1;
+    bodies_.push_back(b);
+    spheres_.push_back(s);
+    add_pairs(fluid, static_cast<std::uint32_t>(bodies_.size() - 1));
+  }
+  // A grain that was removed while in the liquid leaves a void: its volume is drawn from the pool.
+  for (const Body& b : former_)
+    if (old_wet_[b.particle] != 0) {
+      fluid.account().pool -= old_wet_[b.particle];
+      old_wet_[b.particle] = 0;
+    }
+}
+
+template <class Real>
+void BodyMap<Real>::add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body) {
+  const GridSphere<Real>& s = spheres_[body];
+  Vec3i low, high;
+  for (int a = 0; a < 3; ++a) {
+    low[a] = static_cast<int>(std::floor(s.centre[a] - s.radius - Real(0.5))) >> 3;
+    high[a] = static_cast<int>(std::floor(s.centre[a] + s.radius + Real(0.5))) >> 3;
+  }
+  Body& b = bodies_[body];
+  b.first_pair = pairs_.size();
+  for (int x = low.x(); x <= high.x(); ++x)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int z = low.z(); z <= high.z(); ++z) {
+        const BlockIndex block = fluid.grid().topology().find({x, y, z});
+        if (block == kNoBlock) b.all_blocks = false;
+        else pairs_.push_back({block, body, fluid.grid().block(block).birth, 0, 0, 0, Vec3::Zero(), Vec3::Zero()});
+      }
+  b.pairs = pairs_.size() - b.first_pair;
+}
+
+/// Counting sort; within a block the pairs stay in the order of the bodies.
+template <class Real>
+void BodyMap<Real>::sort_by_block(const lbm::Fluid<Real>& fluid) {
+  block_start_.assign(fluid.grid().topology().capacity() + 1, 0);
+  for (const Pair& p : pairs_) ++block_start_[static_cast<std::size_t>(p.block) + 1];
+  for (std::size_t b = 1; b < block_start_.size(); ++b) block_start_[b] += block_start_[b - 1];
+  by_block_.resize(pairs_.size());
+  next_.assign(block_start_.begin(), block_start_.end() - 1);
+  for (std::uint32_t k = 0; k < pairs_.size(); ++k) by_block_[next_[static_cast<std::size_t>(pairs_[k].block)]++] = k;
+}
+
+/// Scales each sphere to its exact volume, where all blocks that it reaches exist.
+template <class Real>
+void BodyMap<Real>::normalize(const lbm::Fluid<Real>& fluid) {
+  parallel_for(0, bodies_.size(), 64, [&](std::size_t k) {
+    Body& b = bodies_[k];
+    double sum = 0;
+    for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
+      pairs_[p].volume = volume_in(spheres_[k], fluid.grid().lowest_cell(pairs_[p].block));
+      sum += pairs_[p].volume;
+    }
+    const double factor = b.all_blocks && sum > 0 ? b.volume / sum : 1.0;
+    spheres_[k].factor = static_cast<Real>(factor);
+    for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) pairs_[p].volume *= factor;
+  });
+}
+
+template <class Real>
+void BodyMap<Real>::write_fields(lbm::Fluid<Real>& fluid) {
+  auto& grid = fluid.grid();
+  for (const BlockIndex b : grid.active()) {
+    const auto at = static_cast<std::size_t>(b);
+    if (block_start_[at] < block_start_[at + 1]) grid.require_body(b).used = true;
+  }
+  for_each_block([&](BlockIndex b) { write_block(fluid, b); });
+  wet_volume_ = 0;
+  for (const Pair& p : pairs_) wet_volume_ += p.wet_volume;
+}
+
+template <class Real>
+void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
+  auto& grid = fluid.grid();
+  Block<Real>& block = grid.block(index);
+  lbm::BodyFields<Real>& f = *block.body;
+  const Vec3i lowest = grid.lowest_cell(index);
+  const auto at = static_cast<std::size_t>(index);
+  const bool mixed = block.wet_cells < lbm::kBlockCells || block.surface;
+  for (std::uint32_t k = block_start_[at]; k < block_start_[at + 1]; ++k) {
+    Pair& pair = pairs_[by_block_[k]];
+    const GridSphere<Real>& s = spheres_[pair.body];
+    pair.wet_volume = mixed ? 0 : pair.volume;
+    pair.surface_weight = 0;
+    for_rows(s, lowest, [&](int row, int x, int y, const Real* eps) {
+      const Real rx = static_cast<Real>(lowest.x() + x) + Real(0.5) - s.centre[0];
+      const Real ry = static_cast<Real>(lowest.y() + y) + Real(0.5) - s.centre[1];
+      for (int c = 0; c < lbm::kBlockWidth; ++c) {
+        const Real rz = static_cast<Real>(lowest.z() + c) + Real(0.5) - s.centre[2];
+        f.solid_fraction[row + c] += eps[c];
+        f.momentum_x[row + c] += eps[c] * (s.velocity[0] + s.spin[1] * rz - s.spin[2] * ry);
+        f.momentum_y[row + c] += eps[c] * (s.velocity[1] + s.spin[2] * rx - s.spin[0] * rz);
+        f.momentum_z[row + c] += eps[c] * (s.velocity[2] + s.spin[0] * ry - s.spin[1] * rx);
+      }
+      for (int c = 0; mixed && c < lbm::kBlockWidth; ++c) {
+        const CellType t = block.type[static_cast<std::size_t>(row + c)];
+        if (lbm::is_wet(t)) pair.wet_volume += static_cast<double>(eps[c]);
+        if (t == CellType::interface) pair.surface_weight += static_cast<double>(eps[c]);
+      }
+    });
+  }
+}
+
+/// Adds each body's change of wet volume to the interface cells that it covers; the pool takes it where there are none.
+template <class Real>
+void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
+  displaced_.assign(bodies_.size(), 0.0);
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const Body& b = bodies_[k];
+    double now = 0, weight = 0;
+    for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
+      now += pairs_[p].wet_volume;
+      weight += pairs_[p].surface_weight;
+    }
+    const double change = now - b.old_wet_volume;
+    if (change == 0) continue;
+    if (weight > std::abs(change)) displaced_[k] = change / weight;
+    else fluid.account().pool += change;
+  }
+  for_each_block([&](BlockIndex index) {
+    Block<Real>& block = fluid.grid().block(index);
+    if (!block.surface) return;
+    const auto at = static_cast<std::size_t>(index);
+    for (std::uint32_t k = block_start_[at]; k < block_start_[at + 1]; ++k) {
+      const std::uint32_t body = pairs_[by_block_[k]].body;
+      if (displaced_[body] == 0) continue;
+      for_rows(spheres_[body], fluid.grid().lowest_cell(index), [&](int row, int, int, const Real* eps) {
+        for (int c = 0; c < lbm::kBlockWidth; ++c)
+          if (block.type[static_cast<std::size_t>(row + c)] == CellType::interface)
+            block.surface->mass[row + c] += static_cast<Real>(displaced_[body]) * eps[c];
+      });
+    }
+  });
+}
+
+template <class Real>
+Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
+  auto& grid = fluid.grid();
+  parallel_for(0, pairs_.size(), 128, [&](std::size_t k) {
+    Pair& pair = pairs_[k];
+    pair.force = pair.torque = Vec3::Zero();
+    if (!is_alive(fluid, pair)) return;
+    const lbm::BodyFields<Real>& f = *grid.block(pair.block).body;
+    const GridSphere<Real>& s = spheres_[pair.body];
+    const Vec3i lowest = grid.lowest_cell(pair.block);
+    for_rows(s, lowest, [&](int row, int x, int y, const Real* eps) {
+      for (int c = 0; c < lbm::kBlockWidth; ++c) {
+        if (eps[c] == 0) continue;
+        const double share = static_cast<double>(eps[c]) / static_cast<double>(f.solid_fraction[row + c]);
+        const Vec3 force = share * Vec3(static_cast<double>(f.exchange_x[row + c]), static_cast<double>(f.exchange_y[row + c]),
+                                        static_cast<double>(f.exchange_z[row + c]));
+        const Vec3 arm = (lowest + Vec3i(x, y, c)).cast<double>() + Vec3::Constant(0.5) -
+                         Vec3(static_cast<double>(s.centre[0]), static_cast<double>(s.centre[1]), static_cast<double>(s.centre[2]));
+        pair.force += force;
+        pair.torque += arm.cross(force);
+      }
+    });
+  });
+  const auto& units = fluid.units();
+  Vec3 total = Vec3::Zero();
+  for (const Body& b : bodies_) {
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+    double wet = 0;
+    for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
+      force += pairs_[p].force;
+      torque += pairs_[p].torque;
+      wet += pairs_[p].wet_volume;
+    }
+    total += force;
+    // The exchange also accelerates the liquid that fills the body's place; that part is no load on the body.
+    force += wet * (b.velocity - b.old_velocity);
+    particles.external_force.add(b.particle, force * units.force_to_si(1.0));
+    particles.external_torque.add(b.particle, torque * units.torque_to_si(1.0));
+  }
+  return total;
+}
+
+template class BodyMap<float>;
+template class BodyMap<double>;
+
+}  // namespace lahar::coupling

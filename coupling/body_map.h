@@ -1,0 +1,86 @@
+#pragma once
+// Where the grains are in the fluid's blocks, and whose momentum is whose.
+//
+// Liquid and bodies share the cells ("total fill": the mass of a wet cell includes the body's share). Populations of wet
+// cells carry the mixture, so that a body that moves inside the liquid pushes it by itself. A body that moves between a
+// gas cell and a wet cell is not carried by any population; its change of volume in wet cells is added to the interface
+// cells that it covers. So a body entering the water raises the level by its volume, and
+//   liquid = sum of wet masses - sum over bodies of their volume in wet cells
+// is conserved exactly (docs/coupling.md, docs/decisions/0003).
+#include <vector>
+
+#include "coupling/sphere_fraction.h"
+#include "dem/particles.h"
+#include "lbm/fluid.h"
+
+namespace lahar::coupling {
+
+template <class Real>
+class BodyMap {
+ public:
+  /// Maps all free and fixed grains (not beads) at their present places into cleared body fields (see body_fields.h),
+  /// and books displaced volume.
+  void update(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
+
+  /// Before the first step: maps grains into liquid that was filled around them. The fill is the total of both, so nothing
+  /// is displaced; restart the fluid's mass ledger afterwards (Fluid::open_ledger).
+  void embed(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
+
+  /// After the fluid step: adds force and torque (SI) of the fluid on each grain. Returns the sum of the forces in lu
+  /// before the interior correction, for the audit.
+  Vec3 add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particles);
+
+  /// Volume of the mapped bodies inside wet cells, in cells (last update).
+  [[nodiscard]] double wet_volume() const { return wet_volume_; }
+  [[nodiscard]] std::size_t pairs() const { return pairs_.size(); }
+
+ private:
+  /// A body and one block that it reaches.
+  struct Pair {
+    lbm::BlockIndex block;
+    std::uint32_t body;      ///< index into bodies_
+    std::uint64_t birth;     ///< of the block
+    double volume = 0;       ///< cells, over all cells of the block
+    double wet_volume = 0;   ///< cells, over wet cells
+    double surface_weight = 0;  ///< sum of eps over interface cells
+    Vec3 force, torque;
+  };
+  struct Body {
+    dem::ParticleIndex particle;
+    std::size_t first_pair = 0, pairs = 0;
+    bool all_blocks = true;       ///< every block in reach exists
+    double volume = 0;            ///< exact, cells
+    double old_wet_volume = 0;    ///< of the former mapping, under present cell types
+    Vec3 velocity, old_velocity;  ///< lu
+    bool had_velocity = false;
+  };
+
+  [[nodiscard]] bool is_alive(const lbm::Fluid<Real>& fluid, const Pair& pair) const;
+  void map(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
+  void measure_old(lbm::Fluid<Real>& fluid);
+  void collect(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
+  void add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body);
+  void sort_by_block(const lbm::Fluid<Real>& fluid);
+  void normalize(const lbm::Fluid<Real>& fluid);
+  void write_fields(lbm::Fluid<Real>& fluid);
+  void write_block(lbm::Fluid<Real>& fluid, lbm::BlockIndex b);
+  void book_displacement(lbm::Fluid<Real>& fluid);
+  template <class Visit>
+  void for_each_block(const Visit& visit) const;
+
+  std::vector<Body> bodies_, former_;
+  std::vector<GridSphere<Real>> spheres_;
+  std::vector<Pair> pairs_;                 // by body, then block
+  std::vector<std::uint32_t> by_block_;     // pair indices sorted by block
+  std::vector<std::uint32_t> block_start_;  // per block index, into by_block_
+  std::vector<std::uint32_t> next_;         // scratch of the sort
+  std::vector<double> old_wet_, displaced_;  // per particle; per body
+  std::vector<Vec3> last_velocity_;          // per particle
+  std::vector<std::uint8_t> known_;          // per particle: last_velocity_ is set
+  double wet_volume_ = 0;
+};
+
+extern template class BodyMap<float>;
+extern template class BodyMap<double>;
+
+}  // namespace lahar::coupling

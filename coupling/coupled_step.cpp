@@ -1,0 +1,101 @@
+#include "coupling/coupled_step.h"
+
+#include "core/parallel.h"
+#include "coupling/body_fields.h"
+
+namespace lahar::coupling {
+
+template <class Real>
+CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::optional<dem::Solids> solids,
+                               CouplingOptions options)
+    : solids_(std::move(solids)), options_(options) {
+  require(fluid || solids_, "CoupledStep: neither fluid nor solids");
+  require(options_.substeps > 0, "CoupledStep: substeps must be positive");
+  if (fluid) {
+    fluid_.emplace(std::move(*fluid));
+    time_step_ = fluid_->units().time_step;
+    if (solids_) solids_->set_time_step(time_step_ / options_.substeps);
+  } else {
+    time_step_ = solids_->options().time_step * options_.substeps;
+  }
+  if (fluid_ && solids_ && options_.wire_drag) wires_.emplace(solids_->particles(), solids_->bonds());
+}
+
+template <class Real>
+void CoupledStep<Real>::fill(const std::vector<lbm::LiquidRegion>& regions) {
+  require(fluid_.has_value(), "CoupledStep::fill: there is no fluid");
+  fluid_->fill(regions);
+  if (!solids_ || !options_.immersed_grains) return;
+  bodies_.embed(*fluid_, solids_->particles());
+  fluid_->open_ledger();
+}
+
+template <class Real>
+void CoupledStep<Real>::advance() {
+  if (fluid_ && solids_) {
+    hold_fluid_forces();
+  } else if (fluid_) {
+    const ScopedTimer timer(timers_.section("fluid"));
+    fluid_->step();
+  }
+  if (solids_) {
+    const ScopedTimer timer(timers_.section("solids"));
+    solids_->advance(options_.substeps);
+  }
+  ++steps_;
+}
+
+/// Fluid step between the solids' places of now; the forces that come out are held over the sub-steps that follow.
+template <class Real>
+void CoupledStep<Real>::hold_fluid_forces() {
+  dem::Particles& particles = solids_->particles();
+  particles.external_force.fill(Vec3::Zero());
+  particles.external_torque.fill(Vec3::Zero());
+  Vec3 on_wires = Vec3::Zero(), from_wires = Vec3::Zero();
+  clear_body_fields(fluid_->grid());
+  if (options_.immersed_grains) {
+    const ScopedTimer timer(timers_.section("coupling.body_map"));
+    bodies_.update(*fluid_, particles);
+  }
+  if (wires_) {
+    const ScopedTimer timer(timers_.section("coupling.wires"));
+    on_wires = wires_->apply(*fluid_, particles);
+    from_wires = wires_->given_to_fluid();
+  }
+  release_unused_body_fields(fluid_->grid());
+  {
+    const ScopedTimer timer(timers_.section("fluid"));
+    fluid_->step();
+  }
+  if (options_.immersed_grains) {
+    const ScopedTimer timer(timers_.section("coupling.forces"));
+    const Vec3 on_grains = bodies_.add_forces(*fluid_, particles);
+    audit_.book(on_grains, body_momentum_in_fields());
+  }
+  audit_.book(on_wires, -from_wires);
+}
+
+/// Momentum that the fluid gave away in this step, read from the fields, cell by cell.
+template <class Real>
+Vec3 CoupledStep<Real>::body_momentum_in_fields() const {
+  const auto& active = fluid_->grid().active();
+  return ordered_sum<Vec3>(
+      active.size(),
+      [&](std::size_t k) {
+        Vec3 sum = Vec3::Zero();
+        const auto& block = fluid_->grid().block(active[k]);
+        if (!block.body) return sum;
+        for (int n = 0; n < lbm::kBlockCells; ++n) {
+          if (block.body->solid_fraction[n] == 0) continue;
+          sum += Vec3(static_cast<double>(block.body->exchange_x[n]), static_cast<double>(block.body->exchange_y[n]),
+                      static_cast<double>(block.body->exchange_z[n]));
+        }
+        return sum;
+      },
+      16, Vec3(Vec3::Zero()));
+}
+
+template class CoupledStep<float>;
+template class CoupledStep<double>;
+
+}  // namespace lahar::coupling

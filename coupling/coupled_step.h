@@ -1,0 +1,58 @@
+#pragma once
+// THE step: fluid, grains and barrier advance together by one fluid time step.
+#include <optional>
+
+#include "coupling/audit.h"
+#include "coupling/body_map.h"
+#include "coupling/wire_drag.h"
+#include "dem/solids.h"
+#include "lbm/fluid.h"
+
+namespace lahar::coupling {
+
+struct CouplingOptions {
+  bool immersed_grains = true;  ///< grains displace and stop the fluid
+  bool wire_drag = true;        ///< beads of rings and cables feel drag and give it back
+  int substeps = 1;             ///< DEM steps in a fluid step
+};
+
+/// Owns the fluid and the solids; either may be absent.
+template <class Real>
+class CoupledStep {
+ public:
+  CoupledStep(std::optional<lbm::FluidOptions> fluid, std::optional<dem::Solids> solids, CouplingOptions options);
+
+  /// Fills boxes with water and grains together: where grains stand, the rest is liquid. Before the first step.
+  void fill(const std::vector<lbm::LiquidRegion>& regions);
+
+  /// Advances by one fluid step (or `substeps` DEM steps without fluid).
+  void advance();
+
+  [[nodiscard]] double time_step() const { return time_step_; }  ///< s
+  [[nodiscard]] double time() const { return static_cast<double>(steps_) * time_step_; }
+  [[nodiscard]] std::int64_t steps() const { return steps_; }
+  [[nodiscard]] lbm::Fluid<Real>* fluid() { return fluid_ ? &*fluid_ : nullptr; }
+  [[nodiscard]] dem::Solids* solids() { return solids_ ? &*solids_ : nullptr; }
+  [[nodiscard]] const MomentumAudit& audit() const { return audit_; }
+  [[nodiscard]] std::size_t wet_beads() const { return wires_ ? wires_->wet_beads() : 0; }
+  [[nodiscard]] Timers& timers() { return timers_; }
+
+ private:
+  void hold_fluid_forces();
+  [[nodiscard]] Vec3 body_momentum_in_fields() const;
+
+  std::optional<lbm::Fluid<Real>> fluid_;
+  std::optional<dem::Solids> solids_;
+  CouplingOptions options_;
+  BodyMap<Real> bodies_;
+  std::optional<WireDrag<Real>> wires_;
+  MomentumAudit audit_;
+  double time_step_ = 0;
+  std::int64_t steps_ = 0;
+  Timers timers_;
+};
+
+extern template class CoupledStep<float>;
+extern template class CoupledStep<double>;
+
+}  // namespace lahar::coupling

@@ -1,0 +1,61 @@
+#pragma once
+// How much of a cell a sphere covers. All lengths in cells.
+//
+// Near the surface the covered fraction of a cell is taken as linear in the distance d of the cell's centre from a
+// sphere of radius r':  eps = clamp(1/2 - d, 0, 1). Averaged over all offsets of the sphere to the grid this gives the
+// volume 4/3 pi (r'^3 + r'/4) for r' >= 1/2 (the sphere convolved with a box of width 1), so r' is chosen to give the true
+// volume; what is left for a particular offset is removed by a factor (see BodyMap).
+#include <algorithm>
+#include <cmath>
+
+#include "lbm/cells.h"
+
+namespace lahar::coupling {
+
+/// The radius r' >= 1/2 with r'^3 + r'/4 = r^3 (Newton); 1/2 for smaller spheres, whose factor does the rest.
+inline double mapping_radius(double r) {
+  const double target = std::max(r * r * r, 0.25);
+  double x = std::max(r, 0.5);
+  for (int k = 0; k < 20; ++k) x -= (x * x * x + x / 4 - target) / (3 * x * x + 0.25);
+  return x;
+}
+
+/// A sphere as the grid sees it, lattice units; positions in cells from the corner of cell (0,0,0).
+template <class Real>
+struct GridSphere {
+  Real centre[3];
+  Real radius;        ///< mapping radius
+  Real factor = 1;    ///< scales eps to the exact volume
+  Real velocity[3];   ///< lu
+  Real spin[3];       ///< rad per step
+};
+
+/// eps of the sphere in the row of 8 cells at (x, y, z0..z0+7), given the row's first cell.
+template <class Real>
+inline void sphere_row(const GridSphere<Real>& s, int x, int y, int z0, Real* __restrict eps) {
+  const Real dx = static_cast<Real>(x) + Real(0.5) - s.centre[0], dy = static_cast<Real>(y) + Real(0.5) - s.centre[1];
+  const Real base = dx * dx + dy * dy, z = static_cast<Real>(z0) + Real(0.5) - s.centre[2];
+  for (int k = 0; k < lbm::kBlockWidth; ++k) {
+    const Real dz = z + static_cast<Real>(k);
+    const Real cover = Real(0.5) + s.radius - std::sqrt(base + dz * dz);
+    eps[k] = s.factor * std::min(Real(1), std::max(Real(0), cover));
+  }
+}
+
+/// Rows x, y of a block that a sphere can reach: [low, high) per axis, local to the block.
+struct RowRange {
+  int low[2], high[2];
+};
+
+template <class Real>
+RowRange rows_in_reach(const GridSphere<Real>& s, const Vec3i& lowest) {
+  RowRange r{};
+  for (int a = 0; a < 2; ++a) {
+    const Real reach = s.radius + Real(0.5);
+    r.low[a] = std::max(0, static_cast<int>(std::floor(s.centre[a] - reach)) - lowest[a]);
+    r.high[a] = std::min(lbm::kBlockWidth, static_cast<int>(std::floor(s.centre[a] + reach)) + 1 - lowest[a]);
+  }
+  return r;
+}
+
+}  // namespace lahar::coupling

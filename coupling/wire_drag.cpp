@@ -1,0 +1,164 @@
+#include "coupling/wire_drag.h"
+
+#include <numbers>
+
+#include "core/parallel.h"
+#include "coupling/drag_law.h"
+
+namespace lahar::coupling {
+
+using lbm::Block;
+using lbm::BlockIndex;
+using lbm::kNoBlock;
+
+namespace {
+
+/// The 27 cells around a point with their kernel weights.
+template <class Visit>
+void for_kernel_cells(const Vec3& place, const Visit& visit) {
+  Vec3i base;
+  double weight[3][3];
+  for (int a = 0; a < 3; ++a) {
+    base[a] = static_cast<int>(std::floor(place[a])) - 1;
+    for (int k = 0; k < 3; ++k) weight[a][k] = roma_kernel(base[a] + k + 0.5 - place[a]);
+  }
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 3; ++z) {
+        const double w = weight[0][x] * weight[1][y] * weight[2][z];
+        if (w > 0) visit(Vec3i(base + Vec3i(x, y, z)), w);
+      }
+}
+
+int cell_in_block(const Vec3i& cell) { return lbm::cell_index(cell.x() & 7, cell.y() & 7, cell.z() & 7); }
+
+/// Share of a wet cell that is liquid.
+template <class Real>
+double liquid_share(const Block<Real>& block, int cell) {
+  const double fill = block.surface ? static_cast<double>(block.surface->fill_level[cell]) : 1.0;
+  const double eps = block.body ? static_cast<double>(block.body->solid_fraction[cell]) : 0.0;
+  return std::max(0.0, fill - std::min(1.0, eps));
+}
+
+/// Drag on a piece of wire, SI: normal and tangential parts by their own laws.
+Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double diameter, double length, double density,
+                double viscosity, double diameter_cells) {
+  const Vec3 along = relative.dot(tangent) * tangent, across = relative - along;
+  const double sampled = across.norm();
+  const double speed = undisturbed_speed(sampled, diameter, viscosity, diameter_cells);
+  const double re = speed * diameter / viscosity;
+  const Vec3 normal_velocity = sampled > 0 ? Vec3(across * (speed / sampled)) : Vec3(Vec3::Zero());
+  return 0.5 * density * diameter * length *
+         (normal_drag_coefficient(re) * speed * normal_velocity +
+          tangential_drag_coefficient(re) * along.norm() * along);
+}
+
+}  // namespace
+
+template <class Real>
+WireDrag<Real>::WireDrag(const dem::Particles& particles, const dem::Bonds& bonds) {
+  std::vector<std::int32_t> place(particles.size(), -1);
+  for (dem::ParticleIndex i = 0; i < particles.size(); ++i) {
+    if (particles.kind[i] != dem::ParticleKind::bead) continue;
+    place[i] = static_cast<std::int32_t>(beads_.size());
+    beads_.push_back({i, i, i, 0.0, false});
+  }
+  for (std::size_t k = 0; k < bonds.size(); ++k) {
+    if (place[bonds.i[k]] < 0 || place[bonds.j[k]] < 0) continue;
+    Bead& first = beads_[static_cast<std::size_t>(place[bonds.i[k]])];
+    Bead& second = beads_[static_cast<std::size_t>(place[bonds.j[k]])];
+    first.after = bonds.j[k];
+    second.before = bonds.i[k];
+    first.length += bonds.rest_length[k] / 2;
+    second.length += bonds.rest_length[k] / 2;
+  }
+  samples_.resize(beads_.size());
+}
+
+template <class Real>
+Vec3 WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
+  allocate_fields(fluid, particles);
+  parallel_for(0, beads_.size(), 128, [&](std::size_t k) {
+    samples_[k] = beads_[k].near ? sample(fluid, particles, beads_[k]) : Sample{};
+  });
+  auto& grid = fluid.grid();
+  Vec3 total = Vec3::Zero();
+  given_ = Vec3::Zero();
+  wet_beads_ = 0;
+  for (std::size_t k = 0; k < beads_.size(); ++k) {
+    const Sample& s = samples_[k];
+    if (s.weight <= 0) continue;
+    const dem::ParticleIndex i = beads_[k].particle;
+    ++wet_beads_;
+    total += s.force;
+    particles.external_force.add(i, s.force * fluid.units().force_to_si(1.0));
+    const Vec3 place = (particles.position[i] - grid.domain().origin()) / fluid.units().cell_size;
+    for_kernel_cells(place, [&](const Vec3i& cell, double w) {
+      const BlockIndex b = grid.topology().find(lbm::block_of(cell));
+      const int n = cell_in_block(cell);
+      if (b == kNoBlock || !lbm::is_wet(grid.block(b).type[static_cast<std::size_t>(n)])) return;
+      const Vec3 part = -s.force * (w * liquid_share(grid.block(b), n) / s.weight);
+      lbm::BodyFields<Real>& f = *grid.block(b).body;
+      f.exchange_x[n] += static_cast<Real>(part.x());
+      f.exchange_y[n] += static_cast<Real>(part.y());
+      f.exchange_z[n] += static_cast<Real>(part.z());
+      given_ += part;
+    });
+  }
+  return total;
+}
+
+/// Blocks in reach of a bead get body fields, so that forces can be written and velocities sampled there.
+template <class Real>
+void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+  auto& grid = fluid.grid();
+  for (Bead& bead : beads_) {
+    bead.near = false;
+    const Vec3 place = (particles.position[bead.particle] - grid.domain().origin()) / fluid.units().cell_size;
+    const Vec3i low = lbm::block_of((place.array() - 1.5).floor().template cast<int>().matrix());
+    const Vec3i high = lbm::block_of((place.array() + 1.5).floor().template cast<int>().matrix());
+    for (int x = low.x(); x <= high.x(); ++x)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int z = low.z(); z <= high.z(); ++z)
+          if (const BlockIndex b = grid.topology().find({x, y, z}); b != kNoBlock && grid.block(b).wet_cells > 0) {
+            grid.require_body(b).used = true;
+            bead.near = true;
+          }
+  }
+}
+
+template <class Real>
+typename WireDrag<Real>::Sample WireDrag<Real>::sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
+                                                      const Bead& bead) const {
+  const auto& grid = fluid.grid();
+  const auto& units = fluid.units();
+  const dem::ParticleIndex i = bead.particle;
+  Sample s;
+  Vec3 velocity = Vec3::Zero();
+  for_kernel_cells((particles.position[i] - grid.domain().origin()) / units.cell_size, [&](const Vec3i& cell, double w) {
+    const BlockIndex b = grid.topology().find(lbm::block_of(cell));
+    if (b == kNoBlock) return;
+    const int n = cell_in_block(cell);
+    const Block<Real>& block = grid.block(b);
+    if (!lbm::is_wet(block.type[static_cast<std::size_t>(n)])) return;
+    const double share = w * liquid_share(block, n);
+    s.weight += share;
+    velocity += share * Vec3(static_cast<double>(block.body->velocity_x[n]), static_cast<double>(block.body->velocity_y[n]),
+                             static_cast<double>(block.body->velocity_z[n]));
+  });
+  if (s.weight < 1e-6) return {};
+  const Vec3 relative = units.velocity_to_si(1.0) * (velocity / s.weight) - particles.velocity[i];
+  const Vec3 chord = particles.position[bead.after] - particles.position[bead.before];
+  const Vec3 tangent = chord.squaredNorm() > 0 ? Vec3(chord.normalized()) : Vec3(Vec3::UnitX());
+  const double d = 2 * particles.radius[i], rho = fluid.options().density;
+  const Vec3 drag = wire_force(relative, tangent, d, bead.length, rho, fluid.options().kinematic_viscosity,
+                               d / units.cell_size);
+  const Vec3 buoyancy = -rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
+  s.force = std::min(1.0, s.weight) * (drag + buoyancy) * units.force_to_lu(1.0);
+  return s;
+}
+
+template class WireDrag<float>;
+template class WireDrag<double>;
+
+}  // namespace lahar::coupling

@@ -1,0 +1,52 @@
+#pragma once
+// Rings and cables thinner than a cell: each bead is a piece of a slender cylinder that feels the drag of the local flow
+// and gives the opposite force to the cells around it. (Immersed boundaries are blind to such wires: as tau -> 1/2 the
+// weighting of Noble & Torczynski lets the water through, B = eps overdrags; DESIGN figures in docs/coupling.md.)
+#include <vector>
+
+#include "dem/bonds.h"
+#include "dem/particles.h"
+#include "lbm/fluid.h"
+
+namespace lahar::coupling {
+
+template <class Real>
+class WireDrag {
+ public:
+  /// Reads from the bonds which beads are neighbours along a wire and how long a piece each bead stands for.
+  WireDrag(const dem::Particles& particles, const dem::Bonds& bonds);
+
+  /// Before the fluid step, after BodyMap::update: drag and buoyancy on every wet bead (added to its external force, SI)
+  /// and the opposite momentum into the cells' exchange fields. Returns the sum of the forces on beads, lu.
+  Vec3 apply(lbm::Fluid<Real>& fluid, dem::Particles& particles);
+
+  /// Momentum that the last `apply` put into cells, lu; the audit compares it with the forces on the beads.
+  [[nodiscard]] const Vec3& given_to_fluid() const { return given_; }
+  [[nodiscard]] std::size_t wet_beads() const { return wet_beads_; }
+
+ private:
+  struct Bead {
+    dem::ParticleIndex particle;
+    dem::ParticleIndex before, after;  ///< neighbours along the wire; itself where there is none
+    double length;                     ///< m, of wire that the bead stands for
+    bool near;                         ///< a wet block is in reach in this step
+  };
+  /// What a bead samples and gives, filled in parallel.
+  struct Sample {
+    Vec3 force = Vec3::Zero();  ///< on the bead, lu
+    double weight = 0;          ///< sum of kernel weights over wet cells, by liquid content
+  };
+
+  void allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
+  [[nodiscard]] Sample sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const Bead& bead) const;
+
+  std::vector<Bead> beads_;
+  std::vector<Sample> samples_;
+  Vec3 given_ = Vec3::Zero();
+  std::size_t wet_beads_ = 0;
+};
+
+extern template class WireDrag<float>;
+extern template class WireDrag<double>;
+
+}  // namespace lahar::coupling

@@ -1,0 +1,78 @@
+#pragma once
+// Parallel bonds (Potyondy & Cundall 2004): elastic links that carry force and moment between two particles.
+// Stiffness is per unit area (N/m^3). A dissipator is a bond with a piecewise linear axial law (Li, Zhao & Kwan 2020,
+// Eq. 1).
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/check.h"
+#include "core/vector.h"
+#include "dem/particles.h"
+
+namespace lahar::dem {
+
+/// Axial law of a bond: stiffness per area k[0] up to force_limit[0], k[1] up to force_limit[1], then k[2]. An
+/// ordinary bond has infinite limits. Compression uses k[0].
+struct AxialLaw {
+  std::array<double, 3> stiffness{0, 0, 0};  ///< N/m^3
+  std::array<double, 2> force_limit{std::numeric_limits<double>::infinity(),
+                                    std::numeric_limits<double>::infinity()};  ///< N
+  bool plastic_unloading = false;  ///< unload with stiffness[0] instead of back along the curve
+};
+
+/// What bonds of one sort share: ring wire, cable wire, dissipator.
+struct BondSort {
+  AxialLaw axial;
+  double shear_stiffness = 0;                                         ///< N/m^3, for shear and torsion
+  double bond_radius = 0;                                             ///< m
+  double tensile_strength = std::numeric_limits<double>::infinity();  ///< Pa
+  double shear_strength = std::numeric_limits<double>::infinity();    ///< Pa
+  double damping_ratio = 0;                                           ///< of critical, in every mode
+};
+
+struct BondSpec {
+  ParticleIndex i = 0, j = 0;
+  int sort = 0;
+};
+
+/// All bonds, structure of arrays. Rest length and rest orientation are taken from the positions when a bond is added.
+struct Bonds {
+  std::vector<BondSort> sorts;
+  std::vector<ParticleIndex> i, j;
+  std::vector<std::int32_t> sort;
+  std::vector<std::uint8_t> intact;        ///< 0 once broken
+  std::vector<double> rest_length;         ///< m
+  std::vector<double> elongation;          ///< m, current length - rest length
+  std::vector<double> plastic_elongation;  ///< m, only with plastic unloading
+  std::vector<double> axial_force;         ///< N, tension positive
+  Vec3Field shear_force;                   ///< N, on i
+  Vec3Field moment;                        ///< N m, on i: bending part (normal to the bond)
+  std::vector<double> torsion_moment;      ///< N m, about the bond
+  Vec3Field direction;                     ///< unit, from i to j, that shear_force and moment are normal to
+  double damping_loss = 0;                 ///< J, dissipated by bond damping so far
+  double breakage_loss = 0;                ///< J, elastic energy that bonds held when they broke
+
+  [[nodiscard]] std::size_t size() const { return i.size(); }
+  int add_sort(const BondSort& s) {
+    sorts.push_back(s);
+    return static_cast<int>(sorts.size() - 1);
+  }
+  /// Adds a bond at rest in the present configuration.
+  void add(const BondSpec& spec, const Particles& particles) {
+    const Vec3 arm = particles.position[spec.j] - particles.position[spec.i];
+    require(arm.norm() > 0, "a bond needs two particles at different places");
+    i.push_back(spec.i);
+    j.push_back(spec.j);
+    sort.push_back(spec.sort);
+    intact.push_back(1);
+    rest_length.push_back(arm.norm());
+    direction.push_back(arm.normalized());
+    for (auto* v : {&elongation, &plastic_elongation, &axial_force, &torsion_moment}) v->push_back(0.0);
+    shear_force.push_back(Vec3::Zero());
+    moment.push_back(Vec3::Zero());
+  }
+};
+
+}  // namespace lahar::dem

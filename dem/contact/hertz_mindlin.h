@@ -1,0 +1,36 @@
+#pragma once
+// Hertz's normal and Mindlin's tangential contact of elastic spheres, damped.
+#include <algorithm>
+#include <cmath>
+
+#include "dem/contact/contact_state.h"
+#include "dem/contact/tangential_spring.h"
+
+namespace lahar::dem {
+
+/// F_n = 4/3 E* sqrt(R*) overlap^1.5 + gamma_n closing_speed, never attractive; k_t = 8 G* sqrt(R* overlap) (Mindlin's
+/// no-slip stiffness, as in Di Renzo & Di Maio 2005, Chem. Eng. Sci. 60:1303). Dampers gamma = 2 sqrt(5/6) beta
+/// sqrt(S m*) with S_n = 2 E* sqrt(R* overlap), S_t = k_t (Tsuji et al. 1992, Powder Technol. 71:239): the restitution
+/// does not depend on the impact speed.
+struct HertzMindlin {
+  ContactForce operator()(const ContactState& s, ContactHistory& history, double dt) const {
+    constexpr double two_sqrt_5_6 = 1.8257418583505537;
+    const double contact_radius = std::sqrt(s.effective_radius * s.overlap);
+    const double slope = 2 * s.effective_modulus * contact_radius;
+    const double elastic = 2.0 / 3.0 * slope * s.overlap;
+    const double damper = two_sqrt_5_6 * s.damping_ratio;
+
+    ContactForce f;
+    f.normal = std::max(0.0, elastic + damper * std::sqrt(slope * s.effective_mass) * s.closing_speed);
+    f.elastic_normal = 0.4 * elastic * s.overlap;
+    f.damping_work = (f.normal - elastic) * s.closing_speed * dt;
+
+    const double shear = 8 * s.effective_shear_modulus * contact_radius;
+    add_tangential_spring(s, shear, damper * std::sqrt(shear * s.effective_mass), dt, history, f);
+    return f;
+  }
+};
+
+static_assert(ContactLaw<HertzMindlin>);
+
+}  // namespace lahar::dem

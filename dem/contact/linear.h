@@ -1,0 +1,33 @@
+#pragma once
+// Linear spring and dashpot (Cundall & Strack 1979, Geotechnique 29:47): one stiffness for all sizes and materials.
+#include <algorithm>
+#include <cmath>
+
+#include "dem/contact/contact_state.h"
+#include "dem/contact/tangential_spring.h"
+
+namespace lahar::dem {
+
+/// F_n = k overlap + 2 beta sqrt(k m*) closing_speed, never attractive; the tangential spring likewise.
+struct LinearSpringDashpot {
+  double normal_stiffness = 1e6;      ///< N/m, > 0
+  double tangential_stiffness = 3e5;  ///< N/m, > 0; 2/7 of the normal one gives both modes the same period
+
+  ContactForce operator()(const ContactState& s, ContactHistory& history, double dt) const {
+    const double elastic = normal_stiffness * s.overlap;
+    const double damper = 2 * s.damping_ratio;
+
+    ContactForce f;
+    f.normal = std::max(0.0, elastic + damper * std::sqrt(normal_stiffness * s.effective_mass) * s.closing_speed);
+    f.elastic_normal = 0.5 * elastic * s.overlap;
+    f.damping_work = (f.normal - elastic) * s.closing_speed * dt;
+
+    add_tangential_spring(s, tangential_stiffness, damper * std::sqrt(tangential_stiffness * s.effective_mass), dt,
+                          history, f);
+    return f;
+  }
+};
+
+static_assert(ContactLaw<LinearSpringDashpot>);
+
+}  // namespace lahar::dem

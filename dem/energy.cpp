@@ -1,0 +1,54 @@
+#include "dem/energy.h"
+
+#include "core/parallel.h"
+
+namespace lahar::dem {
+
+namespace {
+
+/// Kinetic, rotational, gravitational.
+Vec3 motion_terms(const Particles& p, std::size_t i, const Vec3& gravity) {
+  if (p.state[i] == ParticleState::removed) return Vec3::Zero();
+  return {0.5 * p.mass[i] * p.velocity[i].squaredNorm(), 0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm(),
+          -p.mass[i] * gravity.dot(p.position[i])};
+}
+
+}  // namespace
+
+EnergyLedger motion_energy(const Particles& particles, const Vec3& gravity) {
+  const Vec3 sum = ordered_sum<Vec3>(
+      particles.size(), [&](std::size_t i) { return motion_terms(particles, i, gravity); }, 1024, Vec3::Zero());
+  EnergyLedger ledger;
+  ledger.kinetic = sum[0], ledger.rotational = sum[1], ledger.gravitational = sum[2];
+  return ledger;
+}
+
+double motion_energy(const Particles& particles, std::size_t i, const Vec3& gravity) {
+  return motion_terms(particles, i, gravity).sum();
+}
+
+double external_work(const Particles& p, double dt) {
+  double sum = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    sum += p.external_force.x[i] * p.velocity.x[i] + p.external_force.y[i] * p.velocity.y[i] +
+           p.external_force.z[i] * p.velocity.z[i] + p.external_torque.x[i] * p.angular_velocity.x[i] +
+           p.external_torque.y[i] * p.angular_velocity.y[i] + p.external_torque.z[i] * p.angular_velocity.z[i];
+  return dt * sum;
+}
+
+Vec3 momentum(const Particles& p) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (p.inverse_mass[i] > 0) sum += p.mass[i] * p.velocity[i];
+  return sum;
+}
+
+Vec3 angular_momentum(const Particles& p) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < p.size(); ++i)
+    if (p.inverse_mass[i] > 0)
+      sum += p.mass[i] * p.position[i].cross(p.velocity[i]) + p.inertia[i] * p.angular_velocity[i];
+  return sum;
+}
+
+}  // namespace lahar::dem

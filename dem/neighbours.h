@@ -1,0 +1,90 @@
+#pragma once
+// Which particles may touch soon: cell lists, one grid per size class, giving a Verlet list with a skin.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "dem/particles.h"
+
+namespace lahar::dem {
+
+/// Pairs of particles that never count as neighbours (directly bonded beads).
+class PairSet {
+ public:
+  /// Pairs (first[k], second[k]) with active[k] != 0, among `particles` particles.
+  void assign(std::size_t particles, const std::vector<ParticleIndex>& first, const std::vector<ParticleIndex>& second,
+              const std::vector<std::uint8_t>& active);
+  [[nodiscard]] bool contains(ParticleIndex a, ParticleIndex b) const;
+
+ private:
+  std::vector<std::uint32_t> offset_;   // per particle, CSR
+  std::vector<ParticleIndex> partner_;  // both directions
+};
+
+/// A particle's skin is relative_skin x its radius, at least minimum_skin. Two particles are neighbours while their gap
+/// is below the mean of their skins; the list holds until one has moved half its own skin.
+struct NeighbourOptions {
+  double relative_skin = 0.25;
+  double minimum_skin = 0;  ///< m
+};
+
+/// Half Verlet list in CSR form: row i lists its neighbours in ascending order, and each pair stands in one row only
+/// (that of the smaller size class; of the lower index within a class). The same particles give the same list on any
+/// number of threads. Removed particles, pairs of fixed particles and excluded pairs are left out.
+class NeighbourList {
+ public:
+  explicit NeighbourList(NeighbourOptions options = {}) : options_(options) {}
+
+  /// True if the list must be built again: a particle was added or has moved too far (or is not a number).
+  [[nodiscard]] bool outdated(const Particles& particles) const;
+  /// Positions must be finite.
+  void build(const Particles& particles, const PairSet& excluded);
+
+  [[nodiscard]] const std::vector<std::uint32_t>& offset() const { return offset_; }
+  [[nodiscard]] const std::vector<ParticleIndex>& neighbour() const { return neighbour_; }
+  /// Skin of particle i, m.
+  [[nodiscard]] double skin(const Particles& particles, std::size_t i) const;
+  [[nodiscard]] std::int64_t builds() const { return builds_; }
+
+ private:
+  // A particle as its grid stores it, next to the others of its cell.
+  struct Member {
+    double x, y, z, reach;  // reach: radius + half skin; neighbours are nearer than the sum of their reaches
+    ParticleIndex index;
+    bool free;
+  };
+  // Particles whose reach lies between 2^k and 2^(k+1), sorted by cell. The grid is a torus: cell coordinates wrap at a
+  // power of two, so that memory follows the number of particles and not the size of the scene. Particles a period
+  // apart share cells; the distance test tells them apart.
+  struct Level {
+    int exponent = 0;
+    double cell_size = 0, largest_reach = 0;
+    std::array<int, 3> bits{2, 2, 2};  // period of the torus per axis: at least 4 cells, more than a search spans
+    std::vector<std::uint32_t> start;  // per cell
+    std::vector<Member> members;
+    std::vector<ParticleIndex> particles;
+
+    [[nodiscard]] std::int64_t coordinate(double x) const;
+    [[nodiscard]] std::size_t row(std::int64_t iy, std::int64_t iz) const;
+    [[nodiscard]] std::size_t wrapped_x(std::int64_t ix) const;
+    void choose_period(const Particles& particles);
+  };
+
+  void sort_into_levels(const Particles& particles);
+  void fill_level(Level& level, const Particles& particles);
+  void search(const Particles& particles, const PairSet& excluded, std::size_t i,
+              std::vector<ParticleIndex>& row) const;
+  void search_level(const Level& level, const Member& me, bool same_level, const PairSet& excluded,
+                    std::vector<ParticleIndex>& row) const;
+  void remember_positions(const Particles& particles);
+
+  NeighbourOptions options_;
+  std::vector<Level> levels_;  // ascending exponent
+  std::vector<std::uint32_t> offset_;
+  std::vector<ParticleIndex> neighbour_;
+  std::vector<std::vector<ParticleIndex>> chunk_rows_;
+  std::vector<double> built_x_, built_y_, built_z_, move_limit2_;
+  std::int64_t builds_ = 0;
+};
+
+}  // namespace lahar::dem

@@ -1,0 +1,70 @@
+#pragma once
+// Particles as structure of arrays. A particle's index never changes and is its id: removal only deactivates.
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+#include "core/vector.h"
+
+namespace lahar::dem {
+
+using ParticleIndex = std::uint32_t;
+
+/// What a particle stands for: debris, or a piece of a ring or cable.
+enum class ParticleKind : std::uint8_t { grain, bead };
+
+enum class ParticleState : std::uint8_t {
+  free,     ///< moves by its forces
+  fixed,    ///< anchored: position and velocity are prescribed (zero velocity), reactions are recorded in `force`
+  removed,  ///< left the scene: no forces, no contacts
+};
+
+struct ParticleSpec {
+  Vec3 position = Vec3::Zero();          ///< m
+  Vec3 velocity = Vec3::Zero();          ///< m/s
+  Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
+  double radius = 0;                     ///< m
+  double density = 0;                    ///< kg/m^3
+  int material = 0;
+  ParticleKind kind = ParticleKind::grain;
+  ParticleState state = ParticleState::free;
+  std::int32_t body = -1;  ///< ring or cable that a bead belongs to, -1 for a grain (see barrier/net.h)
+};
+
+struct Particles {
+  Vec3Field position, velocity, angular_velocity;  // m, m/s, rad/s
+  Vec3Field force, torque;                         // N, N m: sum of contact, bond, gravity and external
+  Vec3Field external_force, external_torque;       // N, N m: from the fluid, held over the sub-steps of a fluid step
+  std::vector<double> radius, mass, inverse_mass, inertia;  // inverse_mass 0 when fixed or removed; inertia 2/5 m r^2
+  std::vector<std::int32_t> material, body;
+  std::vector<ParticleKind> kind;
+  std::vector<ParticleState> state;
+
+  [[nodiscard]] std::size_t size() const { return radius.size(); }
+
+  ParticleIndex add(const ParticleSpec& s) {
+    const double m = 4.0 / 3.0 * std::numbers::pi * s.radius * s.radius * s.radius * s.density;
+    position.push_back(s.position);
+    velocity.push_back(s.velocity);
+    angular_velocity.push_back(s.angular_velocity);
+    for (Vec3Field* f : {&force, &torque, &external_force, &external_torque}) f->push_back(Vec3::Zero());
+    radius.push_back(s.radius);
+    mass.push_back(m);
+    inverse_mass.push_back(s.state == ParticleState::free ? 1.0 / m : 0.0);
+    inertia.push_back(0.4 * m * s.radius * s.radius);
+    material.push_back(s.material);
+    body.push_back(s.body);
+    kind.push_back(s.kind);
+    state.push_back(s.state);
+    return static_cast<ParticleIndex>(radius.size() - 1);
+  }
+
+  void remove(ParticleIndex i) {
+    state[i] = ParticleState::removed;
+    inverse_mass[i] = 0;
+    for (Vec3Field* f : {&velocity, &angular_velocity, &force, &torque, &external_force, &external_torque})
+      f->set(i, Vec3::Zero());
+  }
+};
+
+}  // namespace lahar::dem

@@ -1,0 +1,157 @@
+#include "dem/solids.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/check.h"
+#include "dem/integrator.h"
+
+namespace lahar::dem {
+
+Solids::Solids(Particles particles, Bonds bonds, Materials materials, Walls walls, const SolidsOptions& options)
+    : particles_(std::move(particles)),
+      bonds_(std::move(bonds)),
+      materials_(std::move(materials)),
+      walls_(std::move(walls)),
+      options_(options),
+      contacts_(options.neighbours),
+      contact_forces_(materials_, options.contact_law),
+      section_integrate_(&timers_.section("integrate")),
+      section_detect_(&timers_.section("detect")),
+      section_contact_(&timers_.section("contact")),
+      section_bonds_(&timers_.section("bonds")) {
+  set_time_step(options.time_step);
+}
+
+void Solids::set_time_step(double time_step) {
+  require(time_step > 0, "the time step must be positive");
+  options_.time_step = time_step;
+}
+
+void Solids::advance(int substeps) {
+  if (!prepared_ || particles_.size() != known_particles_ || bonds_.size() != known_bonds_) prepare();
+  take_external_forces();
+  for (int n = 0; n < substeps; ++n) substep();
+}
+
+void Solids::substep() {
+  const double dt = options_.time_step;
+  {
+    const ScopedTimer timer(*section_integrate_);
+    kick(particles_, 0.5 * dt);
+    drift(particles_, dt);
+    if (external_acts_) external_work_ += external_work(particles_, dt);
+  }
+  detect();
+  evaluate_forces(dt);
+  {
+    const ScopedTimer timer(*section_integrate_);
+    kick(particles_, 0.5 * dt);
+  }
+  ++step_count_;
+  time_ += dt;
+  if (step_count_ % options_.watchdog.interval == 0) watch();
+}
+
+void Solids::detect() {
+  const ScopedTimer timer(*section_detect_);
+  if (!contacts_.outdated(particles_)) return;
+  check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
+  bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
+  contacts_.rebuild(particles_, walls_, bonded_);
+}
+
+/// Spheres, walls, gravity and external forces, then bonds. Velocities are those of mid-step.
+void Solids::evaluate_forces(double dt) {
+  {
+    const ScopedTimer timer(*section_contact_);
+    contact_forces_.compute(particles_, contacts_, walls_, options_.gravity, dt);
+  }
+  const ScopedTimer timer(*section_bonds_);
+  if (bonds_.size() > 0) bond_forces_.add_forces(bonds_, particles_, dt);
+}
+
+/// At the start, and when particles or bonds were added: the first half kick needs forces.
+void Solids::prepare() {
+  build_all();
+  evaluate_forces(0);
+}
+
+void Solids::build_all() {
+  bond_forces_.build(bonds_, particles_);
+  check_motion(particles_, options_.watchdog, step_count_);
+  bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
+  contacts_.rebuild(particles_, walls_, bonded_);
+  applied_force_ = particles_.external_force;
+  applied_torque_ = particles_.external_torque;
+  known_particles_ = particles_.size();
+  known_bonds_ = bonds_.size();
+  prepared_ = true;
+}
+
+namespace {
+
+/// total += now - applied; applied = now. Returns whether anything acts.
+bool exchange(std::vector<double>& total, const std::vector<double>& now, std::vector<double>& applied) {
+  double any = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    total[i] += now[i] - applied[i];
+    applied[i] = now[i];
+    any += std::abs(now[i]);
+  }
+  return any != 0;
+}
+
+bool exchange(Vec3Field& total, const Vec3Field& now, Vec3Field& applied) {
+  const bool x = exchange(total.x, now.x, applied.x), y = exchange(total.y, now.y, applied.y);
+  return exchange(total.z, now.z, applied.z) || x || y;
+}
+
+}  // namespace
+
+/// The first half kick of a fluid step must already use the new external forces, or half a sub-step of momentum would
+/// be exchanged with the wrong ones.
+void Solids::take_external_forces() {
+  const bool forces = exchange(particles_.force, particles_.external_force, applied_force_);
+  external_acts_ = exchange(particles_.torque, particles_.external_torque, applied_torque_) || forces;
+}
+
+void Solids::remove(ParticleIndex i) {
+  removed_energy_ += motion_energy(particles_, i, options_.gravity);
+  particles_.remove(i);
+}
+
+void Solids::watch() const {
+  check_motion(particles_, options_.watchdog, step_count_);
+  check_overlap(particles_, contact_forces_.worst_overlap(), options_.watchdog, step_count_);
+}
+
+EnergyLedger Solids::ledger() const {
+  EnergyLedger ledger = motion_energy(particles_, options_.gravity);
+  const ContactEnergy& c = contact_forces_.energy();
+  ledger.elastic_normal = c.elastic_normal;
+  ledger.elastic_tangential = c.elastic_tangential;
+  ledger.contact_damping = c.damping;
+  ledger.friction = c.friction;
+  ledger.bond_elastic = bond_forces_.energy().elastic();
+  ledger.bond_dissipated = bond_forces_.energy().dissipated();
+  ledger.removed = removed_energy_;
+  ledger.external_work = external_work_ + c.wall_work;
+  return ledger;
+}
+
+SolidsState Solids::state() const {
+  return {time_, step_count_, contacts_.stored_contacts(), contact_forces_.energy(), external_work_, removed_energy_};
+}
+
+void Solids::restore(const SolidsState& state) {
+  build_all();  // the forces are those that the particles bring along
+  contacts_.restore(state.contacts);
+  contact_forces_.restore(state.contact_energy);
+  time_ = state.time;
+  step_count_ = state.step_count;
+  external_work_ = state.external_work;
+  removed_energy_ = state.removed_energy;
+}
+
+}  // namespace lahar::dem

@@ -1,0 +1,111 @@
+#pragma once
+// The ordered particle step: grains, rings and cables together.
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry.h"
+#include "core/timers.h"
+#include "dem/bond_forces.h"
+#include "dem/bonds.h"
+#include "dem/contact_detection.h"
+#include "dem/contact_forces.h"
+#include "dem/energy.h"
+#include "dem/material.h"
+#include "dem/particles.h"
+#include "dem/watchdog.h"
+
+namespace lahar::dem {
+
+struct SolidsOptions {
+  Vec3 gravity{0, 0, -9.81};  ///< m/s^2
+  double time_step = 0;       ///< s, of one sub-step, > 0
+  ContactLawChoice contact_law = HertzMindlin{};
+  NeighbourOptions neighbours;
+  WatchdogOptions watchdog;
+};
+
+/// What a checkpoint must hold beside particles (with their forces) and bonds.
+struct SolidsState {
+  double time = 0;
+  std::int64_t step_count = 0;
+  std::vector<StoredContact> contacts;
+  ContactEnergy contact_energy;
+  double external_work = 0, removed_energy = 0;
+};
+
+/// All solids of a scene. Results do not depend on the number of threads nor on when neighbour lists are rebuilt.
+class Solids {
+ public:
+  /// Throws std::logic_error if the time step is not positive.
+  Solids(Particles particles, Bonds bonds, Materials materials, Walls walls, const SolidsOptions& options);
+  Solids(Solids&&) = default;
+  Solids(const Solids&) = delete;  // timers point into the object
+  Solids& operator=(const Solids&) = delete;
+  Solids& operator=(Solids&&) = delete;
+
+  /// One sub-step of options.time_step.
+  void step() { advance(1); }
+  /// `substeps` sub-steps under the same external forces: each gives a particle exactly force x time of momentum.
+  /// Throws NumericalFailure when the watchdog finds something wrong.
+  void advance(int substeps);
+
+  /// Takes a particle out of the scene; its kinetic and potential energy go to EnergyLedger::removed (elastic energy of
+  /// contacts that it is in at that moment is not counted).
+  void remove(ParticleIndex i);
+
+  /// Sub-steps from now on have another length, s.
+  void set_time_step(double time_step);
+
+  /// Particles and bonds may be added between steps; positions may be moved by less than half a skin at a time.
+  [[nodiscard]] Particles& particles() { return particles_; }
+  [[nodiscard]] const Particles& particles() const { return particles_; }
+  [[nodiscard]] Bonds& bonds() { return bonds_; }
+  [[nodiscard]] const Bonds& bonds() const { return bonds_; }
+  [[nodiscard]] const Materials& materials() const { return materials_; }
+  [[nodiscard]] const Walls& walls() const { return walls_; }
+  [[nodiscard]] const SolidsOptions& options() const { return options_; }
+  [[nodiscard]] double time() const { return time_; }  ///< s
+  [[nodiscard]] std::int64_t step_count() const { return step_count_; }
+  [[nodiscard]] EnergyLedger ledger() const;
+  [[nodiscard]] const BondEnergy& bond_energy() const { return bond_forces_.energy(); }
+  [[nodiscard]] const ContactDetection& contacts() const { return contacts_; }
+  [[nodiscard]] const WorstOverlap& worst_overlap() const { return contact_forces_.worst_overlap(); }
+  /// Force of all particles on a wall in the last step, N.
+  [[nodiscard]] Vec3 force_on_wall(std::uint32_t wall) const { return contact_forces_.force_on_wall(contacts_, wall); }
+  [[nodiscard]] const Timers& timers() const { return timers_; }
+
+  [[nodiscard]] SolidsState state() const;
+  /// Continues from a checkpoint: particles and bonds must be those that were stored with this state.
+  void restore(const SolidsState& state);
+
+ private:
+  void substep();
+  void detect();
+  void evaluate_forces(double dt);
+  void prepare();
+  void build_all();
+  void take_external_forces();
+  void watch() const;
+
+  Particles particles_;
+  Bonds bonds_;
+  Materials materials_;
+  Walls walls_;
+  SolidsOptions options_;
+  ContactDetection contacts_;
+  ContactForces contact_forces_;
+  BondForces bond_forces_;
+  PairSet bonded_;
+  Vec3Field applied_force_, applied_torque_;  // external ones contained in particles.force and .torque
+  std::size_t known_particles_ = 0, known_bonds_ = 0;
+  bool prepared_ = false, external_acts_ = false;
+  double time_ = 0, external_work_ = 0, removed_energy_ = 0;
+  std::int64_t step_count_ = 0;
+  Timers timers_;
+  Timers::Section* section_integrate_;
+  Timers::Section* section_detect_;
+  Timers::Section* section_contact_;
+  Timers::Section* section_bonds_;
+};
+
+}  // namespace lahar::dem

@@ -1,0 +1,57 @@
+#include "dem/time_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace lahar::dem {
+
+namespace {
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+}
+
+double rayleigh_time_step(double radius, double density, const Material& material) {
+  const double nu = material.poisson_ratio, shear_modulus = material.youngs_modulus / (2 * (1 + nu));
+  return std::numbers::pi * radius * std::sqrt(density / shear_modulus) / (0.1631 * nu + 0.8766);
+}
+
+double rayleigh_time_step(const Particles& particles, const Materials& materials) {
+  double least = kInfinity;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (particles.state[i] == ParticleState::removed) continue;
+    const double r = particles.radius[i], density = particles.mass[i] / (4.0 / 3.0 * std::numbers::pi * r * r * r);
+    least = std::min(least, rayleigh_time_step(r, density, materials[particles.material[i]]));
+  }
+  return least;
+}
+
+double hertz_contact_time(double effective_mass, double effective_radius, double effective_modulus, double speed) {
+  return 2.87 *
+         std::pow(effective_mass * effective_mass / (effective_radius * effective_modulus * effective_modulus * speed),
+                  0.2);
+}
+
+double bond_time_step(const BondSort& sort, double mass) {
+  const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius;
+  double axial = sort.axial.stiffness[0];
+  for (std::size_t branch = 0; branch < 2; ++branch)  // a later branch counts only if a force can reach it
+    if (std::isfinite(sort.axial.force_limit[branch])) axial = std::max(axial, sort.axial.stiffness[branch + 1]);
+  const double translation = axial > 0 ? std::sqrt(mass / (axial * area)) : kInfinity;
+  const double rotation = sort.shear_stiffness > 0 ? std::sqrt(0.4 * mass / (sort.shear_stiffness * area)) : kInfinity;
+  const double d = sort.damping_ratio;
+  return std::min(translation, rotation) * (std::sqrt(1 + d * d) - d);
+}
+
+double bond_time_step(const Bonds& bonds, const Particles& particles) {
+  double least = kInfinity;
+  for (std::size_t b = 0; b < bonds.size(); ++b) {
+    if (!bonds.intact[b]) continue;
+    const double inverse_mass = std::max(particles.inverse_mass[bonds.i[b]], particles.inverse_mass[bonds.j[b]]);
+    if (inverse_mass > 0)
+      least = std::min(least, bond_time_step(bonds.sorts[static_cast<std::size_t>(bonds.sort[b])], 1 / inverse_mass));
+  }
+  return least;
+}
+
+}  // namespace lahar::dem

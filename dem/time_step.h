@@ -1,0 +1,29 @@
+#pragma once
+// Limits on the particle time step.
+#include "dem/bonds.h"
+#include "dem/material.h"
+#include "dem/particles.h"
+
+namespace lahar::dem {
+
+/// Time that a Rayleigh wave takes around a sphere, s: pi R sqrt(rho / G) / (0.1631 nu + 0.8766)
+/// (Thornton & Randall 1988; Li, Xu & Thornton 2005, Powder Technol. 160:219). Radius in m, density in kg/m^3. Contact
+/// needs a time step of 0.1 to 0.3 of it.
+double rayleigh_time_step(double radius, double density, const Material& material);
+
+/// The smallest Rayleigh time of all particles that are not removed, s; infinity if there are none.
+double rayleigh_time_step(const Particles& particles, const Materials& materials);
+
+/// Duration of an elastic Hertz impact at `speed` (m/s), s: 2.87 (m*^2 / (R* E*^2 v))^(1/5) (Johnson 1985, Contact
+/// Mechanics, Eq. 11.24).
+double hertz_contact_time(double effective_mass, double effective_radius, double effective_modulus, double speed);
+
+/// Limit of one bond between equal spheres of `mass` (kg), s: the smaller of sqrt(m / K_n) for translation and
+/// sqrt(0.4 m / K_s) for rotation, K = stiffness per area x pi (bond radius)^2. Unbounded axial stiffening is covered:
+/// K_n uses the stiffest branch. Bond damping lowers the limit by sqrt(1 + d^2) - d.
+double bond_time_step(const BondSort& sort, double mass);
+
+/// The smallest limit of all intact bonds, s (mass of the lighter end that is free); infinity if there are none.
+double bond_time_step(const Bonds& bonds, const Particles& particles);
+
+}  // namespace lahar::dem

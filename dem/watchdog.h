@@ -1,0 +1,81 @@
+#pragma once
+// Stops a run whose numbers went wrong, and says which particle, where, when and why.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#include "core/check.h"
+#include "dem/contact_forces.h"
+#include "dem/particles.h"
+
+namespace lahar::dem {
+
+struct WatchdogOptions {
+  double speed_limit = std::numeric_limits<double>::infinity();  ///< m/s
+  double overlap_limit = 0.5;                                    ///< of the smaller radius in a contact
+  int interval = 50;                                             ///< steps between checks, >= 1
+};
+
+namespace detail {
+
+inline std::string number(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", x);
+  return text;
+}
+
+/// "bead 17 at (0.1, 0.2, 0.3)"
+inline std::string particle_name(const Particles& p, std::size_t i) {
+  const char* kind = p.kind[i] == ParticleKind::bead ? "bead " : "grain ";
+  return kind + std::to_string(i) + " at (" + number(p.position.x[i]) + ", " + number(p.position.y[i]) + ", " +
+         number(p.position.z[i]) + ")";
+}
+
+/// 0 unless x is infinite or not a number; a sum of these over an array is a branch-free test.
+inline double defect(double x) { return x - x; }
+
+}  // namespace detail
+
+/// Throws NumericalFailure for the first particle whose position, velocity or spin is not finite or which is faster
+/// than the limit.
+inline void check_motion(const Particles& p, const WatchdogOptions& options, std::int64_t step) {
+  const std::size_t n = p.size();
+  const double limit2 = options.speed_limit * options.speed_limit;
+  int bad = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double speed2 =
+        p.velocity.x[i] * p.velocity.x[i] + p.velocity.y[i] * p.velocity.y[i] + p.velocity.z[i] * p.velocity.z[i];
+    const double defect = detail::defect(p.position.x[i]) + detail::defect(p.position.y[i]) +
+                          detail::defect(p.position.z[i]) + detail::defect(p.angular_velocity.x[i]) +
+                          detail::defect(p.angular_velocity.y[i]) + detail::defect(p.angular_velocity.z[i]) +
+                          detail::defect(speed2);
+    bad |= !(defect == 0) | !(speed2 <= limit2);
+  }
+  if (bad == 0) return;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string name = detail::particle_name(p, i);
+    const double speed = p.velocity[i].norm();
+    if (!p.position[i].allFinite()) throw NumericalFailure(name, step, "position is not finite");
+    if (!std::isfinite(speed)) throw NumericalFailure(name, step, "velocity is not finite");
+    if (!p.angular_velocity[i].allFinite()) throw NumericalFailure(name, step, "angular velocity is not finite");
+    if (speed > options.speed_limit)
+      throw NumericalFailure(name, step,
+                             "speed " + detail::number(speed) + " m/s exceeds the limit of " +
+                                 detail::number(options.speed_limit) + " m/s");
+  }
+}
+
+/// Throws NumericalFailure if the deepest contact is beyond the limit.
+inline void check_overlap(const Particles& p, const WorstOverlap& worst, const WatchdogOptions& options,
+                          std::int64_t step) {
+  if (worst.ratio <= options.overlap_limit) return;
+  const std::string partner =
+      worst.with_wall ? "wall " + std::to_string(worst.partner) : detail::particle_name(p, worst.partner);
+  throw NumericalFailure(detail::particle_name(p, worst.particle), step,
+                         "overlap with " + partner + " is " + detail::number(worst.ratio) +
+                             " of the smaller radius, limit " + detail::number(options.overlap_limit));
+}
+
+}  // namespace lahar::dem

@@ -1,0 +1,73 @@
+#pragma once
+// One block of 8 x 8 x 8 cells: populations for every cell, and optional fields only where the block needs them.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "lbm/cells.h"
+#include "lbm/pool.h"
+
+namespace lahar::lbm {
+
+/// Fields of blocks that hold interface cells.
+template <class Real>
+struct SurfaceFields {
+  alignas(64) Real mass[kBlockCells];        ///< lu; interface cells only, bodies in the cell included
+  alignas(64) Real fill_level[kBlockCells];  ///< 0..1; 1 in liquid, 0 in gas; of the last conversion
+  alignas(64) Real density[kBlockCells];     ///< rho - 1, written by the sweep
+  std::array<std::uint16_t, kBlockCells> cells;  ///< the interface cells, ascending
+  int count = 0;
+};
+
+/// Fields of blocks that hold immersed bodies or feel forces of wires.
+template <class Real>
+struct BodyFields {
+  alignas(64) Real solid_fraction[kBlockCells];  ///< sum over bodies, may exceed 1 where bodies overlap
+  alignas(64) Real momentum_x[kBlockCells];      ///< sum over bodies of solid fraction times velocity, lu
+  alignas(64) Real momentum_y[kBlockCells];
+  alignas(64) Real momentum_z[kBlockCells];
+  /// In: momentum given to the cell by wires in the coming step. Out (by the sweep): momentum that the fluid gave to
+  /// the bodies in the cell in this step.
+  alignas(64) Real exchange_x[kBlockCells];
+  alignas(64) Real exchange_y[kBlockCells];
+  alignas(64) Real exchange_z[kBlockCells];
+  /// Velocity after the last collision, lu, in wet cells; written by the sweep for the wires to sample.
+  alignas(64) Real velocity_x[kBlockCells];
+  alignas(64) Real velocity_y[kBlockCells];
+  alignas(64) Real velocity_z[kBlockCells];
+  bool used = false;  ///< a body or wire reaches the block in this step
+};
+
+/// A cell next to a wall, with its links into the wall.
+struct WallCell {
+  std::uint16_t cell;
+  std::uint16_t first_link;
+  std::uint8_t links;
+  bool free_slip;
+  std::array<float, 3> normal;         ///< unit, out of the wall
+  std::array<float, 3> wall_velocity;  ///< lu
+};
+
+struct WallLinks {
+  std::vector<WallCell> cells;
+  std::vector<std::uint8_t> directions;  ///< velocity index pointing into the wall
+  void clear() { cells.clear(), directions.clear(); }
+};
+
+template <class Real>
+struct Block {
+  static constexpr std::size_t stride = PopulationPool<Real>::stride;
+
+  std::array<CellType, kBlockCells> type;
+  std::array<bool, kBlockCells> at_rim;  ///< a neighbour is a sink: never liquid, what exceeds 1 has left
+  Real* populations = nullptr;
+  SurfaceFields<Real>* surface = nullptr;
+  BodyFields<Real>* body = nullptr;
+  WallLinks walls;
+  int wet_cells = 0;
+  std::uint64_t birth = 0;  ///< unique per created block, so that a reused index is not taken for the old block
+
+  [[nodiscard]] Real* f(int i) const { return populations + static_cast<std::size_t>(i) * stride; }
+};
+
+}  // namespace lahar::lbm

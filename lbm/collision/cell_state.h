@@ -1,0 +1,68 @@
+#pragma once
+// What one cell's collision is given and what it tells. Templates over V: a number or a SIMD vector of cells.
+// Populations are stored shifted, f_i - w_i, which keeps float rounding small (Skordos 1993).
+#include "lbm/number.h"
+#include "lbm/velocity_set.h"
+
+namespace lahar::lbm {
+
+/// Density and velocity of a cell's incoming populations.
+template <class V>
+struct Moments {
+  V drho;            ///< rho - 1
+  V inverse_density; ///< 1 / rho
+  V u[3];            ///< momentum / rho, before any force
+};
+
+/// What acts on a cell in a step. The velocity after collision is (1 - B) (u + acceleration) + B u_s + kick; B also
+/// fades the non-equilibrium part, so that a fully covered cell ends in the equilibrium of the body's velocity.
+template <class V>
+struct CellForcing {
+  V acceleration[3];   ///< lu, body force per mass
+  V coverage_weight;   ///< B, 0 where there is no body
+  V solid_velocity[3]; ///< u_s, lu
+  V kick[3];           ///< velocity change by forces of wires, lu
+};
+
+template <class V>
+Moments<V> moments(const V (&f)[D3Q19::q]) {
+  const V s = ((f[7] + f[8]) + (f[9] + f[10])) + ((f[11] + f[12]) + (f[13] + f[14])) +
+              ((f[15] + f[16]) + (f[17] + f[18]));
+  const V drho = f[0] + ((f[1] + f[2]) + (f[3] + f[4])) + (f[5] + f[6]) + s;
+  const V jx = (f[1] - f[2]) + (f[7] - f[8]) + (f[9] - f[10]) + (f[13] - f[14]) + (f[15] - f[16]);
+  const V jy = (f[3] - f[4]) + (f[7] - f[8]) + (f[11] - f[12]) - (f[13] - f[14]) + (f[17] - f[18]);
+  const V jz = (f[5] - f[6]) + (f[9] - f[10]) + (f[11] - f[12]) - (f[15] - f[16]) - (f[17] - f[18]);
+  const V inverse = V(1) / (V(1) + drho);
+  return {drho, inverse, {jx * inverse, jy * inverse, jz * inverse}};
+}
+
+/// Velocity after collision.
+template <class V>
+void velocity_after(const Moments<V>& m, const CellForcing<V>& force, V (&v)[3]) {
+  for (int a = 0; a < 3; ++a)
+    v[a] = (V(1) - force.coverage_weight) * (m.u[a] + force.acceleration[a]) +
+           force.coverage_weight * force.solid_velocity[a] + force.kick[a];
+}
+
+/// Symmetric second-order tensor: xx, yy, zz, xy, xz, yz.
+template <class V>
+struct Symmetric {
+  V xx, yy, zz, xy, xz, yz;
+};
+
+/// Second central moments less their equilibrium rho/3.
+template <class V>
+Symmetric<V> second_central_moments(const V (&f)[D3Q19::q], const Moments<V>& m) {
+  const V s7 = f[7] + f[8], s9 = f[9] + f[10], s11 = f[11] + f[12];
+  const V s13 = f[13] + f[14], s15 = f[15] + f[16], s17 = f[17] + f[18];
+  const V rho = V(1) + m.drho, third = m.drho * number<V>(1.0 / 3.0);
+  const V rx = rho * m.u[0], ry = rho * m.u[1], rz = rho * m.u[2];
+  return {(f[1] + f[2]) + (s7 + s9) + (s13 + s15) - third - rx * m.u[0],
+          (f[3] + f[4]) + (s7 + s11) + (s13 + s17) - third - ry * m.u[1],
+          (f[5] + f[6]) + (s9 + s11) + (s15 + s17) - third - rz * m.u[2],
+          (s7 - s13) - rx * m.u[1],
+          (s9 - s15) - rx * m.u[2],
+          (s11 - s17) - ry * m.u[2]};
+}
+
+}  // namespace lahar::lbm

@@ -1,0 +1,21 @@
+#pragma once
+// Smagorinsky eddy viscosity from the local non-equilibrium (Hou, Sterling, Chen & Doolen 1996): the strain rate comes
+// from the second moments, so no neighbour is read. With Q = sqrt(Pi_ab Pi_ab),
+//   tau = (tau_0 + sqrt(tau_0^2 + 18 sqrt(2) Cs^2 Q / rho)) / 2.
+#include <cmath>
+
+#include "lbm/collision/cell_state.h"
+
+namespace lahar::lbm {
+
+template <class V>
+V smagorinsky_rate(const Symmetric<V>& p, const V& inverse_density, const V& tau0, const V& factor) {
+  using std::sqrt;
+  const V q = sqrt(p.xx * p.xx + p.yy * p.yy + p.zz * p.zz + V(2) * (p.xy * p.xy + p.xz * p.xz + p.yz * p.yz));
+  return V(2) / (tau0 + sqrt(tau0 * tau0 + factor * q * inverse_density));
+}
+
+/// 18 sqrt(2) Cs^2.
+inline double smagorinsky_factor(double cs) { return 18 * std::sqrt(2.0) * cs * cs; }
+
+}  // namespace lahar::lbm

@@ -1,0 +1,34 @@
+#pragma once
+// Two relaxation times (Ginzburg, Verhaeghe & d'Humieres 2008): the even part of the non-equilibrium sets the
+// viscosity, the odd part the place of the wall, through the magic parameter (tau+ - 1/2)(tau- - 1/2).
+#include "lbm/collision/bgk.h"
+
+namespace lahar::lbm {
+
+struct Trt {
+  static constexpr const char* name = "trt";
+  static constexpr double magic_parameter = 3.0 / 16.0;  ///< half-way walls exact for Poiseuille flow
+
+  template <bool kLes, class V>
+  static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,
+                      const V& les_factor) {
+    const V even_rate = viscous_rate<kLes>(f, m, tau0, les_factor);
+    const V odd_rate = V(1) / (number<V>(0.5) + number<V>(magic_parameter) / (V(1) / even_rate - number<V>(0.5)));
+    const V stay = V(1) - force.coverage_weight, half = number<V>(0.5);
+    const V keep_even = (V(1) - even_rate) * stay, keep_odd = (V(1) - odd_rate) * stay;
+    V v[3];
+    velocity_after(m, force, v);
+    f[0] = equilibrium(0, m.drho, v[0], v[1], v[2]) +
+           keep_even * (f[0] - equilibrium(0, m.drho, m.u[0], m.u[1], m.u[2]));
+    for (int a = 1; a < D3Q19::q; a += 2) {
+      const int b = a + 1;
+      const V na = f[a] - equilibrium(a, m.drho, m.u[0], m.u[1], m.u[2]);
+      const V nb = f[b] - equilibrium(b, m.drho, m.u[0], m.u[1], m.u[2]);
+      const V even = keep_even * half * (na + nb), odd = keep_odd * half * (na - nb);
+      f[a] = equilibrium(a, m.drho, v[0], v[1], v[2]) + even + odd;
+      f[b] = equilibrium(b, m.drho, v[0], v[1], v[2]) + even - odd;
+    }
+  }
+};
+
+}  // namespace lahar::lbm

@@ -1,0 +1,389 @@
+#include "lbm/fluid.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+#include "core/parallel.h"
+#include "lbm/boundary/wall_reflection.h"
+#include "lbm/equilibrium.h"
+#include "lbm/free_surface/surface_exchange.h"
+
+namespace lahar::lbm {
+
+namespace {
+
+constexpr std::size_t kBlocksPerTask = 8;     // a group of the population layout
+constexpr std::int64_t kWatchEvery = 32;      // steps between looks at every cell
+constexpr std::int64_t kReleaseEvery = 16;    // steps between rounds of giving blocks back
+constexpr double kSpeedLimit = 0.57735;       // lu, the speed of sound: nothing beyond it is physical
+
+LatticeUnits units_of(const FluidOptions& o) { return {o.domain.cell_size, o.time_step, o.density}; }
+
+SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) {
+  SweepParameters p;
+  p.collision = o.collision;
+  p.weighting = o.weighting;
+  p.tau = 0.5 + 3 * units.viscosity_to_lu(o.kinematic_viscosity);
+  p.smagorinsky = o.smagorinsky;
+  for (int a = 0; a < 3; ++a) p.gravity[static_cast<std::size_t>(a)] = units.acceleration_to_lu(o.gravity[a]);
+  return p;
+}
+
+std::string describe_place(const Vec3& p) {
+  char text[96];
+  std::snprintf(text, sizeof text, "fluid cell at (%.4g, %.4g, %.4g) m", p.x(), p.y(), p.z());
+  return text;
+}
+
+}  // namespace
+
+template <class Real>
+Fluid<Real>::Fluid(FluidOptions options)
+    : options_(std::move(options)),
+      units_(units_of(options_)),
+      parameters_(parameters_of(options_, units_)),
+      grid_(options_.domain, units_.velocity_to_lu(1.0)) {}
+
+template <class Real>
+void Fluid<Real>::initialize(CellPlace place, double drho, const Vec3& u) {
+  grid_.require_neighbours(place);
+  const auto r = static_cast<Real>(drho), x = static_cast<Real>(u.x()), y = static_cast<Real>(u.y()),
+             z = static_cast<Real>(u.z());
+  grid_.block(place.block).f(0)[place.cell] = equilibrium(0, r, x, y, z);
+  for (int a = 1; a < D3Q19::q; a += 2) {
+    const auto pair = grid_.access(place, a, parameters_.parity);
+    const Real fa = equilibrium(a, r, x, y, z), fb = equilibrium(a + 1, r, x, y, z);
+    // What the cell sends out is what its neighbours receive; from neighbours that send nothing it receives its own.
+    *pair.outgoing_a = fa;
+    *pair.outgoing_b = fb;
+    if (!is_wet(grid_.type(grid_.neighbour(place, a)))) *pair.incoming_b = fb;
+    if (!is_wet(grid_.type(grid_.neighbour(place, a + 1)))) *pair.incoming_a = fa;
+  }
+}
+
+namespace {
+
+/// rho - 1 of liquid at rest under the top of its region (z is the direction of depth): p = rho g h = cs^2 (rho - 1).
+double resting_density(double z, const LiquidRegion& region, double gravity_z, const LatticeUnits& units) {
+  const double depth_lu = std::max(0.0, region.upper.z() - z) / units.cell_size;
+  return std::max(0.0, -3 * units.acceleration_to_lu(gravity_z) * depth_lu);
+}
+
+/// Volume of the part of a cell that lies in a box, as a fraction of the cell.
+double overlap_fraction(const Vec3& centre, double dx, const LiquidRegion& r) {
+  double fraction = 1;
+  for (int a = 0; a < 3; ++a) {
+    const double low = std::max(centre[a] - dx / 2, r.lower[a]), high = std::min(centre[a] + dx / 2, r.upper[a]);
+    fraction *= std::clamp((high - low) / dx, 0.0, 1.0);
+  }
+  return fraction;
+}
+
+}  // namespace
+
+template <class Real>
+void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
+  const double dx = units_.cell_size;
+  std::vector<BlockIndex> touched;
+  std::vector<std::pair<CellPlace, const LiquidRegion*>> wet;
+  for (const auto& region : regions) {
+    const Vec3i low = block_of(grid_.domain().cell_at(region.lower)), high = block_of(grid_.domain().cell_at(region.upper));
+    for (int x = low.x(); x <= high.x(); ++x)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int z = low.z(); z <= high.z(); ++z) {
+          const BlockIndex b = grid_.require_block({x, y, z});
+          touched.push_back(b);
+          for (int n = 0; n < kBlockCells; ++n) {
+            Block<Real>& block = grid_.block(b);
+            CellType& type = block.type[static_cast<std::size_t>(n)];
+            const double fraction = overlap_fraction(grid_.centre(b, n), dx, region);
+            if (type == CellType::wall || type == CellType::sink || fraction < 1e-6) continue;
+            SurfaceFields<Real>& surface = grid_.require_surface(b);
+            if (type == CellType::gas) wet.push_back({{b, n}, &region});
+            type = CellType::interface;
+            surface.fill_level[n] = std::min(Real(1), surface.fill_level[n] + static_cast<Real>(fraction));
+            surface.mass[n] = surface.fill_level[n] *
+                              static_cast<Real>(1 + resting_density(grid_.centre(b, n).z(), region, options_.gravity.z(), units_));
+          }
+        }
+  }
+  for (const auto& [place, region] : wet)
+    initialize(place, resting_density(grid_.centre(place.block, place.cell).z(), *region, options_.gravity.z(), units_),
+               units_.velocity_to_lu(1.0) * region->velocity);
+  classify_filled(touched);
+  open_ledger();
+}
+
+/// Full cells without a gas neighbour are liquid; all lists are made.
+template <class Real>
+void Fluid<Real>::classify_filled(std::vector<BlockIndex>& touched) {
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  std::vector<CellPlace> full;
+  for (const BlockIndex b : touched) {
+    const Block<Real>& block = grid_.block(b);
+    for (int n = 0; n < kBlockCells; ++n) {
+      const auto at = static_cast<std::size_t>(n);
+      if (block.type[at] != CellType::interface || block.at_rim[at] || block.surface->fill_level[n] < Real(0.999999))
+        continue;
+      bool closed = true;
+      for (int i = 1; i < D3Q19::q; ++i) {
+        const CellType t = grid_.type(grid_.neighbour({b, n}, i));
+        closed = closed && t != CellType::gas && t != CellType::sink;
+      }
+      if (closed) full.push_back({b, n});
+    }
+  }
+  for (const CellPlace& p : full) {
+    grid_.block(p.block).type[static_cast<std::size_t>(p.cell)] = CellType::liquid;
+    grid_.block(p.block).surface->mass[p.cell] = 0;
+  }
+  for (const BlockIndex b : touched) grid_.relist(b);
+}
+
+template <class Real>
+void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& velocity_lu,
+                                  const std::function<double(const Vec3&)>& drho) {
+  const Vec3i first = grid_.domain().first(), last = first + grid_.domain().cells() - Vec3i::Ones();
+  const Vec3i low = block_of(first), high = block_of(last);
+  std::vector<CellPlace> wet;
+  std::vector<BlockIndex> touched;
+  for (int x = low.x(); x <= high.x(); ++x)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int z = low.z(); z <= high.z(); ++z) {
+        const BlockIndex b = grid_.require_block({x, y, z});
+        touched.push_back(b);
+        for (int n = 0; n < kBlockCells; ++n) {
+          CellType& type = grid_.block(b).type[static_cast<std::size_t>(n)];
+          if (type != CellType::gas) continue;
+          type = CellType::liquid;
+          wet.push_back({b, n});
+        }
+      }
+  for (const CellPlace& p : wet) {
+    const Vec3 centre = grid_.centre(p.block, p.cell);
+    initialize(p, drho(centre), velocity_lu(centre));
+  }
+  for (const BlockIndex b : touched) grid_.relist(b);
+  open_ledger();
+}
+
+template <class Real>
+void Fluid<Real>::step() {
+  exchange();
+  sweep();
+  parameters_.parity = parameters_.parity.next();
+  reflect();
+  {
+    const ScopedTimer timer(timers_.section("fluid.conversion"));
+    conversion_.run(grid_, parameters_.parity, account_);
+  }
+  ++steps_;
+  if (steps_ % kReleaseEvery == 0) release_dry_blocks();
+  if (steps_ % kWatchEvery == 0) watch();
+}
+
+template <class Real>
+void Fluid<Real>::exchange() {
+  const ScopedTimer timer(timers_.section("fluid.surface"));
+  const auto& active = grid_.active();
+  parallel_for(0, active.size(), kBlocksPerTask,
+               [&](std::size_t k) { exchange_surface(grid_, active[k], parameters_.parity, Real(0)); });
+}
+
+template <class Real>
+void Fluid<Real>::sweep() {
+  const ScopedTimer timer(timers_.section("fluid.sweep"));
+  const BlockSweep<Real> kernels[2][2] = {
+      {choose_sweep<Real>(parameters_, false, false), choose_sweep<Real>(parameters_, false, true)},
+      {choose_sweep<Real>(parameters_, true, false), choose_sweep<Real>(parameters_, true, true)}};
+  const auto& active = grid_.active();
+  parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
+    Block<Real>& block = grid_.block(active[k]);
+    if (block.wet_cells == 0) return;
+    const bool mixed = block.wet_cells < kBlockCells || block.surface;
+    kernels[mixed][block.body != nullptr](block, grid_.around(active[k]), parameters_);
+  });
+  for (const BlockIndex b : active) cell_updates_ += grid_.block(b).wet_cells;
+}
+
+template <class Real>
+void Fluid<Real>::reflect() {
+  const ScopedTimer timer(timers_.section("fluid.walls"));
+  const auto& active = grid_.active();
+  parallel_for(0, active.size(), kBlocksPerTask,
+               [&](std::size_t k) { reflect_at_walls(grid_, active[k], parameters_.parity); });
+}
+
+template <class Real>
+void Fluid<Real>::release_dry_blocks() {
+  const ScopedTimer timer(timers_.section("fluid.blocks"));
+  needed_.assign(grid_.topology().capacity(), 0);
+  for (const BlockIndex b : grid_.active()) {
+    const Block<Real>& block = grid_.block(b);
+    if (block.wet_cells == 0) continue;
+    int low[3] = {7, 7, 7}, high[3] = {0, 0, 0};
+    for (int n = 0; n < kBlockCells; ++n) {
+      if (!is_wet(block.type[static_cast<std::size_t>(n)])) continue;
+      const auto p = cell_position(n);
+      for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
+    }
+    for (int slot = 0; slot < 27; ++slot) {
+      const int d[3] = {slot / 9 - 1, slot / 3 % 3 - 1, slot % 3 - 1};
+      bool reached = true;
+      for (int a = 0; a < 3; ++a) reached = reached && (d[a] == 0 || (d[a] < 0 ? low[a] == 0 : high[a] == 7));
+      const BlockIndex other = grid_.topology().neighbours(b)[static_cast<std::size_t>(slot)];
+      if (reached && other != kNoBlock) needed_[static_cast<std::size_t>(other)] = 1;
+    }
+  }
+  std::vector<BlockIndex> gone;
+  for (const BlockIndex b : grid_.active())
+    if (!needed_[static_cast<std::size_t>(b)]) gone.push_back(b);
+  for (const BlockIndex b : gone) grid_.release(b);
+}
+
+template <class Real>
+void Fluid<Real>::watch() {
+  const ScopedTimer timer(timers_.section("fluid.watchdog"));
+  const auto& active = grid_.active();
+  struct Worst {
+    double speed = 0;
+    CellPlace place;
+  };
+  std::vector<Worst> worst(active.size());
+  parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
+    const Block<Real>& block = grid_.block(active[k]);
+    if (block.wet_cells == 0) return;
+    for (int n = 0; n < kBlockCells; ++n) {
+      if (!is_wet(block.type[static_cast<std::size_t>(n)])) continue;
+      const auto m = outgoing_moments(grid_, {active[k], n}, parameters_.parity);
+      const double speed = std::sqrt(static_cast<double>(m.u[0] * m.u[0] + m.u[1] * m.u[1] + m.u[2] * m.u[2]));
+      if (!(speed <= worst[k].speed)) worst[k] = {std::isfinite(speed) ? speed : 1e30, {active[k], n}};
+    }
+  });
+  Worst all;
+  for (const Worst& w : worst)
+    if (w.speed > all.speed) all = w;
+  max_speed_lu_ = all.speed;
+  if (all.speed < kSpeedLimit) return;
+  const auto m = outgoing_moments(grid_, all.place, parameters_.parity);
+  char cause[160];
+  std::snprintf(cause, sizeof cause, "velocity (%.4g, %.4g, %.4g) and density %.4g in lattice units: %s",
+                static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]),
+                1.0 + static_cast<double>(m.drho),
+                all.speed > 1e29 ? "not a number" : "faster than sound; use a smaller lattice_velocity");
+  throw NumericalFailure(describe_place(grid_.centre(all.place.block, all.place.cell)), steps_, cause);
+}
+
+template <class Real>
+double Fluid<Real>::liquid_mass() const {
+  auto& grid = const_cast<FluidGrid<Real>&>(grid_);
+  const auto& active = grid_.active();
+  const double cells = ordered_sum<double>(
+      active.size(),
+      [&](std::size_t k) {
+        const Block<Real>& block = grid_.block(active[k]);
+        double sum = 0;
+        if (block.wet_cells == 0) return sum;
+        for (int n = 0; n < kBlockCells; ++n) {
+          const CellType t = block.type[static_cast<std::size_t>(n)];
+          if (!is_wet(t)) continue;
+          if (t == CellType::liquid) {
+            const auto m = outgoing_moments(grid, {active[k], n}, parameters_.parity);
+            sum += 1.0 + static_cast<double>(m.drho);
+          } else {
+            sum += static_cast<double>(block.surface->mass[n]);
+          }
+          if (block.body) sum -= static_cast<double>(block.body->solid_fraction[n]);
+        }
+        return sum;
+      },
+      16);
+  return (cells + account_.pool) * units_.mass();
+}
+
+template <class Real>
+double Fluid<Real>::mass_drift() const {
+  return initial_mass_ > 0 ? (liquid_mass() + outflow_mass() - initial_mass_) / initial_mass_ : 0.0;
+}
+
+template <class Real>
+std::size_t Fluid<Real>::wet_cells() const {
+  std::size_t sum = 0;
+  for (const BlockIndex b : grid_.active()) sum += static_cast<std::size_t>(grid_.block(b).wet_cells);
+  return sum;
+}
+
+template <class Real>
+WetCell Fluid<Real>::describe(CellPlace place) const {
+  const Block<Real>& block = grid_.block(place.block);
+  const auto m = outgoing_moments(const_cast<FluidGrid<Real>&>(grid_), place, parameters_.parity);
+  const bool liquid = block.type[static_cast<std::size_t>(place.cell)] == CellType::liquid;
+  WetCell c;
+  c.centre = grid_.centre(place.block, place.cell);
+  for (int a = 0; a < 3; ++a) c.velocity[a] = units_.velocity_to_si(static_cast<double>(m.u[a]));
+  c.velocity -= 0.5 * units_.time_step * options_.gravity;  // half of the last force: the velocity between two steps
+  const double fill = liquid ? 1.0 : static_cast<double>(block.surface->fill_level[place.cell]);
+  const double eps = block.body ? static_cast<double>(block.body->solid_fraction[place.cell]) : 0.0;
+  c.fill_level = fill;
+  c.solid_fraction = std::min(1.0, eps);
+  c.liquid_volume = std::max(0.0, fill - eps) * std::pow(units_.cell_size, 3);
+  c.pressure = units_.pressure_to_si(static_cast<double>(m.drho) / 3);
+  return c;
+}
+
+template <class Real>
+void Fluid<Real>::for_each_wet_cell(const std::function<void(const WetCell&)>& visit) const {
+  for (const BlockIndex b : grid_.active()) {
+    const Block<Real>& block = grid_.block(b);
+    if (block.wet_cells == 0) continue;
+    for (int n = 0; n < kBlockCells; ++n)
+      if (is_wet(block.type[static_cast<std::size_t>(n)])) visit(describe({b, n}));
+  }
+}
+
+template <class Real>
+std::optional<WetCell> Fluid<Real>::cell_at(const Vec3& p) const {
+  const Vec3i cell = grid_.domain().cell_at(p);
+  const BlockIndex b = grid_.topology().find(block_of(cell));
+  if (b == kNoBlock) return std::nullopt;
+  const CellPlace place{b, cell_index(cell.x() & 7, cell.y() & 7, cell.z() & 7)};
+  if (!is_wet(grid_.type(place))) return std::nullopt;
+  return describe(place);
+}
+
+template <class Real>
+FluidSnapshot Fluid<Real>::snapshot() const {
+  FluidSnapshot s;
+  s.cell_size = units_.cell_size;
+  s.origin = grid_.domain().origin();
+  std::vector<BlockIndex> wet;
+  for (const BlockIndex b : grid_.active())
+    if (grid_.block(b).wet_cells > 0) wet.push_back(b);
+  std::sort(wet.begin(), wet.end(), [&](BlockIndex a, BlockIndex b) {
+    const Vec3i p = grid_.topology().coordinate(a), q = grid_.topology().coordinate(b);
+    return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
+  });
+  s.blocks.resize(wet.size());
+  parallel_for(0, wet.size(), kBlocksPerTask, [&](std::size_t k) {
+    auto& out = s.blocks[k];
+    out.origin = grid_.lowest_cell(wet[k]);
+    out.fill_level.fill(0), out.velocity_x.fill(0), out.velocity_y.fill(0), out.velocity_z.fill(0);
+    for (int n = 0; n < kBlockCells; ++n) {
+      const auto at = static_cast<std::size_t>(n);
+      if (!is_wet(grid_.block(wet[k]).type[at])) continue;
+      const WetCell c = describe({wet[k], n});
+      out.fill_level[at] = static_cast<float>(c.fill_level);
+      out.velocity_x[at] = static_cast<float>(c.velocity.x());
+      out.velocity_y[at] = static_cast<float>(c.velocity.y());
+      out.velocity_z[at] = static_cast<float>(c.velocity.z());
+    }
+  });
+  return s;
+}
+
+template class Fluid<float>;
+template class Fluid<double>;
+
+}  // namespace lahar::lbm

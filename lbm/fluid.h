@@ -1,0 +1,120 @@
+#pragma once
+// The fluid and its ordered step.
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "core/timers.h"
+#include "core/units.h"
+#include "lbm/cell_moments.h"
+#include "lbm/fluid_grid.h"
+#include "lbm/fluid_snapshot.h"
+#include "lbm/free_surface/conversion.h"
+#include "lbm/sweep.h"
+
+namespace lahar::lbm {
+
+struct FluidOptions {
+  DomainSpec domain;
+  double time_step = 0;                  ///< s
+  double density = 1000;                 ///< kg/m^3
+  double kinematic_viscosity = 1e-6;     ///< m^2/s
+  Vec3 gravity = Vec3::Zero();           ///< m/s^2
+  CollisionOperator collision = CollisionOperator::central_moments;
+  BodyWeighting weighting = BodyWeighting::solid_fraction;
+  double smagorinsky = 0;                ///< Cs; 0 is off
+};
+
+/// A box of liquid at the start.
+struct LiquidRegion {
+  Vec3 lower, upper;              ///< m
+  Vec3 velocity = Vec3::Zero();   ///< m/s
+};
+
+/// One wet cell as observers see it, SI.
+struct WetCell {
+  Vec3 centre;             ///< m
+  Vec3 velocity;           ///< m/s
+  double fill_level;       ///< 0..1, bodies in the cell included
+  double solid_fraction;   ///< 0..1
+  double liquid_volume;    ///< m^3
+  double pressure;         ///< Pa above ambient
+};
+
+template <class Real>
+class Fluid {
+ public:
+  explicit Fluid(FluidOptions options);
+
+  /// Fills boxes with liquid under the pressure of its own depth along z; call before the first step. Cells in walls stay dry.
+  void fill(const std::vector<LiquidRegion>& regions);
+  /// Fills every free cell of the domain and initializes it from a function of the cell centre that gives velocity
+  /// (lu) and rho - 1: for flows without a surface.
+  void fill_everything(const std::function<Vec3(const Vec3&)>& velocity_lu,
+                       const std::function<double(const Vec3&)>& drho);
+
+  /// The liquid of now is the start of the mass ledger. Done by fill; to be called again after bodies were put in.
+  void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass(); }
+
+  /// One fluid step: mass over the surface, collide and stream, walls, cell conversion, blocks.
+  /// Throws NumericalFailure if a cell is no longer finite or faster than the lattice can carry.
+  void step();
+
+  [[nodiscard]] const LatticeUnits& units() const { return units_; }
+  [[nodiscard]] const FluidOptions& options() const { return options_; }
+  [[nodiscard]] double tau() const { return parameters_.tau; }
+  [[nodiscard]] std::int64_t steps() const { return steps_; }
+  [[nodiscard]] FluidGrid<Real>& grid() { return grid_; }
+  [[nodiscard]] const FluidGrid<Real>& grid() const { return grid_; }
+  [[nodiscard]] Parity parity() const { return parameters_.parity; }
+  [[nodiscard]] LiquidAccount& account() { return account_; }
+  [[nodiscard]] Timers& timers() { return timers_; }
+
+  /// Liquid in the domain, kg: full cells, interface cells, pool, less the bodies' share.
+  [[nodiscard]] double liquid_mass() const;
+  /// Liquid that left through open faces, kg.
+  [[nodiscard]] double outflow_mass() const { return account_.outflow * units_.mass(); }
+  /// (in the domain + left - filled in) / filled in; 0 without liquid.
+  [[nodiscard]] double mass_drift() const;
+  [[nodiscard]] std::size_t wet_cells() const;
+  /// Cells with at least one update so far (sum over steps of wet cells).
+  [[nodiscard]] double cell_updates() const { return cell_updates_; }
+  /// Largest speed found by the last watchdog round, lu.
+  [[nodiscard]] double max_speed_lu() const { return max_speed_lu_; }
+
+  /// Calls visit for every wet cell in a fixed order.
+  void for_each_wet_cell(const std::function<void(const WetCell&)>& visit) const;
+  /// The wet cell at a point, if any.
+  [[nodiscard]] std::optional<WetCell> cell_at(const Vec3& p) const;
+  [[nodiscard]] FluidSnapshot snapshot() const;
+
+  /// Looks at every wet cell: throws NumericalFailure with cell, step and cause.
+  void watch();
+  /// Gives back blocks that no wet cell needs.
+  void release_dry_blocks();
+
+ private:
+  void sweep();
+  void exchange();
+  void reflect();
+  void classify_filled(std::vector<BlockIndex>& touched);
+  void initialize(CellPlace place, double drho, const Vec3& velocity_lu);
+  [[nodiscard]] WetCell describe(CellPlace place) const;
+
+  FluidOptions options_;
+  LatticeUnits units_;
+  SweepParameters parameters_;
+  FluidGrid<Real> grid_;
+  CellConversion<Real> conversion_;
+  LiquidAccount account_;
+  double initial_mass_ = 0;
+  std::int64_t steps_ = 0;
+  double cell_updates_ = 0, max_speed_lu_ = 0;
+  Timers timers_;
+  std::vector<std::uint8_t> needed_;
+};
+
+extern template class Fluid<float>;
+extern template class Fluid<double>;
+
+}  // namespace lahar::lbm

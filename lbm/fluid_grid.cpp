@@ -1,0 +1,185 @@
+#include "lbm/fluid_grid.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace lahar::lbm {
+
+template <class Real>
+FluidGrid<Real>::FluidGrid(DomainSpec spec, double velocity_to_lu)
+    : domain_(std::move(spec)), velocity_to_lu_(velocity_to_lu), topology_(domain_.period()) {}
+
+template <class Real>
+BlockIndex FluidGrid<Real>::require_block(const Vec3i& coordinate) {
+  if (const BlockIndex found = topology_.find(coordinate); found != kNoBlock) return found;
+  const BlockIndex b = topology_.insert(coordinate);
+  if (topology_.capacity() > blocks_.size()) {
+    blocks_.resize(topology_.capacity(), nullptr);
+    around_.resize(topology_.capacity());
+  }
+  Block<Real>* fresh = block_pool_.acquire();
+  fresh->populations = population_pool_.acquire();
+  for (int i = 0; i < D3Q19::q; ++i) std::memset(fresh->f(i), 0, kBlockCells * sizeof(Real));
+  fresh->surface = nullptr;
+  fresh->body = nullptr;
+  fresh->wet_cells = 0;
+  fresh->birth = ++births_;
+  blocks_[static_cast<std::size_t>(b)] = fresh;
+  const auto& neighbours = topology_.neighbours(b);
+  for (std::size_t slot = 0; slot < 27; ++slot) {
+    const BlockIndex other = neighbours[slot];
+    around_[static_cast<std::size_t>(b)][slot] = other == kNoBlock ? nullptr : blocks_[static_cast<std::size_t>(other)];
+    if (other != kNoBlock) around_[static_cast<std::size_t>(other)][26 - slot] = fresh;
+  }
+  cut_geometry(b);
+  return b;
+}
+
+template <class Real>
+void FluidGrid<Real>::require_neighbours(CellPlace place) {
+  const auto p = cell_position(place.cell);
+  int low[3], high[3];
+  for (std::size_t a = 0; a < 3; ++a) {
+    low[a] = p[a] == 0 ? -1 : 0;
+    high[a] = p[a] == 7 ? 1 : 0;
+  }
+  const Vec3i here = topology_.coordinate(place.block);
+  for (int x = low[0]; x <= high[0]; ++x)
+    for (int y = low[1]; y <= high[1]; ++y)
+      for (int z = low[2]; z <= high[2]; ++z)
+        if (topology_.neighbours(place.block)[static_cast<std::size_t>(neighbour_slot(x, y, z))] == kNoBlock)
+          require_block(here + Vec3i(x, y, z));
+}
+
+template <class Real>
+void FluidGrid<Real>::release(BlockIndex b) {
+  release_surface(b);
+  release_body(b);
+  Block<Real>& gone = block(b);
+  const auto& neighbours = topology_.neighbours(b);
+  for (std::size_t slot = 0; slot < 27; ++slot)
+    if (neighbours[slot] != kNoBlock) around_[static_cast<std::size_t>(neighbours[slot])][26 - slot] = nullptr;
+  population_pool_.release(gone.populations);
+  gone.walls.clear();
+  block_pool_.release(&gone);
+  blocks_[static_cast<std::size_t>(b)] = nullptr;
+  topology_.erase(b);
+}
+
+template <class Real>
+void FluidGrid<Real>::cut_geometry(BlockIndex b) {
+  Block<Real>& fresh = block(b);
+  fresh.walls.clear();
+  const Vec3i lowest = lowest_cell(b);
+  std::array<CellType, 1000> types;  // the block and one cell around it
+  for (int x = 0; x < 10; ++x)
+    for (int y = 0; y < 10; ++y)
+      for (int z = 0; z < 10; ++z)
+        types[static_cast<std::size_t>(100 * x + 10 * y + z)] = domain_.classify(lowest + Vec3i(x - 1, y - 1, z - 1));
+  for (int n = 0; n < kBlockCells; ++n) {
+    const auto p = cell_position(n);
+    const auto at = [&](int i) {
+      return types[static_cast<std::size_t>(100 * (p[0] + 1 + D3Q19::c[i][0]) + 10 * (p[1] + 1 + D3Q19::c[i][1]) +
+                                            p[2] + 1 + D3Q19::c[i][2])];
+    };
+    const auto cell = static_cast<std::size_t>(n);
+    fresh.type[cell] = at(0);
+    fresh.at_rim[cell] = false;
+    if (at(0) != CellType::gas) continue;
+    for (int i = 1; i < D3Q19::q; ++i) fresh.at_rim[cell] = fresh.at_rim[cell] || at(i) == CellType::sink;
+    add_wall_links(fresh, n, lowest + Vec3i(p[0], p[1], p[2]), types);
+  }
+}
+
+template <class Real>
+void FluidGrid<Real>::add_wall_links(Block<Real>& fresh, int cell, const Vec3i& place,
+                                     const std::array<CellType, 1000>& types) {
+  const auto p = cell_position(cell);
+  std::array<int, D3Q19::q> wall_of{};
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const auto* c = D3Q19::c[i];
+    const bool solid = types[static_cast<std::size_t>(100 * (p[0] + 1 + c[0]) + 10 * (p[1] + 1 + c[1]) + p[2] + 1 +
+                                                      c[2])] == CellType::wall;
+    wall_of[static_cast<std::size_t>(i)] =
+        solid ? domain_.walls().nearest(domain_.centre(place + Vec3i(c[0], c[1], c[2]))).wall : -1;
+  }
+  wall_of[0] = -1;
+  for (int wall = 0; wall < static_cast<int>(domain_.walls().all().size()); ++wall) {
+    const auto links = std::count(wall_of.begin(), wall_of.end(), wall);
+    if (links == 0) continue;
+    const Wall& w = domain_.walls().all()[static_cast<std::size_t>(wall)];
+    const Vec3 normal = domain_.walls().gradient(static_cast<std::size_t>(wall), domain_.centre(place));
+    const Vec3 velocity = w.velocity * velocity_to_lu_;
+    WallCell entry{static_cast<std::uint16_t>(cell), static_cast<std::uint16_t>(fresh.walls.directions.size()),
+                   static_cast<std::uint8_t>(links), w.slip == WallSlip::free_slip, {}, {}};
+    for (int a = 0; a < 3; ++a) {
+      entry.normal[static_cast<std::size_t>(a)] = static_cast<float>(normal[a]);
+      entry.wall_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);
+    }
+    fresh.walls.cells.push_back(entry);
+    for (int i = 1; i < D3Q19::q; ++i)
+      if (wall_of[static_cast<std::size_t>(i)] == wall) fresh.walls.directions.push_back(static_cast<std::uint8_t>(i));
+  }
+}
+
+template <class Real>
+SurfaceFields<Real>& FluidGrid<Real>::require_surface(BlockIndex b) {
+  Block<Real>& blk = block(b);
+  if (blk.surface) return *blk.surface;
+  blk.surface = surface_pool_.acquire();
+  SurfaceFields<Real>& s = *blk.surface;
+  for (std::size_t n = 0; n < kBlockCells; ++n) {
+    s.mass[n] = 0;
+    s.density[n] = 0;
+    s.fill_level[n] = blk.type[n] == CellType::liquid ? Real(1) : Real(0);
+  }
+  s.count = 0;
+  return s;
+}
+
+template <class Real>
+BodyFields<Real>& FluidGrid<Real>::require_body(BlockIndex b) {
+  Block<Real>& blk = block(b);
+  if (!blk.body) {
+    blk.body = body_pool_.acquire();
+    std::memset(static_cast<void*>(blk.body), 0, sizeof(BodyFields<Real>));
+  }
+  return *blk.body;
+}
+
+template <class Real>
+void FluidGrid<Real>::release_surface(BlockIndex b) {
+  if (block(b).surface) surface_pool_.release(block(b).surface);
+  block(b).surface = nullptr;
+}
+
+template <class Real>
+void FluidGrid<Real>::release_body(BlockIndex b) {
+  if (block(b).body) body_pool_.release(block(b).body);
+  block(b).body = nullptr;
+}
+
+template <class Real>
+void FluidGrid<Real>::relist(BlockIndex b) {
+  Block<Real>& blk = block(b);
+  blk.wet_cells = 0;
+  int interfaces = 0;
+  for (std::size_t n = 0; n < kBlockCells; ++n) {
+    blk.wet_cells += is_wet(blk.type[n]);
+    if (blk.type[n] != CellType::interface) continue;
+    if (blk.surface) blk.surface->cells[static_cast<std::size_t>(interfaces)] = static_cast<std::uint16_t>(n);
+    ++interfaces;
+  }
+  if (interfaces == 0) return release_surface(b);
+  blk.surface->count = interfaces;
+}
+
+template <class Real>
+std::size_t FluidGrid<Real>::bytes() const {
+  return population_pool_.bytes() + block_pool_.bytes() + surface_pool_.bytes() + body_pool_.bytes();
+}
+
+template class FluidGrid<float>;
+template class FluidGrid<double>;
+
+}  // namespace lahar::lbm

@@ -1,0 +1,281 @@
+#include "lbm/free_surface/conversion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.h"
+#include "lbm/cell_moments.h"
+#include "lbm/equilibrium.h"
+
+namespace lahar::lbm {
+
+namespace {
+
+constexpr double kThreshold = 0.01;  ///< beyond full or empty before a cell converts: damps flicker
+constexpr double kThinFill = 0.1;    ///< liquid share under which a cell with no liquid neighbour is given up
+constexpr double kPoolDose = 0.02;   ///< largest payment of the pool to one cell in a step
+constexpr double kPoolIdle = 1e-5;   ///< a smaller pool waits: payments would drown in rounding
+
+struct Surroundings {
+  bool gas = false, interface = false, liquid = false;
+};
+
+template <class Real>
+Surroundings look_around(const FluidGrid<Real>& grid, CellPlace place) {
+  Surroundings s;
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const CellType t = grid.type(grid.neighbour(place, i));
+    s.gas |= t == CellType::gas || t == CellType::sink;
+    s.interface |= t == CellType::interface;
+    s.liquid |= t == CellType::liquid;
+  }
+  return s;
+}
+
+template <class Real>
+Real body_share(const Block<Real>& block, int cell) {
+  return block.body ? block.body->solid_fraction[cell] : Real(0);
+}
+
+enum class Verdict { stay, fill, empty };
+
+template <class Real>
+Verdict judge(const FluidGrid<Real>& grid, CellPlace place, Real mass, Real rho, bool at_rim) {
+  const Real eps = body_share(grid.block(place.block), place.cell), room = std::max(Real(0), Real(1) - eps);
+  const Real liquid = mass - eps;
+  if (liquid < Real(-kThreshold)) return Verdict::empty;
+  if (!at_rim && mass > Real(1 + kThreshold) * rho) return Verdict::fill;
+  const bool thin = liquid < Real(kThinFill) * room, thick = mass > Real(1 - kThinFill) * rho;
+  if (!thin && !thick) return Verdict::stay;
+  const Surroundings s = look_around(grid, place);
+  if (thick && !s.gas && !at_rim) return Verdict::fill;
+  if (thin && !s.liquid) return Verdict::empty;
+  return Verdict::stay;
+}
+
+}  // namespace
+
+template <class Real>
+double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, std::vector<std::uint16_t>& filled,
+                        std::vector<std::uint16_t>& emptied) {
+  Block<Real>& block = grid.block(b);
+  SurfaceFields<Real>& surface = *block.surface;
+  double left = 0;
+  for (int k = 0; k < surface.count; ++k) {
+    const auto cell = surface.cells[static_cast<std::size_t>(k)];
+    const Real rho = Real(1) + surface.density[cell];
+    Real& mass = surface.mass[cell];
+    if (block.at_rim[cell] && mass > rho) {
+      left += static_cast<double>(mass) - static_cast<double>(rho);
+      mass = rho;
+    }
+    surface.fill_level[cell] = std::clamp(mass / rho, Real(0), Real(1));
+    const Verdict v = judge(grid, {b, cell}, mass, rho, block.at_rim[cell]);
+    if (v == Verdict::fill) filled.push_back(cell);
+    if (v == Verdict::empty) emptied.push_back(cell);
+  }
+  return left;
+}
+
+template <class Real>
+void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
+  flag(grid, account);
+  fill_cells(grid, parity);
+  empty_cells(grid, parity);
+  distribute(grid, account);
+  pay_pool(grid, account);
+  for (const BlockIndex b : touched_) {
+    grid.relist(b);
+    fresh_[static_cast<std::size_t>(b)].clear();
+    is_touched_[static_cast<std::size_t>(b)] = 0;
+  }
+  touched_.clear();
+}
+
+template <class Real>
+void CellConversion<Real>::flag(FluidGrid<Real>& grid, LiquidAccount& account) {
+  const std::size_t n = grid.topology().capacity();
+  filled_.resize(n), emptied_.resize(n);
+  left_.assign(n, 0.0);
+  const auto& active = grid.active();
+  parallel_for(0, active.size(), 16, [&](std::size_t k) {
+    const BlockIndex b = active[k];
+    const auto at = static_cast<std::size_t>(b);
+    filled_[at].clear(), emptied_[at].clear();
+    if (grid.block(b).surface) left_[at] = flag_conversions(grid, b, filled_[at], emptied_[at]);
+  });
+  for (const BlockIndex b : active) account.outflow += left_[static_cast<std::size_t>(b)];
+}
+
+template <class Real>
+void CellConversion<Real>::touch(BlockIndex b) {
+  const auto at = static_cast<std::size_t>(b);
+  if (at >= is_touched_.size()) {
+    is_touched_.resize(at + 64, 0);
+    fresh_.resize(at + 64);
+  }
+  if (is_touched_[at]) return;
+  is_touched_[at] = 1;
+  touched_.push_back(b);
+}
+
+template <class Real>
+bool CellConversion<Real>::is_fresh(CellPlace p) const {
+  const auto at = static_cast<std::size_t>(p.block);
+  if (at >= fresh_.size()) return false;
+  return std::find(fresh_[at].begin(), fresh_[at].end(), p.cell) != fresh_[at].end();
+}
+
+template <class Real>
+void CellConversion<Real>::fill_cells(FluidGrid<Real>& grid, Parity parity) {
+  excess_.clear();
+  for (std::size_t at = 0; at < filled_.size(); ++at)
+    for (const auto cell : filled_[at]) {
+      const CellPlace place{static_cast<BlockIndex>(at), cell};
+      Block<Real>& block = grid.block(place.block);
+      const Real rho = Real(1) + block.surface->density[cell];
+      excess_.push_back({place, block.surface->mass[cell] - rho});
+      block.type[cell] = CellType::liquid;
+      block.surface->fill_level[cell] = Real(1);
+      block.surface->mass[cell] = 0;
+      touch(place.block);
+      wet_neighbours(grid, place, parity);
+    }
+}
+
+/// Gas next to a new liquid cell becomes interface; a neighbour that was about to empty stays.
+template <class Real>
+void CellConversion<Real>::wet_neighbours(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const CellPlace next = grid.neighbour(place, i);
+    const CellType t = grid.type(next);
+    if (t == CellType::gas) make_interface(grid, next, parity);
+    if (t == CellType::interface && static_cast<std::size_t>(next.block) < emptied_.size())
+      std::erase(emptied_[static_cast<std::size_t>(next.block)], next.cell);
+  }
+}
+
+template <class Real>
+void CellConversion<Real>::make_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
+  grid.require_neighbours(place);
+  CellMoments<Real> mean;
+  int sources = 0;
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const CellPlace next = grid.neighbour(place, i);
+    if (!is_wet(grid.type(next)) || is_fresh(next)) continue;
+    const auto m = outgoing_moments(grid, next, parity);
+    mean.drho += m.drho;
+    for (int k = 0; k < 3; ++k) mean.u[k] += m.u[k];
+    ++sources;
+  }
+  if (sources > 0) {
+    mean.drho /= static_cast<Real>(sources);
+    for (Real& u : mean.u) u /= static_cast<Real>(sources);
+  }
+  Block<Real>& block = grid.block(place.block);
+  SurfaceFields<Real>& surface = grid.require_surface(place.block);
+  const auto cell = static_cast<std::size_t>(place.cell);
+  block.type[cell] = CellType::interface;
+  surface.mass[cell] = body_share(block, place.cell);
+  surface.density[cell] = mean.drho;
+  surface.fill_level[cell] = std::clamp(surface.mass[cell] / (Real(1) + mean.drho), Real(0), Real(1));
+  // Outgoing populations of the new cell; what comes in from wet neighbours is there already, what comes from gas is
+  // rebuilt before the next step, what comes from walls is set here.
+  block.f(0)[cell] = equilibrium(0, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
+  for (int a = 1; a < D3Q19::q; a += 2) {
+    const auto pair = grid.access(place, a, parity);
+    const Real fa = equilibrium(a, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
+    const Real fb = equilibrium(a + 1, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
+    *pair.outgoing_a = fa;
+    *pair.outgoing_b = fb;
+    if (grid.type(grid.neighbour(place, a)) == CellType::wall) *pair.incoming_b = fb;
+    if (grid.type(grid.neighbour(place, a + 1)) == CellType::wall) *pair.incoming_a = fa;
+  }
+  touch(place.block);
+  fresh_[static_cast<std::size_t>(place.block)].push_back(static_cast<std::uint16_t>(place.cell));
+}
+
+template <class Real>
+void CellConversion<Real>::empty_cells(FluidGrid<Real>& grid, Parity parity) {
+  for (std::size_t at = 0; at < emptied_.size(); ++at)
+    for (const auto cell : emptied_[at]) {
+      const CellPlace place{static_cast<BlockIndex>(at), cell};
+      Block<Real>& block = grid.block(place.block);
+      excess_.push_back({place, block.surface->mass[cell] - body_share(block, cell)});
+      block.type[cell] = CellType::gas;
+      block.surface->fill_level[cell] = Real(0);
+      block.surface->mass[cell] = 0;
+      touch(place.block);
+      for (int i = 1; i < D3Q19::q; ++i) {
+        const CellPlace next = grid.neighbour(place, i);
+        if (grid.type(next) == CellType::liquid) expose_liquid(grid, next, parity);
+      }
+    }
+}
+
+/// A liquid cell next to new gas becomes a full interface cell.
+template <class Real>
+void CellConversion<Real>::expose_liquid(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
+  const auto m = outgoing_moments(grid, place, parity);
+  Block<Real>& block = grid.block(place.block);
+  SurfaceFields<Real>& surface = grid.require_surface(place.block);
+  const auto cell = static_cast<std::size_t>(place.cell);
+  block.type[cell] = CellType::interface;
+  surface.mass[cell] = Real(1) + m.drho;
+  surface.density[cell] = m.drho;
+  surface.fill_level[cell] = Real(1);
+  grid.require_neighbours(place);
+  touch(place.block);
+}
+
+template <class Real>
+void CellConversion<Real>::distribute(FluidGrid<Real>& grid, LiquidAccount& account) {
+  for (const Excess& e : excess_) {
+    CellPlace interfaces[D3Q19::q], liquids[D3Q19::q];
+    int n_interface = 0, n_liquid = 0;
+    for (int i = 1; i < D3Q19::q; ++i) {
+      const CellPlace next = grid.neighbour(e.place, i);
+      const CellType t = grid.type(next);
+      if (t == CellType::interface) interfaces[n_interface++] = next;
+      if (t == CellType::liquid) liquids[n_liquid++] = next;
+    }
+    if (n_interface > 0) {
+      for (int k = 0; k < n_interface; ++k)
+        grid.block(interfaces[k].block).surface->mass[interfaces[k].cell] += e.mass / static_cast<Real>(n_interface);
+    } else if (n_liquid > 0) {
+      for (int k = 0; k < n_liquid; ++k)
+        grid.block(liquids[k].block).f(0)[liquids[k].cell] += e.mass / static_cast<Real>(n_liquid);
+    } else {
+      account.pool += static_cast<double>(e.mass);
+      account.pooled_total += std::abs(static_cast<double>(e.mass));
+    }
+  }
+}
+
+/// Pays the pool back to interface cells in small doses, going round the blocks.
+template <class Real>
+void CellConversion<Real>::pay_pool(FluidGrid<Real>& grid, LiquidAccount& account) {
+  const auto& active = grid.active();
+  for (std::size_t k = 0; k < active.size() && std::abs(account.pool) > kPoolIdle; ++k) {
+    pool_cursor_ = (pool_cursor_ + 1) % active.size();
+    SurfaceFields<Real>* surface = grid.block(active[pool_cursor_]).surface;
+    if (!surface) continue;
+    for (int c = 0; c < surface->count && std::abs(account.pool) > kPoolIdle; ++c) {
+      const auto cell = surface->cells[static_cast<std::size_t>(c)];
+      if (grid.block(active[pool_cursor_]).type[cell] != CellType::interface) continue;
+      const auto dose = static_cast<Real>(std::clamp(account.pool, -kPoolDose, kPoolDose));
+      const Real before = surface->mass[cell];
+      surface->mass[cell] += dose;
+      account.pool -= static_cast<double>(surface->mass[cell]) - static_cast<double>(before);
+    }
+  }
+}
+
+template double flag_conversions<float>(FluidGrid<float>&, BlockIndex, std::vector<std::uint16_t>&,
+                                        std::vector<std::uint16_t>&);
+template double flag_conversions<double>(FluidGrid<double>&, BlockIndex, std::vector<std::uint16_t>&,
+                                         std::vector<std::uint16_t>&);
+template class CellConversion<float>;
+template class CellConversion<double>;
+
+}  // namespace lahar::lbm

@@ -1,0 +1,86 @@
+#include "lbm/free_surface/surface_exchange.h"
+
+#include "lbm/equilibrium.h"
+
+namespace lahar::lbm {
+
+namespace {
+
+/// Share of a link's population flux that is mass of the interface cell.
+template <class Real>
+Real exchange_share(const FluidGrid<Real>& grid, CellPlace neighbour, Real fill) {
+  const Block<Real>& block = grid.block(neighbour.block);
+  const CellType type = block.type[static_cast<std::size_t>(neighbour.cell)];
+  if (type == CellType::liquid) return Real(1);
+  if (type == CellType::interface) return Real(0.5) * (fill + block.surface->fill_level[neighbour.cell]);
+  return Real(0);
+}
+
+template <class Real>
+bool is_empty(const FluidGrid<Real>& grid, CellPlace p) {
+  const CellType t = grid.type(p);
+  return t == CellType::gas || t == CellType::sink;
+}
+
+/// The nine pairs of a cell and the cells at their ends.
+template <class Real>
+struct CellLinks {
+  PairAccess<Real> pair[D3Q19::pairs];
+  CellPlace ahead[D3Q19::pairs], behind[D3Q19::pairs];
+};
+
+template <class Real>
+CellLinks<Real> links_of(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
+  CellLinks<Real> links;
+  for (int p = 0; p < D3Q19::pairs; ++p) {
+    const int a = D3Q19::forward(p);
+    links.pair[p] = grid.access(place, a, parity);
+    links.ahead[p] = grid.neighbour(place, a);
+    links.behind[p] = grid.neighbour(place, a + 1);
+  }
+  return links;
+}
+
+/// Velocity that the cell had after its last collision.
+template <class Real>
+void outgoing_velocity(const CellLinks<Real>& links, Real rest, Real (&u)[3]) {
+  Real rho = Real(1) + rest, j[3] = {0, 0, 0};
+  for (int p = 0; p < D3Q19::pairs; ++p) {
+    const auto* c = D3Q19::c[D3Q19::forward(p)];
+    const Real fa = *links.pair[p].outgoing_a, fb = *links.pair[p].outgoing_b;
+    rho += fa + fb;
+    for (int k = 0; k < 3; ++k) j[k] += static_cast<Real>(c[k]) * (fa - fb);
+  }
+  for (int k = 0; k < 3; ++k) u[k] = j[k] / rho;
+}
+
+}  // namespace
+
+template <class Real>
+void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real gas_drho) {
+  Block<Real>& block = grid.block(b);
+  if (!block.surface) return;
+  SurfaceFields<Real>& surface = *block.surface;
+  for (int k = 0; k < surface.count; ++k) {
+    const int cell = surface.cells[static_cast<std::size_t>(k)];
+    const CellLinks<Real> links = links_of(grid, {b, cell}, parity);
+    const Real fill = surface.fill_level[cell];
+    Real u[3], gain = 0;
+    outgoing_velocity(links, block.f(0)[cell], u);
+    for (int p = 0; p < D3Q19::pairs; ++p) {
+      const auto& l = links.pair[p];
+      const Real fa_out = *l.outgoing_a, fb_out = *l.outgoing_b;
+      gain += exchange_share(grid, links.ahead[p], fill) * (*l.incoming_b - fa_out);
+      gain += exchange_share(grid, links.behind[p], fill) * (*l.incoming_a - fb_out);
+      const Real even = equilibrium_pair_sum(D3Q19::forward(p), gas_drho, u[0], u[1], u[2]);
+      if (is_empty(grid, links.ahead[p])) *l.incoming_b = even - fa_out;
+      if (is_empty(grid, links.behind[p])) *l.incoming_a = even - fb_out;
+    }
+    surface.mass[cell] += gain;
+  }
+}
+
+template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, float);
+template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, double);
+
+}  // namespace lahar::lbm

@@ -1,0 +1,162 @@
+#pragma once
+// The body of the sweep, instantiated per number type and collision operator (sweep_float.cpp, sweep_double.cpp).
+#include <experimental/simd>
+
+#include "core/denormals.h"
+#include "lbm/collision/bgk.h"
+#include "lbm/collision/central_moments.h"
+#include "lbm/collision/trt.h"
+#include "lbm/gather.h"
+#include "lbm/sweep.h"
+
+namespace lahar::lbm {
+
+namespace stdx = std::experimental;
+
+/// Numbers of a sweep in the kernel's type, spread over a vector.
+template <class V>
+struct Uniform {
+  V tau, les_factor, gravity[3], weighting;
+};
+
+template <class V>
+Uniform<V> make_uniform(const SweepParameters& p) {
+  using Real = typename V::value_type;
+  const auto real = [](double x) { return V(static_cast<Real>(x)); };
+  // B = eps / ((1 - eps) k + 1) with k = 0 for B = eps and 1 / (tau - 1/2) for Noble & Torczynski.
+  const double k = p.weighting == BodyWeighting::noble_torczynski ? 1.0 / (p.tau - 0.5) : 0.0;
+  return {real(p.tau), real(smagorinsky_factor(p.smagorinsky)),
+          {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(k)};
+}
+
+template <class Real, bool kMixed, bool kBody>
+class BlockKernel {
+ public:
+  using V = stdx::native_simd<Real>;
+  static constexpr int width = static_cast<int>(V::size());
+
+  template <class Operator, bool kLes>
+  static void run(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p) {
+    const FlushDenormals flush;
+    alignas(64) Real away[D3Q19::pairs][kBlockCells];
+    for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+      gather_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), away[P]);
+    });
+    const Uniform<V> uniform = make_uniform<V>(p);
+    Real* home[D3Q19::pairs];
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) home[pair] = block.f(p.parity.home(D3Q19::forward(pair)));
+    alignas(64) Real wet[kMixed ? kBlockCells : 1];
+    if constexpr (kMixed)
+      for (int n = 0; n < kBlockCells; ++n) wet[n] = is_wet(block.type[static_cast<std::size_t>(n)]) ? Real(1) : Real(0);
+    for (int n = 0; n < kBlockCells; n += width) {
+      if constexpr (kMixed)
+        if (stdx::none_of(V(wet + n, stdx::vector_aligned) > V(0))) continue;
+      collide_cells<Operator, kLes>(block, home, away, wet, n, uniform);
+    }
+    for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+      scatter_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), away[P]);
+    });
+  }
+
+ private:
+  template <class Operator, bool kLes>
+  [[gnu::always_inline]] static void collide_cells(Block<Real>& block, Real* const (&home)[D3Q19::pairs],
+                                                   Real (&away)[D3Q19::pairs][kBlockCells], const Real* wet, int n,
+                                                   const Uniform<V>& uniform) {
+    V f[D3Q19::q];
+    f[0] = V(block.f(0) + n, stdx::vector_aligned);
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) {
+      f[2 * pair + 1] = V(home[pair] + n, stdx::vector_aligned);
+      f[2 * pair + 2] = V(away[pair] + n, stdx::vector_aligned);
+    }
+    const auto dry = [&] {
+      if constexpr (kMixed) return V(wet + n, stdx::vector_aligned) == V(0);
+      else return typename V::mask_type(false);
+    }();
+    if constexpr (kMixed)
+      for (V& population : f) stdx::where(dry, population) = V(0);
+    const Moments<V> m = moments(f);
+    CellForcing<V> force;
+    if constexpr (kMixed)
+      if (block.surface) m.drho.copy_to(block.surface->density + n, stdx::vector_aligned);
+    add_forcing(block, n, uniform, m, force);
+    if constexpr (kBody && kMixed) {
+      stdx::where(dry, force.coverage_weight) = V(0);
+      for (V& k : force.kick) stdx::where(dry, k) = V(0);
+    }
+    if constexpr (kBody) record_exchange(block, n, m, force);
+    Operator::template collide<kLes>(f, m, force, uniform.tau, uniform.les_factor);
+    if constexpr (kMixed)
+      for (V& population : f) stdx::where(dry, population) = V(0);
+    f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) {
+      f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);
+      f[2 * pair + 1].copy_to(away[pair] + n, stdx::vector_aligned);
+    }
+  }
+
+  /// Gravity acts on the share 1 - B that the fluid keeps where a body is: the body carries its own weight.
+  [[gnu::always_inline]] static void add_forcing(const Block<Real>& block, int n, const Uniform<V>& uniform,
+                                                 const Moments<V>& m, CellForcing<V>& force) {
+    if constexpr (kBody) {
+      const BodyFields<Real>& body = *block.body;
+      const V tiny(Real(1e-12)), one(1);
+      const V sum(body.solid_fraction + n, stdx::vector_aligned);
+      const V eps = stdx::min(sum, one);
+      const V inverse = one / stdx::max(sum, tiny);
+      force.coverage_weight = eps / ((one - eps) * uniform.weighting + one);
+      force.solid_velocity[0] = V(body.momentum_x + n, stdx::vector_aligned) * inverse;
+      force.solid_velocity[1] = V(body.momentum_y + n, stdx::vector_aligned) * inverse;
+      force.solid_velocity[2] = V(body.momentum_z + n, stdx::vector_aligned) * inverse;
+      force.kick[0] = V(body.exchange_x + n, stdx::vector_aligned) * m.inverse_density;
+      force.kick[1] = V(body.exchange_y + n, stdx::vector_aligned) * m.inverse_density;
+      force.kick[2] = V(body.exchange_z + n, stdx::vector_aligned) * m.inverse_density;
+    } else {
+      force.coverage_weight = V(0);
+      for (int a = 0; a < 3; ++a) force.solid_velocity[a] = force.kick[a] = V(0);
+    }
+    for (int a = 0; a < 3; ++a) force.acceleration[a] = uniform.gravity[a];
+  }
+
+  /// Momentum that the fluid gives to the bodies of the cell, B rho (u - u_s), and the velocity after collision. Gravity
+  /// is not in it: the fluid keeps the share 1 - B of its weight, so that a body at rest feels the buoyancy alone.
+  [[gnu::always_inline]] static void record_exchange(Block<Real>& block, int n, const Moments<V>& m,
+                                                     const CellForcing<V>& force) {
+    const V weight = force.coverage_weight * (V(1) + m.drho);
+    Real* const out[3] = {block.body->exchange_x, block.body->exchange_y, block.body->exchange_z};
+    Real* const velocity[3] = {block.body->velocity_x, block.body->velocity_y, block.body->velocity_z};
+    V after[3];
+    velocity_after(m, force, after);
+    for (int a = 0; a < 3; ++a) {
+      (weight * (m.u[a] - force.solid_velocity[a])).copy_to(out[a] + n, stdx::vector_aligned);
+      after[a].copy_to(velocity[a] + n, stdx::vector_aligned);
+    }
+  }
+};
+
+template <class Real, bool kMixed, bool kBody, class Operator>
+BlockSweep<Real> pick_les(const SweepParameters& p) {
+  using Kernel = BlockKernel<Real, kMixed, kBody>;
+  return p.smagorinsky > 0 ? &Kernel::template run<Operator, true> : &Kernel::template run<Operator, false>;
+}
+
+template <class Real, bool kMixed, bool kBody>
+BlockSweep<Real> pick_operator(const SweepParameters& p) {
+  switch (p.collision) {
+    case CollisionOperator::bgk:
+      return pick_les<Real, kMixed, kBody, Bgk>(p);
+    case CollisionOperator::trt:
+      return pick_les<Real, kMixed, kBody, Trt>(p);
+    case CollisionOperator::central_moments:
+      break;
+  }
+  return pick_les<Real, kMixed, kBody, CentralMoments>(p);
+}
+
+template <class Real>
+BlockSweep<Real> choose_sweep(const SweepParameters& p, bool mixed, bool bodies) {
+  if (bodies) return mixed ? pick_operator<Real, true, true>(p) : pick_operator<Real, false, true>(p);
+  return mixed ? pick_operator<Real, true, false>(p) : pick_operator<Real, false, false>(p);
+}
+
+}  // namespace lahar::lbm

@@ -1,0 +1,85 @@
+// A small net with soft bonds hangs and swings in the particle step.
+#include <gtest/gtest.h>
+
+#include "barrier/clearance.h"
+#include "barrier/net.h"
+#include "barrier/response.h"
+#include "barrier/topology.h"
+#include "dem/solids.h"
+#include "dem/time_step.h"
+
+namespace lahar::barrier {
+namespace {
+
+RingNetSpec soft_spec() {
+  RingNetSpec spec;
+  spec.width = 0.24, spec.height = 0.18;
+  spec.fit = NetFit::cables_on_frame;
+  spec.ring = wire_bond(3e9, 0);
+  spec.cable = wire_bond(8e9, 0);
+  spec.dissipator = dissipator_bond(8e9, 8e8, 2000, 0);
+  spec.ring.damping_ratio = spec.cable.damping_ratio = spec.dissipator.damping_ratio = 0.02;
+  return spec;
+}
+
+dem::Solids solids(dem::Particles particles, dem::Bonds bonds, const Vec3& gravity) {
+  dem::Materials materials;
+  materials.add({"steel", 2e8, 0.3});
+  materials.set_pair(0, 0, 0.1, 0.1);
+  dem::SolidsOptions options;
+  options.gravity = gravity;
+  options.time_step = 0.2 * dem::bond_time_step(bonds, particles);
+  return {std::move(particles), std::move(bonds), std::move(materials), {}, options};
+}
+
+TEST(HangingNet, KeepsItsLinksAndDoesNotInterpenetrate) {
+  dem::Particles particles;
+  dem::Bonds bonds;
+  const Net net = build_net(soft_spec(), particles, bonds);
+  const Topology before = find_topology(net, particles, bonds);
+  const Vec3 gravity(9.81, 0, -9.81);  // swings out along the flow as well
+  dem::Solids run = solids(std::move(particles), std::move(bonds), gravity);
+  double deepest = 0;
+  while (run.time() < 0.08) {
+    run.advance(100);
+    deepest = std::min(deepest, smallest_bead_gap(centre_lines(net, run.particles()), net.wire_diameter));
+  }
+  EXPECT_GT(deepest, -0.05 * net.wire_diameter);
+  EXPECT_EQ(first_difference(before, find_topology(net, run.particles(), run.bonds())), "");
+  const BarrierResponse r = response(net, run.particles(), run.bonds(), gravity);
+  EXPECT_GT(r.elongation, 1e-4);
+  EXPECT_LT(r.elongation, 0.1);
+  EXPECT_LT(r.potential_energy, 0);
+  EXPECT_GT(r[Component::upper_cable].max_tension, 0);
+  // The same energies as the particle step's own ledger has in total.
+  EXPECT_NEAR(r[Component::barrier].energy.axial, run.bond_energy().axial, 1e-9 * run.bond_energy().elastic());
+  EXPECT_NEAR(r[Component::barrier].energy.elastic(), run.bond_energy().elastic(), 1e-9 * run.bond_energy().elastic());
+}
+
+TEST(HangingNet, NetIsFreeOfStressAndContactWhenBuilt) {
+  dem::Particles particles;
+  dem::Bonds bonds;
+  const Net net = build_net(soft_spec(), particles, bonds);
+  dem::Solids run = solids(std::move(particles), std::move(bonds), Vec3::Zero());
+  run.advance(100);
+  const BarrierResponse r = response(net, run.particles(), run.bonds(), Vec3::Zero());
+  EXPECT_LT(r.kinetic_energy, 1e-20);  // rounding
+  EXPECT_NEAR(r[Component::barrier].force_sum, 0, 1e-9);
+}
+
+TEST(HangingNet, FreeNetFallsWithoutDeforming) {
+  RingNetSpec spec = soft_spec();
+  spec.free_net = true;
+  dem::Particles particles;
+  dem::Bonds bonds;
+  const Net net = build_net(spec, particles, bonds);
+  dem::Solids run = solids(std::move(particles), std::move(bonds), {0, 0, -9.81});
+  run.advance(1000);
+  const double fallen = 0.5 * 9.81 * run.time() * run.time();
+  for (std::size_t i = 0; i < net.beads; ++i)
+    EXPECT_LT((run.particles().position[i] - net.start[i] + fallen * Vec3::UnitZ()).norm(), 1e-9);
+  EXPECT_GT(fallen, 1e-4);
+}
+
+}  // namespace
+}  // namespace lahar::barrier

@@ -1,0 +1,146 @@
+// The built executable: exit codes, what it prints, and that bad input leaves nothing behind.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "tests/cases/scene_files.h"
+
+namespace lahar::scene {
+namespace {
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+/// Runs `BEFORE lahar ARGUMENTS` in a folder of its own.
+Outcome lahar(const std::string& before, const std::string& arguments, const ScratchFolder& folder,
+              const ScratchFolder& streams) {
+  const std::string out = (streams.path() / "out").string(), err = (streams.path() / "err").string();
+  const std::string command = "cd '" + folder.path().string() + "' && " + before + "'" LAHAR_EXECUTABLE "' " +
+                              arguments + " > '" + out + "' 2> '" + err + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file_text(out), file_text(err)};
+}
+
+class Cli : public testing::Test {
+ protected:
+  Outcome run(const std::string& arguments, const std::string& before = "") {
+    const ScratchFolder streams_beside_results;
+    return lahar(before, arguments, folder_, streams_beside_results);
+  }
+  [[nodiscard]] std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_.path()), {}));
+  }
+  ScratchFolder folder_;
+};
+
+TEST_F(Cli, ChecksAGoodSceneAndWritesNothing) {
+  const Outcome o = run("check '" + case_file("debris_flow/scene.toml").string() + "'");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find("Rayleigh time"), std::string::npos);
+  EXPECT_EQ(o.err, "");
+  EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(Cli, QuietIsQuiet) {
+  const Outcome o = run("check --quiet '" + case_file("dam_break/scene.toml").string() + "'");
+  EXPECT_EQ(o.code, 0);
+  EXPECT_EQ(o.out + o.err, "");
+}
+
+TEST_F(Cli, MistakesAreOneLineEachOnStderr) {
+  folder_.write("bad.toml", small_scene + "[gravity]\nslope_degree = 1\nmagnitude_m_s2 = -1\n");
+  for (const char* command : {"check", "run"}) {
+    const Outcome o = run(std::string(command) + " bad.toml --set run.duration_s=0 --out out");
+    EXPECT_EQ(o.code, 2);
+    EXPECT_EQ(o.out, "");
+    EXPECT_NE(o.err.find("bad.toml:17:1: unknown key \"slope_degree\" in [gravity] (did you mean \"slope_deg\"?)"),
+              std::string::npos)
+        << o.err;
+    EXPECT_NE(o.err.find("bad.toml:18:18: gravity.magnitude_m_s2 is -1, expected a number at least 0\n"),
+              std::string::npos);
+    EXPECT_NE(o.err.find("--set run.duration_s=0:1:1: run.duration_s is 0"), std::string::npos);
+    EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 3);
+    EXPECT_EQ(files(), 1u);
+  }
+}
+
+TEST_F(Cli, MalformedFilesExitWithTwoAndLeaveNothing) {
+  folder_.write("empty.toml", "");
+  folder_.write("syntax.toml", "[scene\n");
+  folder_.write("binary.toml", std::string("\x00\xff\x01\x80", 4));
+  std::filesystem::create_directory(folder_.path() / "folder.toml");
+  for (const char* name : {"empty.toml", "syntax.toml", "binary.toml", "folder.toml", "missing.toml"})
+    for (const char* command : {"check ", "run "}) {
+      const Outcome o = run(command + std::string(name) + " --out out");
+      EXPECT_EQ(o.code, 2) << name;
+      EXPECT_TRUE(o.err.starts_with(std::string(name) + ":")) << o.err;
+      EXPECT_EQ(files(), 4u) << name;
+    }
+}
+
+TEST_F(Cli, BadCommandLinesExitWithTwo) {
+  for (const char* arguments : {"", "fly", "run", "check a.toml b.toml", "run --threads 0 a.toml", "run --set"}) {
+    const Outcome o = run(arguments);
+    EXPECT_EQ(o.code, 2) << arguments;
+    EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 1) << o.err;
+  }
+}
+
+TEST_F(Cli, HelpVersionAndKeys) {
+  EXPECT_EQ(run("--help").code, 0);
+  EXPECT_NE(run("run --help").out.find("--set"), std::string::npos);
+  EXPECT_TRUE(run("--version").out.starts_with("lahar "));
+  const Outcome keys = run("keys");
+  EXPECT_EQ(keys.code, 0);
+  EXPECT_EQ(keys.out, file_text(source_folder() / "docs/scene_reference.md"));
+}
+
+TEST_F(Cli, ARunIsReproducedByItsResolvedScene) {
+  const std::string run_it = "run --threads 1 --quiet ";
+  ASSERT_EQ(
+      run(run_it + "'" + case_file("bouncing_sphere/scene.toml").string() + "' --set run.duration_s=0.4 --out a").code,
+      0);
+  EXPECT_EQ(run(run_it + "a/scene.resolved.toml --out b").code, 0);
+  EXPECT_EQ(file_text(folder_.path() / "a/scene.resolved.toml"), file_text(folder_.path() / "b/scene.resolved.toml"));
+  const auto metrics = [&](const char* name) {
+    return nlohmann::json::parse(file_text(folder_.path() / name / "summary.json"))["metrics"];
+  };
+  EXPECT_EQ(metrics("a"), metrics("b"));
+  const Outcome again = run(run_it + "a/scene.resolved.toml --out b");
+  EXPECT_EQ(again.code, 2);
+  EXPECT_NE(again.err.find("holds a former run"), std::string::npos) << again.err;
+  EXPECT_EQ(run(run_it + "a/scene.resolved.toml --out b --overwrite").code, 0);
+}
+
+TEST_F(Cli, AnInterruptedRunEndsWithReadableFiles) {
+  for (const char* signal : {"INT", "TERM"}) {
+    const Outcome o =
+        run("run --threads 1 --overwrite --set run.duration_s=1e6 --set run.series_interval_s=1e3 --out out '" +
+                case_file("bouncing_sphere/scene.toml").string() + "'",
+            std::string("timeout --preserve-status -s ") + signal + " 0.5 ");
+    EXPECT_EQ(o.code, 130) << signal;
+    EXPECT_NE(o.out.find("interrupted"), std::string::npos) << o.out;
+    const auto json = nlohmann::json::parse(file_text(folder_.path() / "out/summary.json"));
+    EXPECT_GT(json["simulated_seconds"].get<double>(), 0);
+    EXPECT_LT(json["simulated_seconds"].get<double>(), 1e6);
+  }
+}
+
+TEST_F(Cli, ExistingResultsAreKept) {
+  folder_.write("scene.toml", small_scene);
+  std::filesystem::create_directory(folder_.path() / "out");
+  folder_.write("out/thesis.txt", "years of work");
+  for (const char* options : {"", " --overwrite"}) {
+    const Outcome o = run(std::string("run scene.toml --out out") + options);
+    EXPECT_EQ(o.code, 2);
+    EXPECT_NE(o.err.find("--out out:1:1: is not empty and holds no former run"), std::string::npos) << o.err;
+  }
+  EXPECT_EQ(file_text(folder_.path() / "out/thesis.txt"), "years of work");
+}
+
+}  // namespace
+}  // namespace lahar::scene

@@ -1,0 +1,105 @@
+// The energy ledger closes: what is stored, lost and gained adds up.
+#include "dem/energy.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/dem/small_scenes.h"
+
+namespace lahar::dem {
+namespace {
+
+using testing::one_material;
+using testing::options;
+using testing::sphere;
+
+constexpr double kG = 9.81;
+
+/// Largest departure of the ledger's total from its first value, as a fraction of `scale` J. In the middle of an impact
+/// it is of order dt, as a loss is booked for a whole kick when half of it is done; that does not pile up.
+double worst_closure(Solids& solids, int steps, double scale) {
+  solids.step();
+  const double first = solids.ledger().total();
+  double worst = 0;
+  for (int n = 0; n < steps; ++n) {
+    solids.step();
+    worst = std::max(worst, std::abs(solids.ledger().total() - first));
+  }
+  return worst / scale;
+}
+
+Solids bouncing(double dt) {
+  Particles p;
+  ParticleSpec s = sphere({0, 0, 0.05}, 0.02, 2650, {1, 0, 0});
+  s.angular_velocity = {0, -30, 10};
+  p.add(s);
+  return {p, {}, one_material(1e8, 0.25, 0.4, 0.7), testing::ground(), options(dt, {0, 0, -kG})};
+}
+
+TEST(EnergyLedger, bouncing_spinning_sphere_closes_and_better_with_smaller_steps) {
+  Solids coarse = bouncing(1e-5), fine = bouncing(2.5e-6);
+  const double scale = 0.5 * coarse.particles().mass[0];
+  const double start = coarse.ledger().stored();
+  EXPECT_LT(worst_closure(coarse, 50000, scale), 4e-3);
+  EXPECT_LT(worst_closure(fine, 200000, scale), 1e-3);
+  EXPECT_GT(coarse.ledger().contact_damping, 0.05 * scale);
+  EXPECT_GT(coarse.ledger().friction, 0.05 * scale);
+  EXPECT_NEAR(coarse.ledger().total(), start, 1e-4 * scale);
+  EXPECT_NEAR(fine.ledger().total(), start, 1e-5 * scale);
+}
+
+TEST(EnergyLedger, sliding_sphere_turns_two_sevenths_of_its_energy_into_friction) {
+  Particles p;
+  p.add(sphere({0, 0, 0.02}, 0.02, 2650, {1, 0, 0}));
+  Solids solids(p, {}, one_material(1e8, 0.25, 0.3, 0.5), testing::ground(), options(1e-5, {0, 0, -kG}));
+  const double start = 0.5 * p.mass[0];
+  EXPECT_LT(worst_closure(solids, 30000, start), 1e-4);
+  EXPECT_NEAR(solids.ledger().friction / start, 2.0 / 7, 1e-3);
+}
+
+TEST(EnergyLedger, dry_cloud_in_a_box_closes) {
+  Solids solids(testing::loose_grains(4, 4, 4, 0.02, 0.04, 2), {}, one_material(1e7, 0.25, 0.5, 0.5),
+                testing::open_box({0.33, 0.33, 1}), options(2e-5, {0, 0, -kG}));
+  const double scale = solids.ledger().stored();
+  EXPECT_LT(worst_closure(solids, 20000, scale), 2e-3);
+  EXPECT_GT(solids.ledger().dissipated(), 0.1 * scale);
+}
+
+TEST(EnergyLedger, dissipated_energy_never_falls) {
+  Solids solids(testing::loose_grains(3, 3, 4, 0.02, 0.04, 6), {}, one_material(1e7, 0.25, 0.5, 0.3),
+                testing::open_box({0.25, 0.25, 1}), options(2e-5, {0, 0, -kG}));
+  double before = 0;
+  for (int n = 0; n < 10000; ++n) {
+    solids.step();
+    EXPECT_GE(solids.ledger().dissipated(), before);
+    before = solids.ledger().dissipated();
+  }
+  EXPECT_GT(before, 0);
+}
+
+TEST(EnergyLedger, belt_brings_in_the_energy_that_the_grain_gains_and_loses) {
+  Walls walls;
+  walls.add({"belt", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}, WallSlip::no_slip, 0, Vec3(0.5, 0, 0)});
+  Particles p;
+  p.add(sphere({0, 0, 0.02}, 0.02, 2650));
+  Solids solids(p, {}, one_material(1e8, 0.25, 0.3, 0.5), walls, options(1e-5, {0, 0, -kG}));
+  const double scale = 0.5 * p.mass[0] * 0.25;
+  EXPECT_LT(worst_closure(solids, 20000, scale), 1e-3);
+  EXPECT_GT(solids.ledger().external_work, 0.1 * scale);
+}
+
+TEST(MotionEnergy, adds_up_translation_rotation_and_height) {
+  Particles p;
+  ParticleSpec s = sphere({0, 0, 2}, 0.1, 1000, {3, 4, 0});
+  s.angular_velocity = {0, 0, 5};
+  p.add(s);
+  p.add(s);
+  p.remove(1);
+  const EnergyLedger e = motion_energy(p, {0, 0, -10});
+  EXPECT_NEAR(e.kinetic, 12.5 * p.mass[0], 1e-12);
+  EXPECT_NEAR(e.rotational, 0.5 * 0.4 * p.mass[0] * 0.01 * 25, 1e-12);
+  EXPECT_NEAR(e.gravitational, 20 * p.mass[0], 1e-12);
+  EXPECT_NEAR(motion_energy(p, 0, {0, 0, -10}), e.stored(), 1e-12);
+}
+
+}  // namespace
+}  // namespace lahar::dem

@@ -1,0 +1,114 @@
+// One suite over all collision operators.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "lbm/collision/bgk.h"
+#include "lbm/collision/central_moments.h"
+#include "lbm/collision/trt.h"
+
+namespace lahar::lbm {
+namespace {
+
+template <class Operator>
+class Collision : public testing::Test {
+ public:
+  using V = double;
+  /// Equilibrium at a random state, disturbed.
+  static void random_state(std::mt19937& random, double (&f)[D3Q19::q], double noise) {
+    std::uniform_real_distribution<double> u(-1, 1);
+    const double drho = 0.02 * u(random), x = 0.1 * u(random), y = 0.1 * u(random), z = 0.1 * u(random);
+    for (int i = 0; i < D3Q19::q; ++i) f[i] = equilibrium(i, drho, x, y, z) + noise * D3Q19::w(i) * u(random);
+  }
+  static CellForcing<double> no_force() { return {{0, 0, 0}, 0, {0, 0, 0}, {0, 0, 0}}; }
+};
+
+using Operators = testing::Types<CentralMoments, Bgk, Trt>;
+TYPED_TEST_SUITE(Collision, Operators);
+
+TYPED_TEST(Collision, KeepsMassAndMomentum) {
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 50; ++trial) {
+    double f[D3Q19::q];
+    this->random_state(random, f, 0.01);
+    const auto before = moments(f);
+    TypeParam::template collide<false>(f, before, this->no_force(), 0.501, 0.0);
+    const auto after = moments(f);
+    EXPECT_NEAR(after.drho, before.drho, 1e-15);
+    for (int a = 0; a < 3; ++a) EXPECT_NEAR(after.u[a], before.u[a], 1e-15);
+  }
+}
+
+TYPED_TEST(Collision, ForceAddsItsImpulse) {
+  std::mt19937 random(2);
+  double f[D3Q19::q];
+  this->random_state(random, f, 0.01);
+  const auto before = moments(f);
+  CellForcing<double> force = this->no_force();
+  force.acceleration[0] = 1e-3, force.acceleration[2] = -2e-3, force.kick[1] = 5e-4;
+  TypeParam::template collide<true>(f, before, force, 0.6, smagorinsky_factor(0.1));
+  const auto after = moments(f);
+  EXPECT_NEAR(after.u[0] - before.u[0], 1e-3, 1e-14);
+  EXPECT_NEAR(after.u[1] - before.u[1], 5e-4, 1e-14);
+  EXPECT_NEAR(after.u[2] - before.u[2], -2e-3, 1e-14);
+}
+
+/// The deviator of the second central moments is what carries the viscosity: it must shrink by 1 - 1/tau.
+TYPED_TEST(Collision, RelaxesTheStressAtTheViscousRate) {
+  std::mt19937 random(3);
+  double f[D3Q19::q];
+  this->random_state(random, f, 0.01);
+  const auto m = moments(f);
+  const auto before = second_central_moments(f, m);
+  const double tau = 0.8;
+  TypeParam::template collide<false>(f, m, this->no_force(), tau, 0.0);
+  const auto after = second_central_moments(f, m);
+  EXPECT_NEAR(after.xy, (1 - 1 / tau) * before.xy, 1e-15);
+  EXPECT_NEAR(after.yz, (1 - 1 / tau) * before.yz, 1e-15);
+  EXPECT_NEAR(after.xx - after.yy, (1 - 1 / tau) * (before.xx - before.yy), 1e-15);
+}
+
+/// A cell that a body covers whole leaves with the body's velocity and no stress.
+TYPED_TEST(Collision, FullCoverageGivesTheBodysVelocity) {
+  std::mt19937 random(4);
+  double f[D3Q19::q];
+  this->random_state(random, f, 0.02);
+  CellForcing<double> force = this->no_force();
+  force.coverage_weight = 1;
+  force.solid_velocity[0] = 0.03, force.solid_velocity[2] = -0.02;
+  const auto before = moments(f);
+  TypeParam::template collide<false>(f, before, force, 0.55, 0.0);
+  const auto after = moments(f);
+  EXPECT_NEAR(after.drho, before.drho, 1e-15);
+  EXPECT_NEAR(after.u[0], 0.03, 1e-15);
+  EXPECT_NEAR(after.u[1], 0.0, 1e-15);
+  EXPECT_NEAR(after.u[2], -0.02, 1e-15);
+  EXPECT_NEAR(second_central_moments(f, after).xy, 0, 1e-15);
+}
+
+/// Turning the lattice by 90 degrees about z turns the result.
+TYPED_TEST(Collision, IsIsotropicUnderLatticeRotation) {
+  std::mt19937 random(5);
+  double f[D3Q19::q], g[D3Q19::q];
+  this->random_state(random, f, 0.01);
+  const auto turned = [](int i) {
+    for (int j = 0; j < D3Q19::q; ++j)
+      if (D3Q19::c[j][0] == -D3Q19::c[i][1] && D3Q19::c[j][1] == D3Q19::c[i][0] && D3Q19::c[j][2] == D3Q19::c[i][2])
+        return j;
+    return -1;
+  };
+  for (int i = 0; i < D3Q19::q; ++i) g[turned(i)] = f[i];
+  TypeParam::template collide<true>(f, moments(f), this->no_force(), 0.51, smagorinsky_factor(0.15));
+  TypeParam::template collide<true>(g, moments(g), this->no_force(), 0.51, smagorinsky_factor(0.15));
+  for (int i = 0; i < D3Q19::q; ++i) EXPECT_NEAR(g[turned(i)], f[i], 1e-16);
+}
+
+TYPED_TEST(Collision, EquilibriumAtRestStays) {
+  double f[D3Q19::q];
+  for (int i = 0; i < D3Q19::q; ++i) f[i] = equilibrium(i, 0.01, 0.0, 0.0, 0.0);
+  TypeParam::template collide<false>(f, moments(f), this->no_force(), 0.5001, 0.0);
+  for (int i = 0; i < D3Q19::q; ++i) EXPECT_NEAR(f[i], equilibrium(i, 0.01, 0.0, 0.0, 0.0), 1e-17);
+}
+
+}  // namespace
+}  // namespace lahar::lbm

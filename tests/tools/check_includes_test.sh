@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# shellcheck source=tests/tools/assert.sh
+. "$(dirname "${BASH_SOURCE[0]}")/assert.sh" "$1"
+
+# expect_refused PATH LINE WORD: one planted line must be found, with its place.
+expect_refused() {
+  clear_tree
+  plant core/vector.h '#include <vector>'
+  plant "$1" "$2"
+  capture "$root/tools/check_includes" "$scratch/tree"
+  [ "$status" -eq 1 ] || fail "not refused (status $status): $2 in $1"
+  expect_contains "$output" "$1:1: "
+  expect_contains "$output" "$3"
+}
+
+expect_allowed() {
+  clear_tree
+  plant "$1" "$2"
+  capture "$root/tools/check_includes" "$scratch/tree"
+  [ "$status" -eq 0 ] || fail "refused: $2 in $1: $output"
+}
+
+# Every edge between rooms, allowed or not.
+declare -A allowed=([core]='' [lbm]='core' [dem]='core' [barrier]='core dem' [coupling]='core lbm dem barrier'
+  [cases]='core lbm dem barrier coupling' [tests]='core lbm dem barrier coupling cases')
+for from in "${!allowed[@]}"; do
+  for to in core lbm dem barrier coupling cases; do
+    case " ${allowed[$from]} $from " in
+      *" $to "*) expect_allowed "$from/a.h" "#include \"$to/b.h\"" ;;
+      *) expect_refused "$from/a.h" "#include \"$to/b.h\"" "$from must not include $to" ;;
+    esac
+  done
+done
+
+# The line may be written in other ways and stand deeper in the room.
+expect_refused lbm/collision/bgk.cpp '  #  include "dem/particles.h"  // grains' 'lbm must not include dem'
+expect_refused dem/contact/hertz.h '#include "../../lbm/fluid.h"' 'path from the root'
+expect_refused dem/contact/hertz.h '#include "linear.h"' 'path from the root'
+
+expect_refused coupling/audit.cpp '#include <openvdb/openvdb.h>' 'openvdb/openvdb.h'
+expect_refused cases/scene/scene.cpp '#include <openvdb/openvdb.h>' 'openvdb/openvdb.h'
+expect_allowed cases/observers/vdb_writer.cpp '#include <openvdb/openvdb.h>'
+expect_allowed lbm/block_topology.cpp '#include <openvdb/openvdb.h>'
+expect_refused barrier/net.cpp '#include <hdf5.h>' 'hdf5.h'
+expect_refused core/units.h '#include <toml++/toml.h>' 'toml++/toml.h'
+expect_refused dem/solids.cpp '#include <tbb/parallel_for.h>' 'tbb/parallel_for.h'
+expect_refused core/parallel.h '#include <omp.h>' 'omp.h'
+expect_allowed cases/observers/series.cpp '#include <hdf5.h>'
+expect_allowed core/parallel.h '#include <tbb/parallel_for.h>'
+
+# What is not an include is no include.
+expect_allowed core/vector.h '// #include "lbm/fluid.h"'
