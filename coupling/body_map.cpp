@@ -1,5 +1,6 @@
 #include "coupling/body_map.h"
 
+#include <cstdio>
 #include <numbers>
 
 #include "core/check.h"
@@ -47,6 +48,13 @@ double wet_volume_in(const GridSphere<Real>& s, const Block<Real>& block, const 
       if (lbm::is_wet(block.type[static_cast<std::size_t>(row + k)])) sum += static_cast<double>(eps[k]);
   });
   return sum;
+}
+
+[[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
+  const Vec3 p = particles.position[i];
+  char where[112];
+  std::snprintf(where, sizeof where, "grain %u at (%.4g, %.4g, %.4g) m", i, p.x(), p.y(), p.z());
+  throw NumericalFailure(where, step, "the force of the fluid on it is not finite");
 }
 
 }  // namespace
@@ -165,7 +173,7 @@ void BodyMap<Real>::add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body)
       for (int z = low.z(); z <= high.z(); ++z) {
         const BlockIndex block = fluid.grid().topology().find({x, y, z});
         if (block == kNoBlock) b.all_blocks = false;
-        else pairs_.push_back({block, body, fluid.grid().block(block).birth, 0, 0, 0, Vec3::Zero(), Vec3::Zero()});
+        else pairs_.push_back({block, body, fluid.grid().block(block).birth, 0, 0, 0, 0, Vec3::Zero(), Vec3::Zero()});
       }
   b.pairs = pairs_.size() - b.first_pair;
 }
@@ -276,11 +284,14 @@ void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
 template <class Real>
 Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
   auto& grid = fluid.grid();
+  const double resistance = fluid.coverage_resistance();
   parallel_for(0, pairs_.size(), 128, [&](std::size_t k) {
     Pair& pair = pairs_[k];
     pair.force = pair.torque = Vec3::Zero();
+    pair.locked = 0;
     if (!is_alive(fluid, pair)) return;
-    const lbm::BodyFields<Real>& f = *grid.block(pair.block).body;
+    const Block<Real>& block = grid.block(pair.block);
+    const lbm::BodyFields<Real>& f = *block.body;
     const GridSphere<Real>& s = spheres_[pair.body];
     const Vec3i lowest = grid.lowest_cell(pair.block);
     for_rows(s, lowest, [&](int row, int x, int y, const Real* eps) {
@@ -293,22 +304,28 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
                          Vec3(static_cast<double>(s.centre[0]), static_cast<double>(s.centre[1]), static_cast<double>(s.centre[2]));
         pair.force += force;
         pair.torque += arm.cross(force);
+        if (lbm::is_wet(block.type[static_cast<std::size_t>(row + c)]))
+          pair.locked += share * lbm::coverage_weight(std::min(1.0, static_cast<double>(f.solid_fraction[row + c])), resistance);
       }
     });
   });
   const auto& units = fluid.units();
+  const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
   Vec3 total = Vec3::Zero();
   for (const Body& b : bodies_) {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-    double wet = 0;
+    double wet = 0, locked = 0;
     for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
       force += pairs_[p].force;
       torque += pairs_[p].torque;
       wet += pairs_[p].wet_volume;
+      locked += pairs_[p].locked;
     }
     total += force;
-    // The exchange also accelerates the liquid that fills the body's place; that part is no load on the body.
-    force += wet * (b.velocity - b.old_velocity);
+    // The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body. The
+    // weight of that liquid is carried by the fluid: the body's buoyancy.
+    force += locked * (b.velocity - b.old_velocity) - wet * gravity;
+    if (!force.allFinite()) report_bad_force(particles, b.particle, fluid.steps());
     particles.external_force.add(b.particle, force * units.force_to_si(1.0));
     particles.external_torque.add(b.particle, torque * units.torque_to_si(1.0));
   }

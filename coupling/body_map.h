@@ -43,6 +43,7 @@ class BodyMap {
     double volume = 0;       ///< cells, over all cells of the block
     double wet_volume = 0;   ///< cells, over wet cells
     double surface_weight = 0;  ///< sum of eps over interface cells
+    double locked = 0;          ///< sum of the coverage weight over wet cells: liquid that moves with the body
     Vec3 force, torque;
   };
   struct Body {

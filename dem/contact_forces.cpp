@@ -68,7 +68,8 @@ void ContactForces::Batch::sphere_geometry() {
     const Triple between = normal.get(b);
     const double distance = length(between);
     normal.set(b, (1.0 / std::max(distance, 1e-300)) * between);
-    overlap[b] = radius_i[b] + radius_j[b] - distance;
+    // Touching was judged on squares: by rounding the difference may be a hair below zero, and a root is taken of it.
+    overlap[b] = std::max(0.0, radius_i[b] + radius_j[b] - distance);
   }
 }
 

@@ -23,8 +23,9 @@ LatticeUnits units_of(const FluidOptions& o) { return {o.domain.cell_size, o.tim
 SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) {
   SweepParameters p;
   p.collision = o.collision;
-  p.weighting = o.weighting;
   p.tau = 0.5 + 3 * units.viscosity_to_lu(o.kinematic_viscosity);
+  if (o.weighting == BodyWeighting::noble_torczynski) p.coverage_resistance = 1 / (p.tau - 0.5);
+  if (o.weighting == BodyWeighting::seepage) p.coverage_resistance = 1 / o.seepage_constant;
   p.smagorinsky = o.smagorinsky;
   for (int a = 0; a < 3; ++a) p.gravity[static_cast<std::size_t>(a)] = units.acceleration_to_lu(o.gravity[a]);
   return p;

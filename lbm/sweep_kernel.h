@@ -16,17 +16,15 @@ namespace stdx = std::experimental;
 /// Numbers of a sweep in the kernel's type, spread over a vector.
 template <class V>
 struct Uniform {
-  V tau, les_factor, gravity[3], weighting;
+  V tau, les_factor, gravity[3], resistance;
 };
 
 template <class V>
 Uniform<V> make_uniform(const SweepParameters& p) {
   using Real = typename V::value_type;
   const auto real = [](double x) { return V(static_cast<Real>(x)); };
-  // B = eps / ((1 - eps) k + 1) with k = 0 for B = eps and 1 / (tau - 1/2) for Noble & Torczynski.
-  const double k = p.weighting == BodyWeighting::noble_torczynski ? 1.0 / (p.tau - 0.5) : 0.0;
   return {real(p.tau), real(smagorinsky_factor(p.smagorinsky)),
-          {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(k)};
+          {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(p.coverage_resistance)};
 }
 
 template <class Real, bool kMixed, bool kBody>
@@ -95,7 +93,8 @@ class BlockKernel {
     }
   }
 
-  /// Gravity acts on the share 1 - B that the fluid keeps where a body is: the body carries its own weight.
+  /// Gravity acts on all that the populations stand for, liquid and displaced liquid; the bodies' buoyancy is the
+  /// weight of the latter (coupling/body_map.h).
   [[gnu::always_inline]] static void add_forcing(const Block<Real>& block, int n, const Uniform<V>& uniform,
                                                  const Moments<V>& m, CellForcing<V>& force) {
     if constexpr (kBody) {
@@ -104,7 +103,7 @@ class BlockKernel {
       const V sum(body.solid_fraction + n, stdx::vector_aligned);
       const V eps = stdx::min(sum, one);
       const V inverse = one / stdx::max(sum, tiny);
-      force.coverage_weight = eps / ((one - eps) * uniform.weighting + one);
+      force.coverage_weight = coverage_weight(eps, uniform.resistance);
       force.solid_velocity[0] = V(body.momentum_x + n, stdx::vector_aligned) * inverse;
       force.solid_velocity[1] = V(body.momentum_y + n, stdx::vector_aligned) * inverse;
       force.solid_velocity[2] = V(body.momentum_z + n, stdx::vector_aligned) * inverse;
@@ -118,8 +117,7 @@ class BlockKernel {
     for (int a = 0; a < 3; ++a) force.acceleration[a] = uniform.gravity[a];
   }
 
-  /// Momentum that the fluid gives to the bodies of the cell, B rho (u - u_s), and the velocity after collision. Gravity
-  /// is not in it: the fluid keeps the share 1 - B of its weight, so that a body at rest feels the buoyancy alone.
+  /// Momentum that the fluid gives to the bodies of the cell, B rho (u + a - u_s), and the velocity after collision.
   [[gnu::always_inline]] static void record_exchange(Block<Real>& block, int n, const Moments<V>& m,
                                                      const CellForcing<V>& force) {
     const V weight = force.coverage_weight * (V(1) + m.drho);
@@ -128,7 +126,7 @@ class BlockKernel {
     V after[3];
     velocity_after(m, force, after);
     for (int a = 0; a < 3; ++a) {
-      (weight * (m.u[a] - force.solid_velocity[a])).copy_to(out[a] + n, stdx::vector_aligned);
+      (weight * (m.u[a] + force.acceleration[a] - force.solid_velocity[a])).copy_to(out[a] + n, stdx::vector_aligned);
       after[a].copy_to(velocity[a] + n, stdx::vector_aligned);
     }
   }

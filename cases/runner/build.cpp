@@ -3,6 +3,7 @@
 #include "cases/runner/estimates.h"
 #include "cases/scene/geometry.h"
 #include "cases/scene/net_spec.h"
+#include "coupling/seepage.h"
 #include "dem/packing.h"
 
 namespace lahar::cases {
@@ -19,6 +20,28 @@ lbm::CollisionOperator collision_of(scene::Collision c) {
       break;
   }
   return lbm::CollisionOperator::central_moments;
+}
+
+lbm::BodyWeighting weighting_of(scene::BodyWeighting w) {
+  switch (w) {
+    case scene::BodyWeighting::noble_torczynski:
+      return lbm::BodyWeighting::noble_torczynski;
+    case scene::BodyWeighting::seepage:
+      return lbm::BodyWeighting::seepage;
+    case scene::BodyWeighting::solid_fraction:
+      break;
+  }
+  return lbm::BodyWeighting::solid_fraction;
+}
+
+/// Sum of d^3 over sum of d^2 of all grains, m.
+double sauter_diameter(const scene::Scene& scene) {
+  double volume = 0, area = 0;
+  const auto add = [&](double d, double count) { volume += count * d * d * d, area += count * d * d; };
+  for (const auto& packing : scene.grains.packings)
+    for (const auto& s : packing.sizes) add(s.diameter, static_cast<double>(s.count));
+  for (const auto& s : scene.grains.spheres) add(s.diameter, 1);
+  return area > 0 ? volume / area : scene.fluid.cell_size;
 }
 
 lbm::FaceKind face_kind(const scene::Scene& scene, int face) {
@@ -68,9 +91,10 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
   o.kinematic_viscosity = scene.fluid.kinematic_viscosity;
   o.gravity = scene.gravity.vector();
   o.collision = collision_of(scene.fluid.collision);
-  o.weighting = scene.coupling.body_weighting == scene::BodyWeighting::noble_torczynski
-                    ? lbm::BodyWeighting::noble_torczynski
-                    : lbm::BodyWeighting::solid_fraction;
+  o.weighting = weighting_of(scene.coupling.body_weighting);
+  if (o.weighting == lbm::BodyWeighting::seepage)
+    o.seepage_constant = coupling::seepage_constant(sauter_diameter(scene), o.kinematic_viscosity, o.gravity.norm(),
+                                                    {o.domain.cell_size, o.time_step, o.density});
   o.smagorinsky = scene.fluid.smagorinsky;
   return o;
 }

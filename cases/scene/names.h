@@ -40,8 +40,8 @@ constexpr auto names_of(Collision) {
       {{"central_moments", Collision::central_moments}, {"bgk", Collision::bgk}, {"trt", Collision::trt}}};
 }
 constexpr auto names_of(BodyWeighting) {
-  return NameTable<BodyWeighting, 2>{
-      {{"solid_fraction", BodyWeighting::solid_fraction}, {"noble_torczynski", BodyWeighting::noble_torczynski}}};
+  return NameTable<BodyWeighting, 3>{
+      {{"solid_fraction", BodyWeighting::solid_fraction}, {"noble_torczynski", BodyWeighting::noble_torczynski}, {"seepage", BodyWeighting::seepage}}};
 }
 constexpr auto names_of(ProbeKind) {
   return NameTable<ProbeKind, 2>{{{"height", ProbeKind::height}, {"pressure", ProbeKind::pressure}}};

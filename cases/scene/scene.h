@@ -16,7 +16,7 @@ enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
 enum class Axis { x, y, z };
 enum class WallShape { plane, box, cylinder, sphere };
 enum class Collision { central_moments, bgk, trt };
-enum class BodyWeighting { solid_fraction, noble_torczynski };
+enum class BodyWeighting { solid_fraction, noble_torczynski, seepage };
 enum class ProbeKind { height, pressure };
 
 struct Identity {

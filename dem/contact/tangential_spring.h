@@ -35,7 +35,7 @@ inline void add_tangential_spring(const ContactState& s, double stiffness, doubl
 
   const Triple old = detail::turned_with_contact(history.tangential_displacement, s, dt);
   const Triple old_force = history.tangential_stiffness * old;
-  const double kept = std::min(1.0, history.tangential_stiffness / stiffness);
+  const double kept = std::min(1.0, history.tangential_stiffness / std::max(stiffness, tiny));
   const Triple step = dt * s.tangential_velocity;
   const Triple trial = kept * old + step;
   const Triple d = std::min(1.0, limit / std::max(stiffness * length(trial), tiny)) * trial;

@@ -51,6 +51,23 @@ TEST(ContactForces, nothing_at_zero_overlap) {
   EXPECT_EQ(s.particles.force[1], Vec3::Zero());
 }
 
+/// Spheres that just graze: whether they touch is judged on squares, and rounding may leave no overlap at all. Among many
+/// directions some do; none may give a force that is not a number.
+TEST(ContactForces, grazing_contacts_are_finite) {
+  int touching = 0;
+  for (int k = 1; k <= 20000; ++k) {
+    const Vec3 n = Vec3(std::sin(1.1 * k), std::cos(1.7 * k), std::sin(2.3 * k)).normalized();
+    const double distance = (0.04 + 0.02) * (1 - 1e-16 * (k % 3));
+    Scene s;
+    s.particles.add(sphere(Vec3(0.1, 0.2, 0.3), 0.04, 2650, n));
+    s.particles.add(sphere(Vec3(0.1, 0.2, 0.3) + distance * n, 0.02, 2650));
+    s.compute();
+    ASSERT_TRUE(s.particles.force[0].allFinite() && s.particles.torque[1].allFinite()) << k;
+    touching += s.contacts.pairs().touching.empty() ? 0 : s.contacts.pairs().touching[0];
+  }
+  EXPECT_GT(touching, 100);
+}
+
 TEST(ContactForces, walls_push_along_their_gradient_also_when_a_centre_is_behind_them) {
   Scene s;
   s.walls = testing::ground(Vec3(0.6, 0, 0.8));
