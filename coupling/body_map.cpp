@@ -50,6 +50,14 @@ double wet_volume_in(const GridSphere<Real>& s, const Block<Real>& block, const 
   return sum;
 }
 
+/// The inertia of the liquid in the body's place is known one step late; beyond the body's own mass that would feed back
+/// on itself. Bodies lighter than about 1.4 times the liquid keep part of that inertia and are too sluggish for it. The
+/// torque is limited alike: on a body of one or two cells the liquid in the partly covered cells turns with more inertia
+/// than a light body has.
+constexpr double kInertiaLimit = 0.7;
+
+double limited_share(double body, double liquid) { return std::min(1.0, kInertiaLimit * body / std::max(liquid, 1e-300)); }
+
 [[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
   const Vec3 p = particles.position[i];
   char where[112];
@@ -173,7 +181,7 @@ void BodyMap<Real>::add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body)
       for (int z = low.z(); z <= high.z(); ++z) {
         const BlockIndex block = fluid.grid().topology().find({x, y, z});
         if (block == kNoBlock) b.all_blocks = false;
-        else pairs_.push_back({block, body, fluid.grid().block(block).birth, 0, 0, 0, 0, Vec3::Zero(), Vec3::Zero()});
+        else pairs_.push_back({block, body, fluid.grid().block(block).birth});
       }
   b.pairs = pairs_.size() - b.first_pair;
 }
@@ -288,7 +296,7 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
   parallel_for(0, pairs_.size(), 128, [&](std::size_t k) {
     Pair& pair = pairs_[k];
     pair.force = pair.torque = Vec3::Zero();
-    pair.locked = 0;
+    pair.locked = pair.locked_inertia = 0;
     if (!is_alive(fluid, pair)) return;
     const Block<Real>& block = grid.block(pair.block);
     const lbm::BodyFields<Real>& f = *block.body;
@@ -304,8 +312,11 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
                          Vec3(static_cast<double>(s.centre[0]), static_cast<double>(s.centre[1]), static_cast<double>(s.centre[2]));
         pair.force += force;
         pair.torque += arm.cross(force);
-        if (lbm::is_wet(block.type[static_cast<std::size_t>(row + c)]))
-          pair.locked += share * lbm::coverage_weight(std::min(1.0, static_cast<double>(f.solid_fraction[row + c])), resistance);
+        if (!lbm::is_wet(block.type[static_cast<std::size_t>(row + c)])) continue;
+        const double held =
+            share * lbm::coverage_weight(std::min(1.0, static_cast<double>(f.solid_fraction[row + c])), resistance);
+        pair.locked += held;
+        pair.locked_inertia += held * 2.0 / 3.0 * arm.squaredNorm();
       }
     });
   });
@@ -314,17 +325,21 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
   Vec3 total = Vec3::Zero();
   for (const Body& b : bodies_) {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-    double wet = 0, locked = 0;
+    double wet = 0, locked = 0, locked_inertia = 0;
     for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
       force += pairs_[p].force;
       torque += pairs_[p].torque;
       wet += pairs_[p].wet_volume;
       locked += pairs_[p].locked;
+      locked_inertia += pairs_[p].locked_inertia;
     }
     total += force;
     // The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body. The
     // weight of that liquid is carried by the fluid: the body's buoyancy.
-    force += locked * (b.velocity - b.old_velocity) - wet * gravity;
+    const double cell = units.cell_size * units.cell_size;
+    const double share = limited_share(particles.mass[b.particle], units.mass() * locked);
+    torque *= limited_share(particles.inertia[b.particle], units.mass() * cell * locked_inertia);
+    force += share * locked * (b.velocity - b.old_velocity) - wet * gravity;
     if (!force.allFinite()) report_bad_force(particles, b.particle, fluid.steps());
     particles.external_force.add(b.particle, force * units.force_to_si(1.0));
     particles.external_torque.add(b.particle, torque * units.torque_to_si(1.0));

@@ -44,7 +44,8 @@ class BodyMap {
     double wet_volume = 0;   ///< cells, over wet cells
     double surface_weight = 0;  ///< sum of eps over interface cells
     double locked = 0;          ///< sum of the coverage weight over wet cells: liquid that moves with the body
-    Vec3 force, torque;
+    double locked_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
   };
   struct Body {
     dem::ParticleIndex particle;

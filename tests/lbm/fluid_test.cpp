@@ -9,7 +9,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
-#include "flows.h"
+#include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/parallel.h"
-#include "flows.h"
+#include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
 namespace {

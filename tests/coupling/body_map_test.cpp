@@ -1,0 +1,99 @@
+#include "coupling/body_map.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "coupling/body_fields.h"
+#include "tests/coupling/tanks.h"
+
+namespace lahar::coupling {
+namespace {
+
+/// One step of fluid around bodies that are moved by hand.
+template <class Real>
+void step(lbm::Fluid<Real>& fluid, BodyMap<Real>& map, dem::Particles& particles) {
+  clear_body_fields(fluid.grid());
+  map.update(fluid, particles);
+  release_unused_body_fields(fluid.grid());
+  fluid.step();
+  particles.external_force.fill(Vec3::Zero());
+  particles.external_torque.fill(Vec3::Zero());
+  map.add_forces(fluid, particles);
+}
+
+template <class Real>
+double total_fill(const lbm::Fluid<Real>& fluid) {
+  double volume = 0;
+  fluid.for_each_wet_cell([&](const lbm::WetCell& c) { volume += c.fill_level; });
+  return volume * std::pow(fluid.units().cell_size, 3);
+}
+
+/// Archimedes: a sphere lowered into a tank raises the level by its volume, is carried by the weight of the water that
+/// it displaces, and no water is lost.
+TEST(BodyMap, LoweredSphereRaisesTheLevel) {
+  const double radius = 0.08, volume = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3);
+  lbm::Fluid<double> fluid(tank(Vec3(0.48, 0.48, 0.6), 0.02, 4e-4));
+  fluid.fill({{Vec3::Zero(), Vec3(0.48, 0.48, 0.3)}});
+  dem::Particles particles;
+  auto spec = grain(Vec3(0.241, 0.247, 0.42), radius, 2500);
+  spec.state = dem::ParticleState::fixed;
+  particles.add(spec);
+  BodyMap<double> map;
+  const double start = total_fill(fluid), speed = 0.3, dt = fluid.units().time_step;
+  while (particles.position.z[0] > 0.15) {
+    particles.velocity.set(0, Vec3(0, 0, -speed));
+    particles.position.add(0, Vec3(0, 0, -speed * dt));
+    step(fluid, map, particles);
+  }
+  particles.velocity.set(0, Vec3::Zero());
+  double lift = 0, rise = 0;
+  for (int s = 0; s < 4000; ++s) {
+    step(fluid, map, particles);
+    if (s < 2000) continue;
+    lift += particles.external_force.z[0] / 2000;
+    rise += (total_fill(fluid) - start) / 2000;
+  }
+  EXPECT_NEAR(map.wet_volume() * 8e-6 / volume, 1, 1e-6);
+  EXPECT_NEAR(rise / volume, 1, 0.03);
+  EXPECT_NEAR(lift / (9810 * volume), 1, 0.05);
+  EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
+}
+
+/// Grains in a block of water at the start: the rest is liquid, and the ledger starts with that.
+TEST(BodyMap, EmbeddedGrainsTakeTheirVolume) {
+  lbm::Fluid<double> fluid(tank(Vec3(0.4, 0.4, 0.4), 0.02, 2e-4));
+  fluid.fill({{Vec3::Zero(), Vec3(0.4, 0.4, 0.2)}});
+  const double all = fluid.liquid_mass();
+  dem::Particles particles;
+  for (int k = 0; k < 4; ++k) particles.add(grain(Vec3(0.1 + 0.06 * k, 0.2, 0.1), 0.03, 2500));
+  BodyMap<double> map;
+  map.embed(fluid, particles);
+  fluid.open_ledger();
+  EXPECT_NEAR((all - fluid.liquid_mass()) / (4000 * 4.0 / 3.0 * std::numbers::pi * std::pow(0.03, 3)), 1, 1e-6);
+  EXPECT_NEAR(fluid.mass_drift(), 0, 1e-14);
+}
+
+/// Odd bodies: tiny, outside, two in one place, leaving: finite forces, mass kept.
+TEST(BodyMap, OddBodiesDoNoHarm) {
+  lbm::Fluid<float> fluid(tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4));
+  fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.16)}});
+  dem::Particles particles;
+  particles.add(grain(Vec3(0.101, 0.1, 0.1), 0.006, 2500));   // 0.3 cells
+  particles.add(grain(Vec3(0.2, 0.2, 0.1), 0.03, 2500));
+  particles.add(grain(Vec3(0.21, 0.2, 0.1), 0.03, 2500));     // in the same cells
+  particles.add(grain(Vec3(5, 5, 5), 0.03, 2500));            // far away
+  particles.add(grain(Vec3(0.0, 0.16, 0.16), 0.04, 2500));    // half in the wall, half out of the water
+  BodyMap<float> map;
+  for (int s = 0; s < 300; ++s) {
+    if (s == 200) particles.remove(2);
+    step(fluid, map, particles);
+    for (std::size_t i = 0; i < particles.size(); ++i) ASSERT_TRUE(particles.external_force[i].allFinite());
+  }
+  EXPECT_NE(particles.external_force[0], Vec3::Zero());
+  EXPECT_EQ(particles.external_force[3], Vec3::Zero());
+  EXPECT_NEAR(fluid.mass_drift(), 0, 1e-5);
+}
+
+}  // namespace
+}  // namespace lahar::coupling
