@@ -304,7 +304,7 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
     const Vec3i lowest = grid.lowest_cell(pair.block);
     for_rows(s, lowest, [&](int row, int x, int y, const Real* eps) {
       for (int c = 0; c < lbm::kBlockWidth; ++c) {
-        if (eps[c] == 0) continue;
+        if (eps[c] == 0 || f.solid_fraction[row + c] == 0) continue;
         const double share = static_cast<double>(eps[c]) / static_cast<double>(f.solid_fraction[row + c]);
         const Vec3 force = share * Vec3(static_cast<double>(f.exchange_x[row + c]), static_cast<double>(f.exchange_y[row + c]),
                                         static_cast<double>(f.exchange_z[row + c]));

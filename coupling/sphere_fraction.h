@@ -30,9 +30,10 @@ struct GridSphere {
   Real spin[3];       ///< rad per step
 };
 
-/// eps of the sphere in the row of 8 cells at (x, y, z0..z0+7), given the row's first cell.
+/// eps of the sphere in the row of 8 cells at (x, y, z0..z0+7). Never inlined: contraction of products and sums differs
+/// from place to place, and a cell at the edge must be covered for all callers or for none.
 template <class Real>
-inline void sphere_row(const GridSphere<Real>& s, int x, int y, int z0, Real* __restrict eps) {
+[[gnu::noinline]] void sphere_row(const GridSphere<Real>& s, int x, int y, int z0, Real* __restrict eps) {
   const Real dx = static_cast<Real>(x) + Real(0.5) - s.centre[0], dy = static_cast<Real>(y) + Real(0.5) - s.centre[1];
   const Real base = dx * dx + dy * dy, z = static_cast<Real>(z0) + Real(0.5) - s.centre[2];
   for (int k = 0; k < lbm::kBlockWidth; ++k) {

@@ -6,6 +6,7 @@
 #include "core/check.h"
 #include "core/parallel.h"
 #include "lbm/boundary/wall_reflection.h"
+#include "lbm/collision/cell_state.h"
 #include "lbm/equilibrium.h"
 #include "lbm/free_surface/surface_exchange.h"
 
@@ -251,6 +252,7 @@ void Fluid<Real>::watch() {
   struct Worst {
     double speed = 0;
     CellPlace place;
+    std::size_t limited = 0;
   };
   std::vector<Worst> worst(active.size());
   parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
@@ -260,12 +262,18 @@ void Fluid<Real>::watch() {
       if (!is_wet(block.type[static_cast<std::size_t>(n)])) continue;
       const auto m = outgoing_moments(grid_, {active[k], n}, parameters_.parity);
       const double speed = std::sqrt(static_cast<double>(m.u[0] * m.u[0] + m.u[1] * m.u[1] + m.u[2] * m.u[2]));
-      if (!(speed <= worst[k].speed)) worst[k] = {std::isfinite(speed) ? speed : 1e30, {active[k], n}};
+      worst[k].limited += speed > 0.999 * kLargestSpeed;
+      if (speed <= worst[k].speed) continue;
+      worst[k].speed = std::isfinite(speed) ? speed : 1e30;
+      worst[k].place = {active[k], n};
     }
   });
   Worst all;
-  for (const Worst& w : worst)
-    if (w.speed > all.speed) all = w;
+  for (const Worst& w : worst) {
+    all.limited += w.limited;
+    if (w.speed > all.speed) all.speed = w.speed, all.place = w.place;
+  }
+  limited_cells_ = std::max(limited_cells_, all.limited);
   max_speed_lu_ = all.speed;
   if (all.speed < kSpeedLimit) return;
   const auto m = outgoing_moments(grid_, all.place, parameters_.parity);

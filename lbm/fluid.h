@@ -84,6 +84,9 @@ class Fluid {
   /// Largest speed found by the last watchdog round, lu.
   [[nodiscard]] double max_speed_lu() const { return max_speed_lu_; }
 
+  /// Most cells at the largest speed (kLargestSpeed) that a watchdog round has found.
+  [[nodiscard]] std::size_t limited_cells() const { return limited_cells_; }
+
   /// Calls visit for every wet cell in a fixed order.
   void for_each_wet_cell(const std::function<void(const WetCell&)>& visit) const;
   /// The wet cell at a point, if any.
@@ -112,6 +115,7 @@ class Fluid {
   double initial_mass_ = 0;
   std::int64_t steps_ = 0;
   double cell_updates_ = 0, max_speed_lu_ = 0;
+  std::size_t limited_cells_ = 0;
   Timers timers_;
   std::vector<std::uint8_t> needed_;
 };

@@ -113,6 +113,9 @@ BuiltSolids build_solids(const scene::Scene& scene) {
   if (scene.barrier.enabled) net = barrier::build_net(scene::make_net_spec(scene), particles, bonds);
   dem::SolidsOptions options;
   options.gravity = scene.gravity.vector();
+  options.watchdog.speed_limit = 200;  // m/s: nothing in a debris flow is that fast
+  options.watchdog.overlap_limit = 1;   // beyond it a bead has gone through
+  options.watchdog.interval = 20;
   options.time_step = solids_time_step(scene);
   if (scene.fluid.enabled) options.time_step = fluid_time_step(scene) / substeps_of(scene);
   return {dem::Solids(std::move(particles), std::move(bonds), scene::make_materials(scene), scene::make_walls(scene),

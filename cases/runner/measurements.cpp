@@ -236,6 +236,7 @@ std::map<std::string, double> Measurements<Real>::metrics() {
   if (step_.fluid() && step_.solids()) all["momentum_audit_rel"] = step_.audit().relative();
   if (step_.fluid()) {
     all["liquid_mass_start_kg"] = step_.fluid()->liquid_mass() + step_.fluid()->outflow_mass();
+    all["speed_limited_cells_max"] = static_cast<double>(step_.fluid()->limited_cells());
     all["liquid_left_kg"] = step_.fluid()->outflow_mass();
     all["liquid_pooled_kg"] = step_.fluid()->account().pooled_total * step_.fluid()->units().mass();
     if (section_) all["liquid_passed_kg"] = fluid_mass_passed_;

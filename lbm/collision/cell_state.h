@@ -1,6 +1,9 @@
 #pragma once
 // What one cell's collision is given and what it tells. Templates over V: a number or a SIMD vector of cells.
 // Populations are stored shifted, f_i - w_i, which keeps float rounding small (Skordos 1993).
+#include <algorithm>
+#include <cmath>
+
 #include "lbm/number.h"
 #include "lbm/velocity_set.h"
 
@@ -36,12 +39,23 @@ Moments<V> moments(const V (&f)[D3Q19::q]) {
   return {drho, inverse, {jx * inverse, jy * inverse, jz * inverse}};
 }
 
-/// Velocity after collision.
+/// Largest speed that a collision lets a cell leave with, lu. Far above what a time step is chosen for: only cells of a
+/// splash get there, where the pressure of the lattice fluid has no physical counterpart. Such cells are counted
+/// (Fluid::limited_cells).
+inline constexpr double kLargestSpeed = 0.35;
+
+/// Velocity after collision; returns the factor by which its speed and the stress were limited, 1 nearly always.
 template <class V>
-void velocity_after(const Moments<V>& m, const CellForcing<V>& force, V (&v)[3]) {
+V velocity_after(const Moments<V>& m, const CellForcing<V>& force, V (&v)[3]) {
+  using std::max;
+  using std::sqrt;
   for (int a = 0; a < 3; ++a)
     v[a] = (V(1) - force.coverage_weight) * (m.u[a] + force.acceleration[a]) +
            force.coverage_weight * force.solid_velocity[a] + force.kick[a];
+  const V limit = number<V>(kLargestSpeed);
+  const V factor = limit / max(limit, V(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])));
+  for (V& component : v) component *= factor;
+  return factor;
 }
 
 /// Symmetric second-order tensor: xx, yy, zz, xy, xz, yz.

@@ -64,10 +64,10 @@ struct CentralMoments {
     s.xx -= mean, s.yy -= mean, s.zz -= mean;
     V omega = V(1) / tau0;
     if constexpr (kLes) omega = smagorinsky_rate(s, m.inverse_density, tau0, les_factor);
-    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight);
-    for (V* t : {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz}) *t *= keep;
     V v[3];
-    velocity_after(m, force, v);
+    const V limited = velocity_after(m, force, v);
+    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight) * limited;
+    for (V* t : {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz}) *t *= keep;
     from_central_moments(m.drho, v, s, f);
   }
 };
