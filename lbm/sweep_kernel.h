@@ -5,7 +5,6 @@
 #include "core/denormals.h"
 #include "lbm/collision/bgk.h"
 #include "lbm/collision/central_moments.h"
-#include "lbm/collision/stress_limit.h"
 #include "lbm/collision/trt.h"
 #include "lbm/gather.h"
 #include "lbm/sweep.h"
@@ -17,7 +16,7 @@ namespace stdx = std::experimental;
 /// Numbers of a sweep in the kernel's type, spread over a vector.
 template <class V>
 struct Uniform {
-  V tau, les_factor, gravity[3], resistance, stress_limit;
+  V tau, les_factor, gravity[3], resistance;
 };
 
 template <class V>
@@ -25,8 +24,7 @@ Uniform<V> make_uniform(const SweepParameters& p) {
   using Real = typename V::value_type;
   const auto real = [](double x) { return V(static_cast<Real>(x)); };
   return {real(p.tau), real(smagorinsky_factor(p.smagorinsky)),
-          {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(p.coverage_resistance),
-          real(stress_limit(p.tau))};
+          {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(p.coverage_resistance)};
 }
 
 template <class Real, bool kMixed, bool kBody>
@@ -48,7 +46,6 @@ class BlockKernel {
     alignas(64) Real wet[kMixed ? kBlockCells : 1];
     if constexpr (kMixed)
       for (int n = 0; n < kBlockCells; ++n) wet[n] = is_wet(block.type[static_cast<std::size_t>(n)]) ? Real(1) : Real(0);
-    block.limited_cells = 0;
     for (int n = 0; n < kBlockCells; n += width) {
       if constexpr (kMixed)
         if (stdx::none_of(V(wet + n, stdx::vector_aligned) > V(0))) continue;
@@ -79,12 +76,7 @@ class BlockKernel {
     const Moments<V> m = moments(f);
     CellForcing<V> force;
     if constexpr (kMixed)
-      if (block.surface) {
-        m.drho.copy_to(block.surface->density + n, stdx::vector_aligned);
-        force.largest_rate = V(block.surface->largest_rate + n, stdx::vector_aligned);
-      }
-    force.stress_share = limited_stress_share(stress(f, m), m.inverse_density, uniform.stress_limit);
-    block.limited_cells += stdx::popcount(force.stress_share < V(1));
+      if (block.surface) m.drho.copy_to(block.surface->density + n, stdx::vector_aligned);
     add_forcing(block, n, uniform, m, force);
     if constexpr (kBody && kMixed) {
       stdx::where(dry, force.coverage_weight) = V(0);

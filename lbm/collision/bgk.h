@@ -7,14 +7,11 @@
 
 namespace lahar::lbm {
 
-/// The rate of the even (viscous) part: constant, or with the eddy viscosity; bounded in exposed cells.
+/// The rate of the even (viscous) part: constant, or with the eddy viscosity.
 template <bool kLes, class V>
-V viscous_rate(const V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,
-               const V& les_factor) {
-  using std::min;
-  V rate = V(1) / tau0;
-  if constexpr (kLes) rate = smagorinsky_rate(second_central_moments(f, m), m.inverse_density, tau0, les_factor);
-  return min(rate, force.largest_rate);
+V viscous_rate(const V (&f)[D3Q19::q], const Moments<V>& m, const V& tau0, const V& les_factor) {
+  if constexpr (kLes) return smagorinsky_rate(second_central_moments(f, m), m.inverse_density, tau0, les_factor);
+  return V(1) / tau0;
 }
 
 struct Bgk {
@@ -23,8 +20,8 @@ struct Bgk {
   template <bool kLes, class V>
   static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,
                       const V& les_factor) {
-    const V omega = viscous_rate<kLes>(f, m, force, tau0, les_factor);
-    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight) * force.stress_share;
+    const V omega = viscous_rate<kLes>(f, m, tau0, les_factor);
+    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight);
     V v[3];
     velocity_after(m, force, v);
     for (int i = 0; i < D3Q19::q; ++i)

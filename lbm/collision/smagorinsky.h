@@ -11,7 +11,8 @@ namespace lahar::lbm {
 template <class V>
 V smagorinsky_rate(const Symmetric<V>& p, const V& inverse_density, const V& tau0, const V& factor) {
   using std::sqrt;
-  return V(2) / (tau0 + sqrt(tau0 * tau0 + factor * norm(p) * inverse_density));
+  const V q = sqrt(p.xx * p.xx + p.yy * p.yy + p.zz * p.zz + V(2) * (p.xy * p.xy + p.xz * p.xz + p.yz * p.yz));
+  return V(2) / (tau0 + sqrt(tau0 * tau0 + factor * q * inverse_density));
 }
 
 /// 18 sqrt(2) Cs^2.

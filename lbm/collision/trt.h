@@ -12,9 +12,9 @@ struct Trt {
   template <bool kLes, class V>
   static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,
                       const V& les_factor) {
-    const V even_rate = viscous_rate<kLes>(f, m, force, tau0, les_factor);
+    const V even_rate = viscous_rate<kLes>(f, m, tau0, les_factor);
     const V odd_rate = V(1) / (number<V>(0.5) + number<V>(magic_parameter) / (V(1) / even_rate - number<V>(0.5)));
-    const V stay = (V(1) - force.coverage_weight) * force.stress_share, half = number<V>(0.5);
+    const V stay = V(1) - force.coverage_weight, half = number<V>(0.5);
     const V keep_even = (V(1) - even_rate) * stay, keep_odd = (V(1) - odd_rate) * stay;
     V v[3];
     velocity_after(m, force, v);

@@ -1,8 +1,5 @@
 #include "lbm/free_surface/surface_exchange.h"
 
-#include <algorithm>
-
-#include "lbm/collision/stress_limit.h"
 #include "lbm/equilibrium.h"
 
 namespace lahar::lbm {
@@ -25,10 +22,6 @@ bool is_empty(const FluidGrid<Real>& grid, CellPlace p) {
   return t == CellType::gas || t == CellType::sink;
 }
 
-/// Gas around a cell at which liquid no longer holds its stress: a cell at the edge of a cube has 9 of 18, at a flat
-/// surface or in a film on a wall 5.
-constexpr int kExposedSides = 9;
-
 /// The nine pairs of a cell and the cells at their ends.
 template <class Real>
 struct CellLinks {
@@ -46,14 +39,6 @@ CellLinks<Real> links_of(FluidGrid<Real>& grid, CellPlace place, Parity parity) 
     links.behind[p] = grid.neighbour(place, a + 1);
   }
   return links;
-}
-
-/// Gas on half of the links or more.
-template <class Real>
-bool is_exposed(const FluidGrid<Real>& grid, const CellLinks<Real>& links) {
-  int empty = 0;
-  for (int p = 0; p < D3Q19::pairs; ++p) empty += is_empty(grid, links.ahead[p]) + is_empty(grid, links.behind[p]);
-  return empty >= kExposedSides;
 }
 
 /// Velocity that the cell had after its last collision.
@@ -76,8 +61,6 @@ void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real g
   Block<Real>& block = grid.block(b);
   if (!block.surface) return;
   SurfaceFields<Real>& surface = *block.surface;
-  std::fill_n(surface.largest_rate, kBlockCells, Real(kLargestRate));
-  surface.exposed = 0;
   for (int k = 0; k < surface.count; ++k) {
     const int cell = surface.cells[static_cast<std::size_t>(k)];
     const CellLinks<Real> links = links_of(grid, {b, cell}, parity);
@@ -94,9 +77,6 @@ void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real g
       if (is_empty(grid, links.behind[p])) *l.incoming_a = even - fb_out;
     }
     surface.mass[cell] += gain;
-    if (!is_exposed(grid, links)) continue;
-    surface.largest_rate[cell] = Real(kLargestExposedRate);
-    ++surface.exposed;
   }
 }
 
