@@ -2,22 +2,41 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 
 namespace lahar::cases {
 namespace {
 
 std::atomic<bool> flag{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "only lock-free atomics may be touched in a signal handler");
+std::atomic<std::int64_t> first_signal_ms{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free,
+              "only lock-free atomics may be touched in a signal handler");
 
-void note(int) { flag.store(true); }
+constexpr std::int64_t kOneRequestMs = 1000;
+
+std::int64_t now_ms() {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);  // may be called in a signal handler (POSIX)
+  return std::int64_t{1000} * t.tv_sec + t.tv_nsec / 1000000;
+}
+
+/// Programs that end others often signal the process and its group: two signals within a moment are one request.
+void note(int signal) {
+  if (!flag.exchange(true)) {
+    first_signal_ms.store(now_ms());
+  } else if (now_ms() - first_signal_ms.load() > kOneRequestMs) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
 
 }  // namespace
 
 void watch_for_interrupt() {
   struct sigaction action {};
   action.sa_handler = note;
-  // Back to the default action after the first signal, so that a second one is not ignored.
-  action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
+  action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
   flag.store(false);
   sigaction(SIGINT, &action, nullptr);

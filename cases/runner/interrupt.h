@@ -3,7 +3,8 @@
 
 namespace lahar::cases {
 
-/// From now on the first SIGINT or SIGTERM only sets a flag; a second one ends the process at once.
+/// From now on the first SIGINT or SIGTERM only sets a flag; one that comes more than a second later
+/// ends the process at once.
 void watch_for_interrupt();
 
 /// Whether such a signal came. Safe to ask from any thread.

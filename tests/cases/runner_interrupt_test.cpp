@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
+#include <thread>
 
 namespace lahar::cases {
 namespace {
@@ -25,9 +28,21 @@ TEST(InterruptDeathTest, ASecondSignalEndsTheProcess) {
       {
         watch_for_interrupt();
         std::raise(SIGINT);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1100));
         std::raise(SIGINT);
       },
       testing::KilledBySignal(SIGINT), "");
+}
+
+TEST(InterruptDeathTest, TwoSignalsAtOnceAreOneRequest) {
+  EXPECT_EXIT(
+      {
+        watch_for_interrupt();
+        std::raise(SIGTERM);
+        std::raise(SIGTERM);
+        std::_Exit(interrupted() ? 7 : 8);
+      },
+      testing::ExitedWithCode(7), "");
 }
 
 }  // namespace
