@@ -13,13 +13,17 @@ using lbm::kNoBlock;
 
 namespace {
 
+/// Lowest of the 27 cells around a point, in cells.
+Vec3i lowest_kernel_cell(const Vec3& place) {
+  return Vec3i(place.array().floor().cast<int>().matrix()) - Vec3i::Ones();
+}
+
 /// The 27 cells around a point with their kernel weights.
 template <class Visit>
 void for_kernel_cells(const Vec3& place, const Visit& visit) {
-  Vec3i base;
+  const Vec3i base = lowest_kernel_cell(place);
   double weight[3][3];
   for (int a = 0; a < 3; ++a) {
-    base[a] = static_cast<int>(std::floor(place[a])) - 1;
     for (int k = 0; k < 3; ++k) weight[a][k] = roma_kernel(base[a] + k + 0.5 - place[a]);
   }
   for (int x = 0; x < 3; ++x)
@@ -61,7 +65,7 @@ WireDrag<Real>::WireDrag(const dem::Particles& particles, const dem::Bonds& bond
   for (dem::ParticleIndex i = 0; i < particles.size(); ++i) {
     if (particles.kind[i] != dem::ParticleKind::bead) continue;
     place[i] = static_cast<std::int32_t>(beads_.size());
-    beads_.push_back({i, i, i, 0.0, false});
+    beads_.push_back({.particle = i, .before = i, .after = i, .length = 0.0});
   }
   for (std::size_t k = 0; k < bonds.size(); ++k) {
     if (place[bonds.i[k]] < 0 || place[bonds.j[k]] < 0) continue;
@@ -94,7 +98,7 @@ Vec3 WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
     particles.external_force.add(i, s.force * fluid.units().force_to_si(1.0));
     const Vec3 place = (particles.position[i] - grid.domain().origin()) / fluid.units().cell_size;
     for_kernel_cells(place, [&](const Vec3i& cell, double w) {
-      const BlockIndex b = grid.topology().find(lbm::block_of(cell));
+      const BlockIndex b = block_at(beads_[k], cell);
       const int n = cell_in_block(cell);
       if (b == kNoBlock || !lbm::is_wet(grid.block(b).type[static_cast<std::size_t>(n)])) return;
       const Vec3 part = -s.force * (w * liquid_share(grid.block(b), n) / s.weight);
@@ -108,22 +112,32 @@ Vec3 WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
   return total;
 }
 
-/// Blocks in reach of a bead get body fields, so that forces can be written and velocities sampled there.
+template <class Real>
+BlockIndex WireDrag<Real>::block_at(const Bead& bead, const Vec3i& cell) {
+  const Vec3i d = lbm::block_of(cell) - bead.lowest;
+  return bead.blocks[static_cast<std::size_t>(4 * d.x() + 2 * d.y() + d.z())];
+}
+
+/// Blocks in reach of a bead are looked up once, and get body fields, so that forces can be written and velocities
+/// sampled there.
 template <class Real>
 void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
   auto& grid = fluid.grid();
   for (Bead& bead : beads_) {
     bead.near = false;
-    const Vec3 place = (particles.position[bead.particle] - grid.domain().origin()) / fluid.units().cell_size;
-    const Vec3i low = lbm::block_of((place.array() - 1.5).floor().template cast<int>().matrix());
-    const Vec3i high = lbm::block_of((place.array() + 1.5).floor().template cast<int>().matrix());
-    for (int x = low.x(); x <= high.x(); ++x)
-      for (int y = low.y(); y <= high.y(); ++y)
-        for (int z = low.z(); z <= high.z(); ++z)
-          if (const BlockIndex b = grid.topology().find({x, y, z}); b != kNoBlock && grid.block(b).wet_cells > 0) {
-            grid.require_body(b).used = true;
-            bead.near = true;
-          }
+    const Vec3i base = lowest_kernel_cell((particles.position[bead.particle] - grid.domain().origin()) / fluid.units().cell_size);
+    bead.lowest = lbm::block_of(base);
+    const Vec3i more = lbm::block_of(base + Vec3i::Constant(2)) - bead.lowest;
+    bead.blocks.fill(kNoBlock);
+    for (int x = 0; x <= more.x(); ++x)
+      for (int y = 0; y <= more.y(); ++y)
+        for (int z = 0; z <= more.z(); ++z) {
+          const BlockIndex b = grid.topology().find(bead.lowest + Vec3i(x, y, z));
+          if (b == kNoBlock || grid.block(b).wet_cells == 0) continue;
+          bead.blocks[static_cast<std::size_t>(4 * x + 2 * y + z)] = b;
+          grid.require_body(b).used = true;
+          bead.near = true;
+        }
   }
 }
 
@@ -136,7 +150,7 @@ typename WireDrag<Real>::Sample WireDrag<Real>::sample(const lbm::Fluid<Real>& f
   Sample s;
   Vec3 velocity = Vec3::Zero();
   for_kernel_cells((particles.position[i] - grid.domain().origin()) / units.cell_size, [&](const Vec3i& cell, double w) {
-    const BlockIndex b = grid.topology().find(lbm::block_of(cell));
+    const BlockIndex b = block_at(bead, cell);
     if (b == kNoBlock) return;
     const int n = cell_in_block(cell);
     const Block<Real>& block = grid.block(b);

@@ -2,6 +2,7 @@
 // Rings and cables thinner than a cell: each bead is a piece of a slender cylinder that feels the drag of the local flow
 // and gives the opposite force to the cells around it. (Immersed boundaries are blind to such wires: as tau -> 1/2 the
 // weighting of Noble & Torczynski lets the water through, B = eps overdrags; DESIGN figures in docs/coupling.md.)
+#include <array>
 #include <vector>
 
 #include "dem/bonds.h"
@@ -29,7 +30,9 @@ class WireDrag {
     dem::ParticleIndex particle;
     dem::ParticleIndex before, after;  ///< neighbours along the wire; itself where there is none
     double length;                     ///< m, of wire that the bead stands for
-    bool near;                         ///< a wet block is in reach in this step
+    bool near = false;                 ///< a wet block is in reach in this step
+    Vec3i lowest = Vec3i::Zero();      ///< block coordinate of the lowest cell in reach
+    std::array<lbm::BlockIndex, 8> blocks{};  ///< wet blocks in reach, from `lowest` on, (x, y, z) at 4x + 2y + z
   };
   /// What a bead samples and gives, filled in parallel.
   struct Sample {
@@ -37,6 +40,8 @@ class WireDrag {
     double weight = 0;          ///< sum of kernel weights over wet cells, by liquid content
   };
 
+  /// The block in reach of a bead that holds a cell; kNoBlock if it is missing or dry.
+  static lbm::BlockIndex block_at(const Bead& bead, const Vec3i& cell);
   void allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   [[nodiscard]] Sample sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const Bead& bead) const;
 

@@ -15,8 +15,13 @@ struct SurfaceFields {
   alignas(64) Real mass[kBlockCells];        ///< lu; interface cells only, bodies in the cell included
   alignas(64) Real fill_level[kBlockCells];  ///< 0..1; 1 in liquid, 0 in gas; of the last conversion
   alignas(64) Real density[kBlockCells];     ///< rho - 1, written by the sweep
+  /// Bound on the relaxation rate (collision/stress_limit.h), written by exchange_surface before each sweep.
+  alignas(64) Real largest_rate[kBlockCells];
   std::array<std::uint16_t, kBlockCells> cells;  ///< the interface cells, ascending
+  /// Interface cells without liquid around at the start of the step, written by exchange_surface.
+  std::array<bool, kBlockCells> alone;
   int count = 0;
+  int exposed = 0;  ///< interface cells with a bound on their relaxation rate
 };
 
 /// Fields of blocks that hold immersed bodies or feel forces of wires.
@@ -65,6 +70,7 @@ struct Block {
   BodyFields<Real>* body = nullptr;
   WallLinks walls;
   int wet_cells = 0;
+  int limited_cells = 0;    ///< cells whose stress was limited in the last sweep
   std::uint64_t birth = 0;  ///< unique per created block, so that a reused index is not taken for the old block
 
   [[nodiscard]] Real* f(int i) const { return populations + static_cast<std::size_t>(i) * stride; }

@@ -28,7 +28,8 @@ Vec3i BlockTopology::wrapped(Vec3i block) const {
   return block;
 }
 
-BlockIndex BlockTopology::find(const Vec3i& block) const { return tree_->accessor.getValue(coord(wrapped(block))); }
+/// Past the accessor: its cache makes reading from several threads a race.
+BlockIndex BlockTopology::find(const Vec3i& block) const { return tree_->tree.getValue(coord(wrapped(block))); }
 
 BlockIndex BlockTopology::insert(const Vec3i& place) {
   const Vec3i block = wrapped(place);

@@ -17,7 +17,7 @@ class BlockTopology {
   BlockTopology(const BlockTopology&) = delete;
   BlockTopology& operator=(const BlockTopology&) = delete;
 
-  /// Index of the block at a block coordinate, or kNoBlock.
+  /// Index of the block at a block coordinate, or kNoBlock. Safe to call from several threads.
   [[nodiscard]] BlockIndex find(const Vec3i& block) const;
   /// Creates a block (which must not exist) and links it with its neighbours. Freed indices are used again.
   BlockIndex insert(const Vec3i& block);

@@ -207,7 +207,12 @@ void Fluid<Real>::sweep() {
     const bool mixed = block.wet_cells < kBlockCells || block.surface;
     kernels[mixed][block.body != nullptr](block, grid_.around(active[k]), parameters_);
   });
-  for (const BlockIndex b : active) cell_updates_ += grid_.block(b).wet_cells;
+  for (const BlockIndex b : active) {
+    const Block<Real>& block = grid_.block(b);
+    cell_updates_ += block.wet_cells;
+    if (block.wet_cells > 0) account_.limited += block.limited_cells;
+    if (block.surface) account_.exposed += block.surface->exposed;
+  }
 }
 
 template <class Real>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "lbm/collision/stress_limit.h"
+
 namespace lahar::lbm {
 
 template <class Real>
@@ -23,6 +25,7 @@ BlockIndex FluidGrid<Real>::require_block(const Vec3i& coordinate) {
   fresh->surface = nullptr;
   fresh->body = nullptr;
   fresh->wet_cells = 0;
+  fresh->limited_cells = 0;
   fresh->birth = ++births_;
   blocks_[static_cast<std::size_t>(b)] = fresh;
   const auto& neighbours = topology_.neighbours(b);
@@ -131,9 +134,11 @@ SurfaceFields<Real>& FluidGrid<Real>::require_surface(BlockIndex b) {
   for (std::size_t n = 0; n < kBlockCells; ++n) {
     s.mass[n] = 0;
     s.density[n] = 0;
+    s.largest_rate[n] = Real(kLargestRate);
     s.fill_level[n] = blk.type[n] == CellType::liquid ? Real(1) : Real(0);
   }
   s.count = 0;
+  s.exposed = 0;
   return s;
 }
 

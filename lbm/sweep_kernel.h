@@ -5,6 +5,7 @@
 #include "core/denormals.h"
 #include "lbm/collision/bgk.h"
 #include "lbm/collision/central_moments.h"
+#include "lbm/collision/stress_limit.h"
 #include "lbm/collision/trt.h"
 #include "lbm/gather.h"
 #include "lbm/sweep.h"
@@ -16,7 +17,7 @@ namespace stdx = std::experimental;
 /// Numbers of a sweep in the kernel's type, spread over a vector.
 template <class V>
 struct Uniform {
-  V tau, les_factor, gravity[3], resistance;
+  V tau, les_factor, gravity[3], resistance, stress_limit;
 };
 
 template <class V>
@@ -24,7 +25,8 @@ Uniform<V> make_uniform(const SweepParameters& p) {
   using Real = typename V::value_type;
   const auto real = [](double x) { return V(static_cast<Real>(x)); };
   return {real(p.tau), real(smagorinsky_factor(p.smagorinsky)),
-          {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(p.coverage_resistance)};
+          {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(p.coverage_resistance),
+          real(stress_limit(p.tau))};
 }
 
 template <class Real, bool kMixed, bool kBody>
@@ -46,6 +48,7 @@ class BlockKernel {
     alignas(64) Real wet[kMixed ? kBlockCells : 1];
     if constexpr (kMixed)
       for (int n = 0; n < kBlockCells; ++n) wet[n] = is_wet(block.type[static_cast<std::size_t>(n)]) ? Real(1) : Real(0);
+    block.limited_cells = 0;
     for (int n = 0; n < kBlockCells; n += width) {
       if constexpr (kMixed)
         if (stdx::none_of(V(wet + n, stdx::vector_aligned) > V(0))) continue;
@@ -76,7 +79,12 @@ class BlockKernel {
     const Moments<V> m = moments(f);
     CellForcing<V> force;
     if constexpr (kMixed)
-      if (block.surface) m.drho.copy_to(block.surface->density + n, stdx::vector_aligned);
+      if (block.surface) {
+        m.drho.copy_to(block.surface->density + n, stdx::vector_aligned);
+        if constexpr (Operator::bounds_stress)
+          force.largest_rate = V(block.surface->largest_rate + n, stdx::vector_aligned);
+      }
+    if constexpr (Operator::bounds_stress) limit_stress(block, f, uniform, m, force);
     add_forcing(block, n, uniform, m, force);
     if constexpr (kBody && kMixed) {
       stdx::where(dry, force.coverage_weight) = V(0);
@@ -91,6 +99,17 @@ class BlockKernel {
       f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);
       f[2 * pair + 1].copy_to(away[pair] + n, stdx::vector_aligned);
     }
+  }
+
+  /// Bounds the stress of cells that strain too fast, and counts them: rare, hence the test of the squares first.
+  [[gnu::always_inline]] static void limit_stress(Block<Real>& block, const V (&f)[D3Q19::q], const Uniform<V>& uniform,
+                                                  const Moments<V>& m, CellForcing<V>& force) {
+    const Symmetric<V> s = stress(f, m);
+    const V limit = uniform.stress_limit * (V(1) + m.drho);
+    const auto over = square(s) > limit * limit;
+    if (stdx::none_of(over)) [[likely]] return;
+    force.stress_share = limited_stress_share(s, m.inverse_density, uniform.stress_limit);
+    block.limited_cells += stdx::popcount(over);
   }
 
   /// Gravity acts on all that the populations stand for, liquid and displaced liquid; the bodies' buoyancy is the

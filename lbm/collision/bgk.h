@@ -16,6 +16,7 @@ V viscous_rate(const V (&f)[D3Q19::q], const Moments<V>& m, const V& tau0, const
 
 struct Bgk {
   static constexpr const char* name = "bgk";
+  static constexpr bool bounds_stress = false;
 
   template <bool kLes, class V>
   static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,

@@ -25,6 +25,8 @@ struct CellForcing {
   V coverage_weight;   ///< B, 0 where there is no body
   V solid_velocity[3]; ///< u_s, lu
   V kick[3];           ///< velocity change by forces of wires, lu
+  V largest_rate = V(2);  ///< the viscous moments relax no faster (collision/stress_limit.h)
+  V stress_share = V(1);  ///< of the non-equilibrium part that is left after relaxation (same place)
 };
 
 template <class V>
@@ -77,6 +79,21 @@ Symmetric<V> second_central_moments(const V (&f)[D3Q19::q], const Moments<V>& m)
           (s7 - s13) - rx * m.u[1],
           (s9 - s15) - rx * m.u[2],
           (s11 - s17) - ry * m.u[2]};
+}
+
+/// The same without its trace: the viscous stress.
+template <class V>
+Symmetric<V> stress(const V (&f)[D3Q19::q], const Moments<V>& m) {
+  Symmetric<V> s = second_central_moments(f, m);
+  const V mean = (s.xx + s.yy + s.zz) * number<V>(1.0 / 3.0);
+  s.xx -= mean, s.yy -= mean, s.zz -= mean;
+  return s;
+}
+
+/// S_ab S_ab
+template <class V>
+V square(const Symmetric<V>& s) {
+  return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + V(2) * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
 }
 
 }  // namespace lahar::lbm

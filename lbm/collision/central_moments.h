@@ -55,18 +55,19 @@ void from_central_moments(const V& drho, const V (&v)[3], const Symmetric<V>& s,
 
 struct CentralMoments {
   static constexpr const char* name = "central_moments";
+  static constexpr bool bounds_stress = true;  ///< collision/stress_limit.h
 
   template <bool kLes, class V>
   static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,
                       const V& les_factor) {
-    Symmetric<V> s = second_central_moments(f, m);
-    const V mean = (s.xx + s.yy + s.zz) * number<V>(1.0 / 3.0);
-    s.xx -= mean, s.yy -= mean, s.zz -= mean;
+    using std::min;
+    Symmetric<V> s = stress(f, m);
     V omega = V(1) / tau0;
     if constexpr (kLes) omega = smagorinsky_rate(s, m.inverse_density, tau0, les_factor);
+    omega = min(omega, force.largest_rate);
     V v[3];
     const V limited = velocity_after(m, force, v);
-    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight) * limited;
+    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight) * force.stress_share * limited;
     for (V* t : {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz}) *t *= keep;
     from_central_moments(m.drho, v, s, f);
   }

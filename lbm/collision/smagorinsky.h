@@ -11,8 +11,7 @@ namespace lahar::lbm {
 template <class V>
 V smagorinsky_rate(const Symmetric<V>& p, const V& inverse_density, const V& tau0, const V& factor) {
   using std::sqrt;
-  const V q = sqrt(p.xx * p.xx + p.yy * p.yy + p.zz * p.zz + V(2) * (p.xy * p.xy + p.xz * p.xz + p.yz * p.yz));
-  return V(2) / (tau0 + sqrt(tau0 * tau0 + factor * q * inverse_density));
+  return V(2) / (tau0 + sqrt(tau0 * tau0 + factor * sqrt(square(p)) * inverse_density));
 }
 
 /// 18 sqrt(2) Cs^2.

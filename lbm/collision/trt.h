@@ -7,6 +7,7 @@ namespace lahar::lbm {
 
 struct Trt {
   static constexpr const char* name = "trt";
+  static constexpr bool bounds_stress = false;
   static constexpr double magic_parameter = 3.0 / 16.0;  ///< half-way walls exact for Poiseuille flow
 
   template <bool kLes, class V>

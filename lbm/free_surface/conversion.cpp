@@ -12,7 +12,7 @@ namespace lahar::lbm {
 namespace {
 
 constexpr double kThreshold = 0.01;  ///< beyond full or empty before a cell converts: damps flicker
-constexpr double kThinFill = 0.1;    ///< liquid share under which a cell with no liquid neighbour is given up
+constexpr double kThinFill = 0.1;    ///< liquid share under which a draining cell with no liquid neighbour is given up
 constexpr double kPoolDose = 0.02;   ///< largest payment of the pool to one cell in a step
 constexpr double kPoolIdle = 1e-5;   ///< a smaller pool waits: payments would drown in rounding
 
@@ -39,13 +39,15 @@ Real body_share(const Block<Real>& block, int cell) {
 
 enum class Verdict { stay, fill, empty };
 
+/// A thin cell that gains liquid is the front of a drop or sheet on its way: it is kept. Not so at bodies, whose motion
+/// changes the cells' liquid too: films that were kept there held a sinking sphere back at the surface.
 template <class Real>
-Verdict judge(const FluidGrid<Real>& grid, CellPlace place, Real mass, Real rho, bool at_rim) {
+Verdict judge(const FluidGrid<Real>& grid, CellPlace place, Real mass, Real rho, bool at_rim, bool draining) {
   const Real eps = body_share(grid.block(place.block), place.cell), room = std::max(Real(0), Real(1) - eps);
   const Real liquid = mass - eps;
   if (liquid < Real(-kThreshold)) return Verdict::empty;
   if (!at_rim && mass > Real(1 + kThreshold) * rho) return Verdict::fill;
-  const bool thin = liquid < Real(kThinFill) * room, thick = mass > Real(1 - kThinFill) * rho;
+  const bool thin = (draining || eps > 0) && liquid < Real(kThinFill) * room, thick = mass > Real(1 - kThinFill) * rho;
   if (!thin && !thick) return Verdict::stay;
   const Surroundings s = look_around(grid, place);
   if (thick && !s.gas && !at_rim) return Verdict::fill;
@@ -53,11 +55,20 @@ Verdict judge(const FluidGrid<Real>& grid, CellPlace place, Real mass, Real rho,
   return Verdict::stay;
 }
 
+template <class Real>
+void flag_drop(FluidGrid<Real>& grid, CellPlace place, Parity parity, std::uint64_t round,
+               std::vector<Drop<Real>>& drops) {
+  const CellMoments<Real> m = outgoing_moments(grid, place, parity);
+  const int i = drop_direction(m.u, round);
+  if (i != 0 && is_free_to_move(grid, place, i))
+    drops.push_back({static_cast<std::uint16_t>(place.cell), static_cast<std::uint8_t>(i), m});
+}
+
 }  // namespace
 
 template <class Real>
-double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, std::vector<std::uint16_t>& filled,
-                        std::vector<std::uint16_t>& emptied) {
+double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round,
+                        Flagged<Real>& flagged) {
   Block<Real>& block = grid.block(b);
   SurfaceFields<Real>& surface = *block.surface;
   double left = 0;
@@ -69,19 +80,25 @@ double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, std::vector<std::ui
       left += static_cast<double>(mass) - static_cast<double>(rho);
       mass = rho;
     }
-    surface.fill_level[cell] = std::clamp(mass / rho, Real(0), Real(1));
-    const Verdict v = judge(grid, {b, cell}, mass, rho, block.at_rim[cell]);
-    if (v == Verdict::fill) filled.push_back(cell);
-    if (v == Verdict::empty) emptied.push_back(cell);
+    const Real fill = std::clamp(mass / rho, Real(0), Real(1));
+    const bool draining = fill <= surface.fill_level[cell];
+    surface.fill_level[cell] = fill;
+    const Verdict v = judge(grid, {b, cell}, mass, rho, block.at_rim[cell], draining);
+    if (v == Verdict::fill) flagged.filled.push_back(cell);
+    if (v == Verdict::empty) flagged.emptied.push_back(cell);
+    if (v == Verdict::stay && surface.alone[cell])
+      flag_drop(grid, {b, cell}, parity, round, flagged.drops);
   }
   return left;
 }
 
 template <class Real>
 void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
-  flag(grid, account);
+  ++round_;
+  flag(grid, parity, account);
   fill_cells(grid, parity);
   empty_cells(grid, parity);
+  move_drops(grid, parity, account);
   distribute(grid, account);
   pay_pool(grid, account);
   for (const BlockIndex b : touched_) {
@@ -93,17 +110,16 @@ void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, LiquidAccou
 }
 
 template <class Real>
-void CellConversion<Real>::flag(FluidGrid<Real>& grid, LiquidAccount& account) {
+void CellConversion<Real>::flag(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
   const std::size_t n = grid.topology().capacity();
-  filled_.resize(n), emptied_.resize(n);
-  for (auto* lists : {&filled_, &emptied_})
-    for (auto& list : *lists) list.clear();  // also of blocks that have been released since
+  flagged_.resize(n);
+  for (Flagged<Real>& f : flagged_) f.clear();  // also those of blocks that are gone
   left_.assign(n, 0.0);
   const auto& active = grid.active();
   parallel_for(0, active.size(), 16, [&](std::size_t k) {
     const BlockIndex b = active[k];
     const auto at = static_cast<std::size_t>(b);
-    if (grid.block(b).surface) left_[at] = flag_conversions(grid, b, filled_[at], emptied_[at]);
+    if (grid.block(b).surface) left_[at] = flag_conversions(grid, b, parity, round_, flagged_[at]);
   });
   for (const BlockIndex b : active) account.outflow += left_[static_cast<std::size_t>(b)];
 }
@@ -130,8 +146,8 @@ bool CellConversion<Real>::is_fresh(CellPlace p) const {
 template <class Real>
 void CellConversion<Real>::fill_cells(FluidGrid<Real>& grid, Parity parity) {
   excess_.clear();
-  for (std::size_t at = 0; at < filled_.size(); ++at)
-    for (const auto cell : filled_[at]) {
+  for (std::size_t at = 0; at < flagged_.size(); ++at)
+    for (const auto cell : flagged_[at].filled) {
       const CellPlace place{static_cast<BlockIndex>(at), cell};
       Block<Real>& block = grid.block(place.block);
       const Real rho = Real(1) + block.surface->density[cell];
@@ -151,14 +167,13 @@ void CellConversion<Real>::wet_neighbours(FluidGrid<Real>& grid, CellPlace place
     const CellPlace next = grid.neighbour(place, i);
     const CellType t = grid.type(next);
     if (t == CellType::gas) make_interface(grid, next, parity);
-    if (t == CellType::interface && static_cast<std::size_t>(next.block) < emptied_.size())
-      std::erase(emptied_[static_cast<std::size_t>(next.block)], next.cell);
+    if (t == CellType::interface && static_cast<std::size_t>(next.block) < flagged_.size())
+      std::erase(flagged_[static_cast<std::size_t>(next.block)].emptied, next.cell);
   }
 }
 
 template <class Real>
 void CellConversion<Real>::make_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
-  grid.require_neighbours(place);
   CellMoments<Real> mean;
   int sources = 0;
   for (int i = 1; i < D3Q19::q; ++i) {
@@ -173,11 +188,19 @@ void CellConversion<Real>::make_interface(FluidGrid<Real>& grid, CellPlace place
     mean.drho /= static_cast<Real>(sources);
     for (Real& u : mean.u) u /= static_cast<Real>(sources);
   }
+  set_interface(grid, place, parity, mean, Real(0));
+}
+
+/// A gas cell becomes interface with some liquid, in the equilibrium of given moments.
+template <class Real>
+void CellConversion<Real>::set_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity,
+                                         const CellMoments<Real>& mean, Real liquid) {
+  grid.require_neighbours(place);
   Block<Real>& block = grid.block(place.block);
   SurfaceFields<Real>& surface = grid.require_surface(place.block);
   const auto cell = static_cast<std::size_t>(place.cell);
   block.type[cell] = CellType::interface;
-  surface.mass[cell] = body_share(block, place.cell);
+  surface.mass[cell] = body_share(block, place.cell) + liquid;
   surface.density[cell] = mean.drho;
   surface.fill_level[cell] = std::clamp(surface.mass[cell] / (Real(1) + mean.drho), Real(0), Real(1));
   // Outgoing populations of the new cell; what comes in from wet neighbours is there already, what comes from gas is
@@ -198,8 +221,8 @@ void CellConversion<Real>::make_interface(FluidGrid<Real>& grid, CellPlace place
 
 template <class Real>
 void CellConversion<Real>::empty_cells(FluidGrid<Real>& grid, Parity parity) {
-  for (std::size_t at = 0; at < emptied_.size(); ++at)
-    for (const auto cell : emptied_[at]) {
+  for (std::size_t at = 0; at < flagged_.size(); ++at)
+    for (const auto cell : flagged_[at].emptied) {
       const CellPlace place{static_cast<BlockIndex>(at), cell};
       Block<Real>& block = grid.block(place.block);
       excess_.push_back({place, block.surface->mass[cell] - body_share(block, cell)});
@@ -211,6 +234,26 @@ void CellConversion<Real>::empty_cells(FluidGrid<Real>& grid, Parity parity) {
         const CellPlace next = grid.neighbour(place, i);
         if (grid.type(next) == CellType::liquid) expose_liquid(grid, next, parity);
       }
+    }
+}
+
+/// Spray moves on by a cell; through an open face it leaves.
+template <class Real>
+void CellConversion<Real>::move_drops(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
+  for (std::size_t at = 0; at < flagged_.size(); ++at)
+    for (const Drop<Real>& drop : flagged_[at].drops) {
+      const CellPlace place{static_cast<BlockIndex>(at), drop.cell};
+      Block<Real>& block = grid.block(place.block);
+      if (block.type[drop.cell] != CellType::interface || !is_free_to_move(grid, place, drop.direction)) continue;
+      const CellPlace next = grid.neighbour(place, drop.direction);
+      const Real liquid = block.surface->mass[drop.cell] - body_share(block, drop.cell);
+      if (grid.type(next) == CellType::sink) account.outflow += static_cast<double>(liquid);
+      else set_interface(grid, next, parity, drop.moments, liquid);
+      block.type[drop.cell] = CellType::gas;
+      block.surface->fill_level[drop.cell] = Real(0);
+      block.surface->mass[drop.cell] = 0;
+      touch(place.block);
+      ++account.drop_moves;
     }
 }
 
@@ -272,10 +315,8 @@ void CellConversion<Real>::pay_pool(FluidGrid<Real>& grid, LiquidAccount& accoun
   }
 }
 
-template double flag_conversions<float>(FluidGrid<float>&, BlockIndex, std::vector<std::uint16_t>&,
-                                        std::vector<std::uint16_t>&);
-template double flag_conversions<double>(FluidGrid<double>&, BlockIndex, std::vector<std::uint16_t>&,
-                                         std::vector<std::uint16_t>&);
+template double flag_conversions<float>(FluidGrid<float>&, BlockIndex, Parity, std::uint64_t, Flagged<float>&);
+template double flag_conversions<double>(FluidGrid<double>&, BlockIndex, Parity, std::uint64_t, Flagged<double>&);
 template class CellConversion<float>;
 template class CellConversion<double>;
 

@@ -5,22 +5,35 @@
 // Koerner et al. 2005, section 2.3, with: thresholds 1.01 and -0.01; filling wins over emptying; new interface cells get
 // the equilibrium at the mean density and velocity of their wet neighbours (refilling by equilibrium was the most robust
 // of those compared by Schwarzmeier & Ruede 2022). Where a body covers part of a cell the mass of the cell includes the
-// body's share: empty means that only the body is left (docs/coupling.md).
+// body's share: empty means that only the body is left (docs/coupling.md). Spray moves on as a whole (drops.h).
 #include "lbm/fluid_grid.h"
+#include "lbm/free_surface/drops.h"
 
 namespace lahar::lbm {
 
-/// What left the tracked cells, in lattice mass units.
+/// What left the tracked cells, in lattice mass units, and how often the rules for unresolved liquid were used.
 struct LiquidAccount {
   double outflow = 0;       ///< left through open faces
   double pool = 0;          ///< waiting to be paid back to interface cells
   double pooled_total = 0;  ///< sum of all that ever went through the pool (absolute)
+  std::int64_t drop_moves = 0;  ///< moves of spray cells (drops.h)
+  std::int64_t limited = 0;     ///< cell updates with a limited stress (collision/stress_limit.h)
+  std::int64_t exposed = 0;     ///< cell updates with a bounded relaxation rate (same place)
 };
 
-/// Sets flags and fill levels of one block's interface cells from their new mass; returns what left at the rim.
+/// What is to become of the interface cells of one block.
 template <class Real>
-double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, std::vector<std::uint16_t>& filled,
-                        std::vector<std::uint16_t>& emptied);
+struct Flagged {
+  std::vector<std::uint16_t> filled, emptied;
+  std::vector<Drop<Real>> drops;
+  void clear() { filled.clear(), emptied.clear(), drops.clear(); }
+};
+
+/// Flags one block's interface cells and sets their fill levels from their new mass; returns what left at the rim.
+/// `round` is any count of the steps.
+template <class Real>
+double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round,
+                        Flagged<Real>& flagged);
 
 /// The whole conversion after a sweep. `parity` is that of the coming step. Deterministic whatever the thread count:
 /// cells are judged in parallel, changed in the order of blocks and cells.
@@ -34,18 +47,21 @@ class CellConversion {
     CellPlace place;
     Real mass;
   };
-  void flag(FluidGrid<Real>& grid, LiquidAccount& account);
+  void flag(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
   void fill_cells(FluidGrid<Real>& grid, Parity parity);
   void wet_neighbours(FluidGrid<Real>& grid, CellPlace place, Parity parity);
   void make_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity);
+  void set_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m, Real liquid);
   void empty_cells(FluidGrid<Real>& grid, Parity parity);
   void expose_liquid(FluidGrid<Real>& grid, CellPlace place, Parity parity);
+  void move_drops(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
   void distribute(FluidGrid<Real>& grid, LiquidAccount& account);
   void pay_pool(FluidGrid<Real>& grid, LiquidAccount& account);
   void touch(BlockIndex b);
   [[nodiscard]] bool is_fresh(CellPlace p) const;
 
-  std::vector<std::vector<std::uint16_t>> filled_, emptied_;  // by block index
+  std::vector<Flagged<Real>> flagged_;  // by block index
+  std::uint64_t round_ = 0;
   std::vector<double> left_;
   std::vector<Excess> excess_;
   std::vector<std::vector<std::uint16_t>> fresh_;  // new interface cells of this step, by block index

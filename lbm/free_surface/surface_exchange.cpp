@@ -1,5 +1,8 @@
 #include "lbm/free_surface/surface_exchange.h"
 
+#include <algorithm>
+
+#include "lbm/collision/stress_limit.h"
 #include "lbm/equilibrium.h"
 
 namespace lahar::lbm {
@@ -8,25 +11,24 @@ namespace {
 
 /// Share of a link's population flux that is mass of the interface cell.
 template <class Real>
-Real exchange_share(const FluidGrid<Real>& grid, CellPlace neighbour, Real fill) {
-  const Block<Real>& block = grid.block(neighbour.block);
-  const CellType type = block.type[static_cast<std::size_t>(neighbour.cell)];
+Real exchange_share(const FluidGrid<Real>& grid, CellPlace neighbour, CellType type, Real fill) {
   if (type == CellType::liquid) return Real(1);
-  if (type == CellType::interface) return Real(0.5) * (fill + block.surface->fill_level[neighbour.cell]);
-  return Real(0);
+  if (type != CellType::interface) return Real(0);
+  return Real(0.5) * (fill + grid.block(neighbour.block).surface->fill_level[neighbour.cell]);
 }
 
-template <class Real>
-bool is_empty(const FluidGrid<Real>& grid, CellPlace p) {
-  const CellType t = grid.type(p);
-  return t == CellType::gas || t == CellType::sink;
-}
+bool is_empty(CellType t) { return t == CellType::gas || t == CellType::sink; }
+
+/// Gas around a cell at which liquid no longer holds its stress: a cell at the edge of a cube has 9 of 18, at a flat
+/// surface or in a film on a wall 5.
+constexpr int kExposedSides = 9;
 
 /// The nine pairs of a cell and the cells at their ends.
 template <class Real>
 struct CellLinks {
   PairAccess<Real> pair[D3Q19::pairs];
   CellPlace ahead[D3Q19::pairs], behind[D3Q19::pairs];
+  CellType type_ahead[D3Q19::pairs], type_behind[D3Q19::pairs];
 };
 
 template <class Real>
@@ -37,8 +39,25 @@ CellLinks<Real> links_of(FluidGrid<Real>& grid, CellPlace place, Parity parity) 
     links.pair[p] = grid.access(place, a, parity);
     links.ahead[p] = grid.neighbour(place, a);
     links.behind[p] = grid.neighbour(place, a + 1);
+    links.type_ahead[p] = grid.type(links.ahead[p]);
+    links.type_behind[p] = grid.type(links.behind[p]);
   }
   return links;
+}
+
+/// Notes whether a cell is exposed, with gas on half of its links or more, and whether it is without liquid around.
+template <class Real>
+void judge_surroundings(const CellLinks<Real>& links, int cell, SurfaceFields<Real>& surface) {
+  int empty = 0;
+  bool liquid = false;
+  for (int p = 0; p < D3Q19::pairs; ++p) {
+    empty += is_empty(links.type_ahead[p]) + is_empty(links.type_behind[p]);
+    liquid |= links.type_ahead[p] == CellType::liquid || links.type_behind[p] == CellType::liquid;
+  }
+  surface.alone[static_cast<std::size_t>(cell)] = !liquid;
+  if (empty < kExposedSides) return;
+  surface.largest_rate[cell] = Real(kLargestExposedRate);
+  ++surface.exposed;
 }
 
 /// Velocity that the cell had after its last collision.
@@ -61,6 +80,8 @@ void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real g
   Block<Real>& block = grid.block(b);
   if (!block.surface) return;
   SurfaceFields<Real>& surface = *block.surface;
+  std::fill_n(surface.largest_rate, kBlockCells, Real(kLargestRate));
+  surface.exposed = 0;
   for (int k = 0; k < surface.count; ++k) {
     const int cell = surface.cells[static_cast<std::size_t>(k)];
     const CellLinks<Real> links = links_of(grid, {b, cell}, parity);
@@ -70,13 +91,14 @@ void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real g
     for (int p = 0; p < D3Q19::pairs; ++p) {
       const auto& l = links.pair[p];
       const Real fa_out = *l.outgoing_a, fb_out = *l.outgoing_b;
-      gain += exchange_share(grid, links.ahead[p], fill) * (*l.incoming_b - fa_out);
-      gain += exchange_share(grid, links.behind[p], fill) * (*l.incoming_a - fb_out);
+      gain += exchange_share(grid, links.ahead[p], links.type_ahead[p], fill) * (*l.incoming_b - fa_out);
+      gain += exchange_share(grid, links.behind[p], links.type_behind[p], fill) * (*l.incoming_a - fb_out);
       const Real even = equilibrium_pair_sum(D3Q19::forward(p), gas_drho, u[0], u[1], u[2]);
-      if (is_empty(grid, links.ahead[p])) *l.incoming_b = even - fa_out;
-      if (is_empty(grid, links.behind[p])) *l.incoming_a = even - fb_out;
+      if (is_empty(links.type_ahead[p])) *l.incoming_b = even - fa_out;
+      if (is_empty(links.type_behind[p])) *l.incoming_a = even - fb_out;
     }
     surface.mass[cell] += gain;
+    judge_surroundings(links, cell, surface);
   }
 }
 

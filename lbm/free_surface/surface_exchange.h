@@ -15,7 +15,8 @@
 
 namespace lahar::lbm {
 
-/// Treats the interface cells of one block. Writes mass of this block and locations that belong to its cells alone.
+/// Treats the interface cells of one block; marks those that are exposed to gas on half of their sides, whose relaxation rate is
+/// bounded (collision/stress_limit.h). Writes mass and rates of this block and locations that belong to its cells alone.
 template <class Real>
 void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real gas_drho);
 

@@ -1,0 +1,114 @@
+#include "cases/validate/entry.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "cases/runner/machine.h"
+#include "cases/scene/names.h"
+#include "cases/validate/fluid/entries.h"
+#include "core/timers.h"
+
+namespace lahar::validate {
+
+Row relative_row(std::string label, double value, double reference, double tolerance) {
+  const double error = std::abs(value - reference) / std::abs(reference);
+  return {std::move(label), value, reference, error, tolerance, error <= tolerance};
+}
+
+Row absolute_row(std::string label, double value, double reference, double tolerance) {
+  const double error = std::abs(value - reference);
+  return {std::move(label), value, reference, error, tolerance, error <= tolerance};
+}
+
+Row at_least_row(std::string label, double value, double bar) {
+  return {std::move(label), value, bar, std::isnan(value) ? value : std::max(0.0, bar - value), 0, value >= bar};
+}
+
+Row at_most_row(std::string label, double value, double bar) {
+  return {std::move(label), value, 0, value, bar, value <= bar};
+}
+
+bool Outcome::pass() const {
+  return failure.empty() && !rows.empty() && std::all_of(rows.begin(), rows.end(), [](const Row& r) { return r.pass; });
+}
+
+std::vector<Entry> all_entries() { return fluid_entries(); }
+
+namespace {
+
+std::string group_of(const std::string& name) { return name.substr(0, name.find('.')); }
+
+[[noreturn]] void refuse(const std::vector<Entry>& entries, const std::string& name) {
+  std::vector<std::string> known;
+  for (const Entry& e : entries) {
+    known.push_back(e.name);
+    known.push_back(group_of(e.name));
+  }
+  const std::string nearest = scene::nearest_name(name, known);
+  throw std::invalid_argument(fmt::format("no entry or group is called '{}'{}", name,
+                                          nearest.empty() ? "; --list shows all" : ", did you mean '" + nearest + "'?"));
+}
+
+nlohmann::json number(double x) { return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr); }
+
+}  // namespace
+
+std::vector<Entry> select_entries(const std::vector<Entry>& entries, const std::vector<std::string>& names) {
+  const auto asks_for = [](const std::string& name, const Entry& e) { return name == e.name || name == group_of(e.name); };
+  for (const std::string& name : names)
+    if (std::none_of(entries.begin(), entries.end(), [&](const Entry& e) { return asks_for(name, e); }))
+      refuse(entries, name);
+  std::vector<Entry> chosen;
+  for (const Entry& e : entries)
+    if (names.empty() || std::any_of(names.begin(), names.end(), [&](const auto& name) { return asks_for(name, e); }))
+      chosen.push_back(e);
+  return chosen;
+}
+
+Outcome run_entry(const Entry& entry, const Context& context) {
+  Outcome outcome{.name = entry.name, .source = entry.source, .rows = {}, .seconds = 0, .failure = {}};
+  Timers timers;
+  try {
+    const ScopedTimer timer(timers.section("entry"));
+    outcome.rows = entry.run(context);
+  } catch (const std::exception& e) {
+    outcome.failure = e.what();
+  }
+  outcome.seconds = timers.seconds().at("entry");
+  return outcome;
+}
+
+std::string outcome_text(const Outcome& o) {
+  std::string text = fmt::format("{} {}  ({:.1f} s; {})\n", o.pass() ? "pass " : "SHORT", o.name, o.seconds, o.source);
+  for (const Row& r : o.rows)
+    text += fmt::format("      {}  {:<52} {:>12.5g}  reference {:>10.5g}  error {:>9.3g}  tolerance {:>8.3g}\n",
+                        r.pass ? "    " : "MISS", r.label, r.value, r.reference, r.error, r.tolerance);
+  if (!o.failure.empty()) text += "      stopped: " + o.failure + "\n";
+  return text;
+}
+
+std::string outcomes_json(const std::vector<Outcome>& outcomes) {
+  nlohmann::json entries = nlohmann::json::array();
+  for (const Outcome& o : outcomes) {
+    nlohmann::json rows = nlohmann::json::array();
+    for (const Row& r : o.rows)
+      rows.push_back({{"label", r.label},
+                      {"value", number(r.value)},
+                      {"reference", number(r.reference)},
+                      {"error", number(r.error)},
+                      {"tolerance", number(r.tolerance)},
+                      {"pass", r.pass}});
+    nlohmann::json entry = {
+        {"name", o.name}, {"rows", rows}, {"pass", o.pass()}, {"seconds", o.seconds}, {"source", o.source}};
+    if (!o.failure.empty()) entry["failure"] = o.failure;
+    entries.push_back(entry);
+  }
+  return nlohmann::json({{"machine", cases::machine_name()}, {"commit", cases::commit()}, {"entries", entries}}).dump(2) +
+         "\n";
+}
+
+}  // namespace lahar::validate

@@ -1,0 +1,9 @@
+#include "cases/validate/fluid/entries.h"
+
+namespace lahar::validate {
+
+std::vector<Entry> fluid_entries() {
+  return {};
+}
+
+}  // namespace lahar::validate

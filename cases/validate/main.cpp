@@ -1,0 +1,84 @@
+// validate: runs the ladder of questions with known answers. Exit code 1 if one falls short.
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "cases/observers/output_file.h"
+#include "cases/runner/interrupt.h"
+#include "cases/runner/machine.h"
+#include "cases/runner/options.h"
+#include "cases/validate/entry.h"
+#include "core/check.h"
+#include "core/parallel.h"
+
+namespace lahar::validate {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> names;
+  std::string json;
+  bool list = false, quick = false;
+  cases::CommonOptions common;
+};
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw InputError(std::vector<InputMistake>{{"command line", 1, 1, why}});
+}
+
+Context context_of(const Arguments& a) {
+  if (!a.common.set.empty())
+    refuse("--set " + a.common.set.front() + ": the entries have no keys to set, expected names of entries (see --list)");
+  Context context;
+  if (a.common.precision == "float") context.precision = Precision::float32;
+  context.quick = a.quick;
+  if (!a.common.out.empty()) {
+    context.plots = a.common.out;
+    std::filesystem::create_directories(context.plots);
+  }
+  return context;
+}
+
+int run(const Arguments& a) {
+  const Context context = context_of(a);
+  std::vector<Entry> entries;
+  try {
+    entries = select_entries(all_entries(), a.names);
+  } catch (const std::invalid_argument& e) {
+    refuse(e.what());
+  }
+  if (a.list) {
+    for (const Entry& e : entries) fmt::print("{:<32} {}\n", e.name, e.source);
+    return cases::exit_done;
+  }
+  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads : static_cast<int>(std::thread::hardware_concurrency()));
+  cases::watch_for_interrupt();
+  std::vector<Outcome> outcomes;
+  for (const Entry& e : entries) {
+    if (cases::interrupted()) break;
+    outcomes.push_back(run_entry(e, context));
+    if (!a.common.quiet) fmt::print("{}", outcome_text(outcomes.back()));
+    std::fflush(stdout);
+    if (!a.json.empty()) cases::replace_text_file(a.json, outcomes_json(outcomes));
+  }
+  std::size_t reached = 0;
+  for (const Outcome& o : outcomes) reached += o.pass();
+  if (!a.common.quiet) fmt::print("{} of {} entries reach their bars\n", reached, outcomes.size());
+  if (outcomes.size() < entries.size()) return cases::exit_interrupted;
+  return reached == outcomes.size() ? cases::exit_done : 1;
+}
+
+}  // namespace
+}  // namespace lahar::validate
+
+int main(int argc, char** argv) {
+  using namespace lahar;
+  CLI::App app("Runs Lahar against known answers", "validate");
+  app.set_version_flag("--version", "validate " + cases::version() + " (" + cases::commit() + ")");
+  validate::Arguments arguments;
+  app.add_option("names", arguments.names, "Entries or groups (default: all)")->type_name("NAME|GROUP");
+  app.add_flag("--list", arguments.list, "List the entries and do not run them");
+  app.add_flag("--quick", arguments.quick, "Coarser grids and fewer steps: minutes instead of hours, fewer bars");
+  app.add_option("--json", arguments.json, "Write the results there")->type_name("FILE");
+  cases::add_common_options(app, arguments.common);
+  return cases::parse_and_run(app, argc, argv, [&] { return validate::run(arguments); });
+}

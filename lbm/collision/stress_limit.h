@@ -1,0 +1,37 @@
+#pragma once
+// Two local bounds on the viscous stress of a collision with central moments (BGK and TRT are left as their authors
+// made them). They act where the surface breaks up and the flow is not resolved; at tau -> 1/2 nothing else takes out
+// energy.
+//
+// Largest strain rate: the stress that a collision hands on is at most that of a strain rate |D| = sqrt(D_ab D_ab) of
+// 0.09 per step. A shear flow reaches this at a velocity difference of 0.13 lu from one cell to the next, more than the
+// fastest flow that a time step is chosen for: a resolved flow never meets the bound. In kind a limiter of
+// non-equilibrium (Brownlee, Gorban & Levesley 2008), with the stress as its measure. Such cells are counted
+// (LiquidAccount::limited).
+//
+// Largest relaxation rate: interface cells with gas on half of their links or more relax with omega <= 1, a viscosity
+// of at least 1/6. Over a link to gas anti-bounce-back turns the sign of the stress, and at omega = 2 the collision
+// turns it back: in a cell with gas on most sides the stress is undamped and feeds on the motion (a falling drop of 8
+// cells reached three times the speed of free fall). Counted too (LiquidAccount::exposed).
+#include <algorithm>
+
+#include "lbm/collision/cell_state.h"
+
+namespace lahar::lbm {
+
+inline constexpr double kLargestStrain = 0.09;      ///< lu, strain rate whose stress is handed on in full
+inline constexpr double kLargestRate = 2.0;         ///< omega without viscosity: no bound
+inline constexpr double kLargestExposedRate = 1.0;  ///< omega in cells with gas on half of their links
+
+/// |S| / rho of the largest strain rate: |S| = 2/3 rho tau |D|.
+inline double stress_limit(double tau) { return 2.0 / 3.0 * tau * kLargestStrain; }
+
+/// Share of a stress S (the deviator of the second central moments) that may be handed on.
+template <class V>
+V limited_stress_share(const Symmetric<V>& s, const V& inverse_density, const V& limit) {
+  using std::max;
+  using std::sqrt;
+  return limit / max(limit, V(sqrt(square(s)) * inverse_density));
+}
+
+}  // namespace lahar::lbm

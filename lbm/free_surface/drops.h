@@ -1,0 +1,53 @@
+#pragma once
+// Spray: interface cells whose mass has nowhere to flow. Mass moves between wet cells only, and gas is wetted only when
+// a cell fills up. A drop smaller than a cell, or a sheet thinner than one, would hang in the air for ever while
+// gravity went on to accelerate it, until it was faster than sound. Such a cell moves on as a whole instead, with its
+// mass and velocity, one cell at a time.
+#include <cmath>
+#include <cstdint>
+
+#include "lbm/cell_moments.h"
+#include "lbm/fluid_grid.h"
+
+namespace lahar::lbm {
+
+/// A cell that moves on in this step, with what it carries along.
+template <class Real>
+struct Drop {
+  std::uint16_t cell;
+  std::uint8_t direction;  ///< axis velocity, 1..6
+  CellMoments<Real> moments;
+};
+
+/// The axis velocity along which a drop moves on in a step, 0 for none: in a share |u_k| of all steps along axis k. The
+/// multiples of the golden ratio fill [0, 1) evenly (Weyl 1916), so that the mean speed is right without a stored
+/// displacement, and neighbours of like velocity move in the same step.
+template <class Real>
+int drop_direction(const Real (&u)[3], std::uint64_t round) {
+  constexpr double kGolden = 0.6180339887498949;
+  double draw = static_cast<double>(round) * kGolden;
+  draw -= std::floor(draw);
+  for (int k = 0; k < 3; ++k) {
+    draw -= std::abs(static_cast<double>(u[k]));
+    if (draw < 0) return 2 * k + (u[k] > 0 ? 1 : 2);
+  }
+  return 0;
+}
+
+/// Whether mass of an interface cell can only go along axis velocity i by moving the cell: no liquid around it, nothing
+/// wet ahead (none of the five cells that mass would flow to), and no flow or wall from behind.
+template <class Real>
+bool is_free_to_move(const FluidGrid<Real>& grid, CellPlace place, int i) {
+  const auto is_empty = [](CellType t) { return t == CellType::gas || t == CellType::sink; };
+  if (!is_empty(grid.type(grid.neighbour(place, i)))) return false;
+  if (!is_empty(grid.type(grid.neighbour(place, D3Q19::opposite(i))))) return false;
+  for (int k = 1; k < D3Q19::q; ++k) {
+    const CellType type = grid.type(grid.neighbour(place, k));
+    const auto *c = D3Q19::c[i], *d = D3Q19::c[k];
+    const bool ahead = c[0] * d[0] + c[1] * d[1] + c[2] * d[2] > 0;
+    if (type == CellType::liquid || (ahead && type == CellType::interface)) return false;
+  }
+  return true;
+}
+
+}  // namespace lahar::lbm
