@@ -5,11 +5,20 @@
 #include <limits>
 #include <numbers>
 
+#include "dem/contact/damping.h"
+
 namespace lahar::dem {
 
 namespace {
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-}
+
+/// Explicit damping of ratio d lowers the limit of an oscillator by this factor.
+double lowered_by(double d) { return std::sqrt(1 + d * d) - d; }
+
+}  // namespace
+
+double damped_share(double restitution) { return lowered_by(damping_ratio(restitution)); }
 
 double rayleigh_time_step(double radius, double density, const Material& material) {
   const double nu = material.poisson_ratio, shear_modulus = material.youngs_modulus / (2 * (1 + nu));
@@ -39,8 +48,7 @@ double bond_time_step(const BondSort& sort, double mass) {
     if (std::isfinite(sort.axial.force_limit[branch])) axial = std::max(axial, sort.axial.stiffness[branch + 1]);
   const double translation = axial > 0 ? std::sqrt(mass / (axial * area)) : kInfinity;
   const double rotation = sort.shear_stiffness > 0 ? std::sqrt(0.4 * mass / (sort.shear_stiffness * area)) : kInfinity;
-  const double d = sort.damping_ratio;
-  return std::min(translation, rotation) * (std::sqrt(1 + d * d) - d);
+  return std::min(translation, rotation) * lowered_by(sort.damping_ratio);
 }
 
 double bond_time_step(const Bonds& bonds, const Particles& particles) {

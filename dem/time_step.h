@@ -14,6 +14,10 @@ double rayleigh_time_step(double radius, double density, const Material& materia
 /// The smallest Rayleigh time of all particles that are not removed, s; infinity if there are none.
 double rayleigh_time_step(const Particles& particles, const Materials& materials);
 
+/// Share of the undamped limit that a contact of given restitution leaves: sqrt(1 + d^2) - d with the contact's damping
+/// ratio d (explicit damping; 1 for an elastic contact, 0.35 for a restitution of 0.1).
+double damped_share(double restitution);
+
 /// Duration of an elastic Hertz impact at `speed` (m/s), s: 2.87 (m*^2 / (R* E*^2 v))^(1/5) (Johnson 1985, Contact
 /// Mechanics, Eq. 11.24).
 double hertz_contact_time(double effective_mass, double effective_radius, double effective_modulus, double speed);

@@ -35,6 +35,8 @@ std::string solids_text(const SolidsFigures& s) {
   };
   limit("Rayleigh time, grains", s.limits.grain_rayleigh);
   limit("Rayleigh time, beads", s.limits.bead_rayleigh);
+  if (s.limits.damped_share < 1)
+    t += line("share left by damping", fmt::format("{:.3g} of the Rayleigh time", s.limits.damped_share));
   limit("bond limit, rings", s.limits.ring_bond);
   limit("bond limit, cables", s.limits.cable_bond);
   t += line("time step", fmt::format("{:.4g} s, {:.0f} steps", s.time_step, s.steps));

@@ -1,0 +1,45 @@
+#pragma once
+// An entry of the speed ladder: a figure of ours against a limit of the machine or another figure of the same run.
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace lahar::performance {
+
+/// Memory rates of this run, GB/s, update in place. Measured again before every entry; the best counts.
+struct MachineLimits {
+  double stream_one = 0, stream_all = 0;
+};
+
+struct Figure {
+  std::string name;     ///< group.entry, for example fluid.plain
+  double value = 0;
+  std::string unit;
+  double ratio = 0;     ///< what the bar is set on
+  std::string against;  ///< what the ratio is taken to
+  double bar = 0;
+  bool at_least = true;  ///< the ratio must reach the bar; otherwise stay below it
+  [[nodiscard]] bool pass() const { return at_least ? ratio >= bar : ratio <= bar; }
+};
+
+/// Shared by the entries of a run: what was measured before, by name.
+struct Session {
+  MachineLimits limits;
+  int repeats = 3;
+  std::vector<Figure> figures;
+  /// value of a figure that was measured before, 0 if there is none.
+  [[nodiscard]] double value_of(const std::string& name) const;
+};
+
+struct Benchmark {
+  std::string name;                      ///< group.entry
+  std::vector<std::string> needs;        ///< entries that must have run before
+  std::function<Figure(Session&)> run;
+};
+
+std::vector<Benchmark> fluid_benchmarks();
+
+/// Best time of `repeats` calls, s.
+double best_seconds(int repeats, const std::function<void()>& body);
+
+}  // namespace lahar::performance

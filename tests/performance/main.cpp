@@ -1,0 +1,157 @@
+// benchmark: the speed ladder. Measures the machine's memory rate and then its own speed, in one run. Exit code 1 if an
+// entry falls short of its bar.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "cases/observers/output_file.h"
+#include "cases/runner/interrupt.h"
+#include "cases/runner/machine.h"
+#include "cases/runner/options.h"
+#include "cases/scene/names.h"
+#include "core/check.h"
+#include "core/parallel.h"
+#include "tests/performance/benchmark.h"
+#include "tests/performance/stream.h"
+
+namespace lahar::performance {
+
+double Session::value_of(const std::string& name) const {
+  for (const Figure& f : figures)
+    if (f.name == name) return f.value;
+  return 0;
+}
+
+double best_seconds(int repeats, const std::function<void()>& body) {
+  using Clock = std::chrono::steady_clock;
+  double best = 1e300;
+  for (int r = 0; r < repeats; ++r) {
+    const auto start = Clock::now();
+    body();
+    best = std::min(best, std::chrono::duration<double>(Clock::now() - start).count());
+  }
+  return best;
+}
+
+namespace {
+
+constexpr std::size_t kStreamBytes = std::size_t{512} << 20;  // far beyond every cache
+
+struct Arguments {
+  std::vector<std::string> names;
+  std::string json;
+  bool list = false;
+  int repeats = 3;
+  cases::CommonOptions common;
+};
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw InputError(std::vector<InputMistake>{{"command line", 1, 1, why}});
+}
+
+bool asks_for(const std::string& name, const Benchmark& b) {
+  return name == b.name || name == b.name.substr(0, b.name.find('.'));
+}
+
+/// What the names ask for, and what that needs.
+std::vector<Benchmark> select(const std::vector<Benchmark>& all, const std::vector<std::string>& names) {
+  std::vector<std::string> wanted, known;
+  for (const Benchmark& b : all) {
+    known.push_back(b.name);
+    known.push_back(b.name.substr(0, b.name.find('.')));
+  }
+  for (const std::string& name : names) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      const std::string nearest = scene::nearest_name(name, known);
+      refuse("no benchmark is called '" + name + "'" + (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+    }
+    for (const Benchmark& b : all)
+      if (asks_for(name, b)) {
+        wanted.push_back(b.name);
+        wanted.insert(wanted.end(), b.needs.begin(), b.needs.end());
+      }
+  }
+  std::vector<Benchmark> chosen;
+  for (const Benchmark& b : all)
+    if (names.empty() || std::find(wanted.begin(), wanted.end(), b.name) != wanted.end()) chosen.push_back(b);
+  return chosen;
+}
+
+void measure_limits(MachineLimits& limits, int repeats) {
+  {
+    const ThreadLimit one(1);
+    limits.stream_one = std::max(limits.stream_one, stream_rate(kStreamBytes, repeats));
+  }
+  limits.stream_all = std::max(limits.stream_all, stream_rate(kStreamBytes, repeats));
+}
+
+std::string line_of(const Figure& f) {
+  return fmt::format("{} {:<22} {:>10.4g} {:<7} ratio {:>6.3f}  bar {} {:<5.3g} ({})\n", f.pass() ? "pass " : "SHORT",
+                     f.name, f.value, f.unit, f.ratio, f.at_least ? ">=" : "<=", f.bar, f.against);
+}
+
+std::string json_of(const Session& session) {
+  nlohmann::json entries = nlohmann::json::array();
+  for (const Figure& f : session.figures)
+    entries.push_back({{"name", f.name},
+                       {"value", f.value},
+                       {"unit", f.unit},
+                       {"ratio", f.ratio},
+                       {"against", f.against},
+                       {"bar", f.bar},
+                       {"pass", f.pass()}});
+  return nlohmann::json({{"machine",
+                          {{"name", cases::machine_name()},
+                           {"stream_gb_s_1", session.limits.stream_one},
+                           {"stream_gb_s_all", session.limits.stream_all}}},
+                         {"commit", cases::commit()},
+                         {"entries", entries}})
+             .dump(2) +
+         "\n";
+}
+
+int run(const Arguments& a) {
+  if (!a.common.set.empty()) refuse("--set " + a.common.set.front() + ": benchmarks have no keys to set");
+  const auto chosen = select(fluid_benchmarks(), a.names);
+  if (a.list) {
+    for (const Benchmark& b : chosen) fmt::print("{}\n", b.name);
+    return cases::exit_done;
+  }
+  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads : static_cast<int>(std::thread::hardware_concurrency()));
+  cases::watch_for_interrupt();
+  Session session;
+  session.repeats = a.repeats;
+  bool all_pass = true;
+  for (const Benchmark& b : chosen) {
+    if (cases::interrupted()) return cases::exit_interrupted;
+    measure_limits(session.limits, a.repeats);
+    session.figures.push_back(b.run(session));
+    all_pass = all_pass && session.figures.back().pass();
+    if (!a.common.quiet) fmt::print("{}", line_of(session.figures.back()));
+    std::fflush(stdout);
+    if (!a.json.empty()) cases::replace_text_file(a.json, json_of(session));
+  }
+  if (!a.common.quiet)
+    fmt::print("in-place stream rate: {:.2f} GB/s on one thread, {:.2f} GB/s on all\n", session.limits.stream_one,
+               session.limits.stream_all);
+  return all_pass ? cases::exit_done : 1;
+}
+
+}  // namespace
+}  // namespace lahar::performance
+
+int main(int argc, char** argv) {
+  using namespace lahar;
+  CLI::App app("Measures Lahar's speed against what the machine can do", "benchmark");
+  app.set_version_flag("--version", "benchmark " + cases::version() + " (" + cases::commit() + ")");
+  performance::Arguments arguments;
+  app.add_option("names", arguments.names, "Entries or groups (default: all)")->type_name("NAME|GROUP");
+  app.add_flag("--list", arguments.list, "List the entries and do not run them");
+  app.add_option("--repeats", arguments.repeats, "Best of so many (default 3)")->check(CLI::Range(1, 100))->type_name("N");
+  app.add_option("--json", arguments.json, "Write the results there")->type_name("FILE");
+  cases::add_common_options(app, arguments.common);
+  return cases::parse_and_run(app, argc, argv, [&] { return performance::run(arguments); });
+}
