@@ -15,15 +15,15 @@ using lbm::kNoBlock;
 
 namespace {
 
-/// Calls visit(first cell of the row, x, y, eps[8]) for the rows of a block that a sphere reaches.
+/// Calls visit(first cell of the row, y, z, eps[8]) for the rows of a block that a sphere reaches.
 template <class Real, class Visit>
 void for_rows(const GridSphere<Real>& s, const Vec3i& lowest, const Visit& visit) {
   const RowRange rows = rows_in_reach(s, lowest);
   Real eps[lbm::kBlockWidth];
-  for (int x = rows.low[0]; x < rows.high[0]; ++x)
-    for (int y = rows.low[1]; y < rows.high[1]; ++y) {
-      sphere_row(s, lowest.x() + x, lowest.y() + y, lowest.z(), eps);
-      visit(lbm::cell_index(x, y, 0), x, y, eps);
+  for (int z = rows.low[1]; z < rows.high[1]; ++z)
+    for (int y = rows.low[0]; y < rows.high[0]; ++y) {
+      sphere_row(s, lowest.x(), lowest.y() + y, lowest.z() + z, eps);
+      visit(lbm::cell_index(0, y, z), y, z, eps);
     }
 }
 
@@ -238,11 +238,11 @@ void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
     const GridSphere<Real>& s = spheres_[pair.body];
     pair.wet_volume = mixed ? 0 : pair.volume;
     pair.surface_weight = 0;
-    for_rows(s, lowest, [&](int row, int x, int y, const Real* eps) {
-      const Real rx = static_cast<Real>(lowest.x() + x) + Real(0.5) - s.centre[0];
+    for_rows(s, lowest, [&](int row, int y, int z, const Real* eps) {
       const Real ry = static_cast<Real>(lowest.y() + y) + Real(0.5) - s.centre[1];
+      const Real rz = static_cast<Real>(lowest.z() + z) + Real(0.5) - s.centre[2];
       for (int c = 0; c < lbm::kBlockWidth; ++c) {
-        const Real rz = static_cast<Real>(lowest.z() + c) + Real(0.5) - s.centre[2];
+        const Real rx = static_cast<Real>(lowest.x() + c) + Real(0.5) - s.centre[0];
         f.solid_fraction[row + c] += eps[c];
         f.momentum_x[row + c] += eps[c] * (s.velocity[0] + s.spin[1] * rz - s.spin[2] * ry);
         f.momentum_y[row + c] += eps[c] * (s.velocity[1] + s.spin[2] * rx - s.spin[0] * rz);
@@ -302,13 +302,13 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
     const lbm::BodyFields<Real>& f = *block.body;
     const GridSphere<Real>& s = spheres_[pair.body];
     const Vec3i lowest = grid.lowest_cell(pair.block);
-    for_rows(s, lowest, [&](int row, int x, int y, const Real* eps) {
+    for_rows(s, lowest, [&](int row, int y, int z, const Real* eps) {
       for (int c = 0; c < lbm::kBlockWidth; ++c) {
         if (eps[c] == 0 || f.solid_fraction[row + c] == 0) continue;
         const double share = static_cast<double>(eps[c]) / static_cast<double>(f.solid_fraction[row + c]);
         const Vec3 force = share * Vec3(static_cast<double>(f.exchange_x[row + c]), static_cast<double>(f.exchange_y[row + c]),
                                         static_cast<double>(f.exchange_z[row + c]));
-        const Vec3 arm = (lowest + Vec3i(x, y, c)).cast<double>() + Vec3::Constant(0.5) -
+        const Vec3 arm = (lowest + Vec3i(c, y, z)).cast<double>() + Vec3::Constant(0.5) -
                          Vec3(static_cast<double>(s.centre[0]), static_cast<double>(s.centre[1]), static_cast<double>(s.centre[2]));
         pair.force += force;
         pair.torque += arm.cross(force);

@@ -30,20 +30,20 @@ struct GridSphere {
   Real spin[3];       ///< rad per step
 };
 
-/// eps of the sphere in the row of 8 cells at (x, y, z0..z0+7). Never inlined: contraction of products and sums differs
+/// eps of the sphere in the row of 8 cells at (x0..x0+7, y, z). Never inlined: contraction of products and sums differs
 /// from place to place, and a cell at the edge must be covered for all callers or for none.
 template <class Real>
-[[gnu::noinline]] void sphere_row(const GridSphere<Real>& s, int x, int y, int z0, Real* __restrict eps) {
-  const Real dx = static_cast<Real>(x) + Real(0.5) - s.centre[0], dy = static_cast<Real>(y) + Real(0.5) - s.centre[1];
-  const Real base = dx * dx + dy * dy, z = static_cast<Real>(z0) + Real(0.5) - s.centre[2];
+[[gnu::noinline]] void sphere_row(const GridSphere<Real>& s, int x0, int y, int z, Real* __restrict eps) {
+  const Real dy = static_cast<Real>(y) + Real(0.5) - s.centre[1], dz = static_cast<Real>(z) + Real(0.5) - s.centre[2];
+  const Real base = dy * dy + dz * dz, x = static_cast<Real>(x0) + Real(0.5) - s.centre[0];
   for (int k = 0; k < lbm::kBlockWidth; ++k) {
-    const Real dz = z + static_cast<Real>(k);
-    const Real cover = Real(0.5) + s.radius - std::sqrt(base + dz * dz);
+    const Real dx = x + static_cast<Real>(k);
+    const Real cover = Real(0.5) + s.radius - std::sqrt(base + dx * dx);
     eps[k] = s.factor * std::min(Real(1), std::max(Real(0), cover));
   }
 }
 
-/// Rows x, y of a block that a sphere can reach: [low, high) per axis, local to the block.
+/// Rows (y, z) of a block that a sphere can reach: [low, high), local to the block; 0 is y, 1 is z.
 struct RowRange {
   int low[2], high[2];
 };
@@ -51,10 +51,11 @@ struct RowRange {
 template <class Real>
 RowRange rows_in_reach(const GridSphere<Real>& s, const Vec3i& lowest) {
   RowRange r{};
+  const Real reach = s.radius + Real(0.5);
   for (int a = 0; a < 2; ++a) {
-    const Real reach = s.radius + Real(0.5);
-    r.low[a] = std::max(0, static_cast<int>(std::floor(s.centre[a] - reach)) - lowest[a]);
-    r.high[a] = std::min(lbm::kBlockWidth, static_cast<int>(std::floor(s.centre[a] + reach)) + 1 - lowest[a]);
+    const int axis = a + 1;
+    r.low[a] = std::max(0, static_cast<int>(std::floor(s.centre[axis] - reach)) - lowest[axis]);
+    r.high[a] = std::min(lbm::kBlockWidth, static_cast<int>(std::floor(s.centre[axis] + reach)) + 1 - lowest[axis]);
   }
   return r;
 }

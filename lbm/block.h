@@ -20,6 +20,7 @@ struct SurfaceFields {
   std::array<std::uint16_t, kBlockCells> cells;  ///< the interface cells, ascending
   /// Interface cells without liquid around at the start of the step, written by exchange_surface.
   std::array<bool, kBlockCells> alone;
+  std::uint64_t rows = 0;  ///< rows with interface cells, by bit y + 8 z
   int count = 0;
   int exposed = 0;  ///< interface cells with a bound on their relaxation rate
 };
@@ -70,6 +71,7 @@ struct Block {
   BodyFields<Real>* body = nullptr;
   WallLinks walls;
   int wet_cells = 0;
+  std::uint64_t wet_rows = 0;  ///< rows of 8 cells along x with wet cells, by bit y + 8 z
   int limited_cells = 0;    ///< cells whose stress was limited in the last sweep
   std::uint64_t birth = 0;  ///< unique per created block, so that a reused index is not taken for the old block
 

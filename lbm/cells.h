@@ -1,6 +1,7 @@
 #pragma once
-// Cells of an 8 x 8 x 8 block: types, indices, and where a cell's neighbours lie. Cell (x, y, z) is at 64 x + 8 y + z,
-// the layout of an OpenVDB leaf.
+// Cells of an 8 x 8 x 8 block: types, indices, and where a cell's neighbours lie. Cell (x, y, z) is at x + 8 y + 64 z:
+// rows of 8 cells run along x, so that a layer of liquid on a bed, thin along z, fills whole rows and leaves the others empty
+// (docs/decisions/0007).
 #include <array>
 #include <cstdint>
 
@@ -25,8 +26,8 @@ enum class CellType : std::uint8_t {
 
 inline bool is_wet(CellType t) { return t == CellType::interface || t == CellType::liquid; }
 
-constexpr int cell_index(int x, int y, int z) { return 64 * x + 8 * y + z; }
-constexpr std::array<int, 3> cell_position(int cell) { return {cell >> 6, (cell >> 3) & 7, cell & 7}; }
+constexpr int cell_index(int x, int y, int z) { return x + 8 * y + 64 * z; }
+constexpr std::array<int, 3> cell_position(int cell) { return {cell & 7, (cell >> 3) & 7, cell >> 6}; }
 /// Index 0..26 of a neighbour block at offset (dx, dy, dz), each -1..1; 13 is the block itself.
 constexpr int neighbour_slot(int dx, int dy, int dz) { return 9 * (dx + 1) + 3 * (dy + 1) + dz + 1; }
 

@@ -7,7 +7,7 @@ namespace lahar::lbm {
 
 /// Equilibrium of velocity i at density 1 + drho and velocity u.
 template <class V>
-V equilibrium(int i, const V& drho, const V& ux, const V& uy, const V& uz) {
+[[gnu::always_inline]] inline V equilibrium(int i, const V& drho, const V& ux, const V& uy, const V& uz) {
   const V w = number<V>(D3Q19::w(i)), rho = V(1) + drho;
   const V cu = number<V>(D3Q19::c[i][0]) * ux + number<V>(D3Q19::c[i][1]) * uy + number<V>(D3Q19::c[i][2]) * uz;
   const V uu = ux * ux + uy * uy + uz * uz;
@@ -16,7 +16,7 @@ V equilibrium(int i, const V& drho, const V& ux, const V& uy, const V& uz) {
 
 /// f_i^eq + f_opposite^eq, the part even in c: what anti-bounce-back needs.
 template <class V>
-V equilibrium_pair_sum(int i, const V& drho, const V& ux, const V& uy, const V& uz) {
+[[gnu::always_inline]] inline V equilibrium_pair_sum(int i, const V& drho, const V& ux, const V& uy, const V& uz) {
   const V w = number<V>(D3Q19::w(i)), rho = V(1) + drho;
   const V cu = number<V>(D3Q19::c[i][0]) * ux + number<V>(D3Q19::c[i][1]) * uy + number<V>(D3Q19::c[i][2]) * uz;
   const V uu = ux * ux + uy * uy + uz * uz;

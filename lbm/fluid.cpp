@@ -385,8 +385,9 @@ FluidSnapshot Fluid<Real>::snapshot() const {
     out.origin = grid_.lowest_cell(wet[k]);
     out.fill_level.fill(0), out.velocity_x.fill(0), out.velocity_y.fill(0), out.velocity_z.fill(0);
     for (int n = 0; n < kBlockCells; ++n) {
-      const auto at = static_cast<std::size_t>(n);
-      if (!is_wet(grid_.block(wet[k]).type[at])) continue;
+      if (!is_wet(grid_.block(wet[k]).type[static_cast<std::size_t>(n)])) continue;
+      const auto [x, y, z] = cell_position(n);
+      const auto at = static_cast<std::size_t>(64 * x + 8 * y + z);
       const WetCell c = describe({wet[k], n});
       out.fill_level[at] = static_cast<float>(c.fill_level);
       out.velocity_x[at] = static_cast<float>(c.velocity.x());

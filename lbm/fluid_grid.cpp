@@ -25,6 +25,7 @@ BlockIndex FluidGrid<Real>::require_block(const Vec3i& coordinate) {
   fresh->surface = nullptr;
   fresh->body = nullptr;
   fresh->wet_cells = 0;
+  fresh->wet_rows = 0;
   fresh->limited_cells = 0;
   fresh->birth = ++births_;
   blocks_[static_cast<std::size_t>(b)] = fresh;
@@ -138,6 +139,7 @@ SurfaceFields<Real>& FluidGrid<Real>::require_surface(BlockIndex b) {
     s.fill_level[n] = blk.type[n] == CellType::liquid ? Real(1) : Real(0);
   }
   s.count = 0;
+  s.rows = 0;
   s.exposed = 0;
   return s;
 }
@@ -168,15 +170,26 @@ template <class Real>
 void FluidGrid<Real>::relist(BlockIndex b) {
   Block<Real>& blk = block(b);
   blk.wet_cells = 0;
+  blk.wet_rows = 0;
+  std::uint64_t interface_rows = 0;
   int interfaces = 0;
-  for (std::size_t n = 0; n < kBlockCells; ++n) {
-    blk.wet_cells += is_wet(blk.type[n]);
-    if (blk.type[n] != CellType::interface) continue;
-    if (blk.surface) blk.surface->cells[static_cast<std::size_t>(interfaces)] = static_cast<std::uint16_t>(n);
-    ++interfaces;
+  for (std::size_t row = 0; row < 64; ++row) {
+    int wet = 0;
+    for (std::size_t n = 8 * row; n < 8 * row + 8; ++n) wet += is_wet(blk.type[n]);
+    if (wet == 0) continue;
+    blk.wet_cells += wet;
+    blk.wet_rows |= std::uint64_t{1} << row;
+    for (std::size_t n = 8 * row; n < 8 * row + 8; ++n) {
+      if (blk.type[n] != CellType::interface) continue;
+      if (blk.surface) blk.surface->cells[static_cast<std::size_t>(interfaces)] = static_cast<std::uint16_t>(n);
+      interface_rows |= std::uint64_t{1} << row;
+      ++interfaces;
+    }
   }
   if (interfaces == 0) return release_surface(b);
   blk.surface->count = interfaces;
+  blk.surface->rows = interface_rows;
+  std::fill_n(blk.surface->largest_rate, kBlockCells, Real(kLargestRate));  // rows without interface cells keep it
 }
 
 template <class Real>

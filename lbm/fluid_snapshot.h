@@ -12,7 +12,7 @@ struct FluidSnapshot {
 
   struct Block {
     Vec3i origin;                          ///< cell index of the block's lowest cell
-    std::array<float, 512> fill_level;     ///< 0 gas .. 1 liquid; cell (x,y,z) at 64 x + 8 y + z
+    std::array<float, 512> fill_level;     ///< 0 gas .. 1 liquid; cell (x,y,z) at 64 x + 8 y + z, as in an OpenVDB leaf
     std::array<float, 512> velocity_x, velocity_y, velocity_z;  ///< m/s, zero in gas
   };
 

@@ -38,9 +38,10 @@ class BlockKernel {
   template <class Operator, bool kLes>
   static void run(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p) {
     const FlushDenormals flush;
+    const std::uint64_t rows = kMixed ? whole_vectors(block.wet_rows) : kAllRows;
     alignas(64) Real away[D3Q19::pairs][kBlockCells];
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      gather_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), away[P]);
+      gather_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), rows, away[P]);
     });
     const Uniform<V> uniform = make_uniform<V>(p);
     Real* home[D3Q19::pairs];
@@ -51,15 +52,24 @@ class BlockKernel {
     block.limited_cells = 0;
     for (int n = 0; n < kBlockCells; n += width) {
       if constexpr (kMixed)
-        if (stdx::none_of(V(wet + n, stdx::vector_aligned) > V(0))) continue;
+        if (!(rows >> (n / kBlockWidth) & 1)) continue;
       collide_cells<Operator, kLes>(block, home, away, wet, n, uniform);
     }
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      scatter_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), away[P]);
+      scatter_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), rows, away[P]);
     });
   }
 
  private:
+  /// The rows that vectors with a wet cell span: a vector of 16 takes two rows.
+  static std::uint64_t whole_vectors(std::uint64_t rows) {
+    if constexpr (width <= kBlockWidth) return rows;
+    static_assert(width <= 2 * kBlockWidth);
+    constexpr std::uint64_t even = 0x5555555555555555U;
+    const std::uint64_t first = (rows | rows >> 1) & even;
+    return first | first << 1;
+  }
+
   template <class Operator, bool kLes>
   [[gnu::always_inline]] static void collide_cells(Block<Real>& block, Real* const (&home)[D3Q19::pairs],
                                                    Real (&away)[D3Q19::pairs][kBlockCells], const Real* wet, int n,

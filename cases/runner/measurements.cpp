@@ -230,6 +230,17 @@ void Measurements<Real>::sample_probes(std::vector<double>& row) {
   }
 }
 
+/// How far down a grain may be and still count as retained: the net's section, or the foremost bead where the net has
+/// bulged beyond it.
+template <class Real>
+double Measurements<Real>::retention_limit() const {
+  double limit = *section_;
+  const auto& p = step_.solids()->particles();
+  for (std::size_t i = 0; net_ && i < p.size(); ++i)
+    if (p.kind[i] == dem::ParticleKind::bead) limit = std::max(limit, p.position.x[i] + p.radius[i]);
+  return limit;
+}
+
 template <class Real>
 std::map<std::string, double> Measurements<Real>::metrics() {
   auto all = found_;
@@ -244,11 +255,15 @@ std::map<std::string, double> Measurements<Real>::metrics() {
   if (!section_ || !step_.solids()) return all;
   if (step_.fluid()) all["e_out_kJ"] = (fluid_energy_out_ + grain_energy_out_) / 1000;
   const auto& p = step_.solids()->particles();
+  const double limit = retention_limit();
+  const auto is_kept = [&](std::size_t i) {
+    return p.state[i] != dem::ParticleState::removed && p.position.x[i] <= limit;
+  };
   double mass = 0, kept = 0, smallest = 1e300, largest = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.kind[i] != dem::ParticleKind::grain) continue;
     mass += p.mass[i];
-    kept += crossed_[i] ? 0.0 : p.mass[i];
+    kept += is_kept(i) ? p.mass[i] : 0.0;
     smallest = std::min(smallest, p.radius[i]), largest = std::max(largest, p.radius[i]);
   }
   if (mass <= 0) return all;
@@ -258,7 +273,7 @@ std::map<std::string, double> Measurements<Real>::metrics() {
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (p.kind[i] != dem::ParticleKind::grain) continue;
     const std::size_t size = p.radius[i] > 0.5 * (smallest + largest) ? 1 : 0;
-    count[size] += 1, held[size] += crossed_[i] ? 0 : 1;
+    count[size] += 1, held[size] += is_kept(i) ? 1 : 0;
   }
   if (count[0] > 0) all["retained_small_grains_ratio"] = held[0] / count[0];
   if (count[1] > 0) all["retained_large_grains_ratio"] = held[1] / count[1];

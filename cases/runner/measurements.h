@@ -48,6 +48,7 @@ class Measurements {
   void sample_grains(std::vector<double>& row, double interval);
   void sample_barrier(std::vector<double>& row);
   void sample_probes(std::vector<double>& row);
+  [[nodiscard]] double retention_limit() const;
   void note_arrivals(const FlowFigures& f);
   void note_inflow(const FlowFigures& f);
 

@@ -30,7 +30,7 @@ struct CellForcing {
 };
 
 template <class V>
-Moments<V> moments(const V (&f)[D3Q19::q]) {
+[[gnu::always_inline]] inline Moments<V> moments(const V (&f)[D3Q19::q]) {
   const V s = ((f[7] + f[8]) + (f[9] + f[10])) + ((f[11] + f[12]) + (f[13] + f[14])) +
               ((f[15] + f[16]) + (f[17] + f[18]));
   const V drho = f[0] + ((f[1] + f[2]) + (f[3] + f[4])) + (f[5] + f[6]) + s;
@@ -48,7 +48,7 @@ inline constexpr double kLargestSpeed = 0.35;
 
 /// Velocity after collision; returns the factor by which its speed and the stress were limited, 1 nearly always.
 template <class V>
-V velocity_after(const Moments<V>& m, const CellForcing<V>& force, V (&v)[3]) {
+[[gnu::always_inline]] inline V velocity_after(const Moments<V>& m, const CellForcing<V>& force, V (&v)[3]) {
   using std::max;
   using std::sqrt;
   for (int a = 0; a < 3; ++a)
@@ -68,7 +68,7 @@ struct Symmetric {
 
 /// Second central moments less their equilibrium rho/3.
 template <class V>
-Symmetric<V> second_central_moments(const V (&f)[D3Q19::q], const Moments<V>& m) {
+[[gnu::always_inline]] inline Symmetric<V> second_central_moments(const V (&f)[D3Q19::q], const Moments<V>& m) {
   const V s7 = f[7] + f[8], s9 = f[9] + f[10], s11 = f[11] + f[12];
   const V s13 = f[13] + f[14], s15 = f[15] + f[16], s17 = f[17] + f[18];
   const V rho = V(1) + m.drho, third = m.drho * number<V>(1.0 / 3.0);
@@ -83,7 +83,7 @@ Symmetric<V> second_central_moments(const V (&f)[D3Q19::q], const Moments<V>& m)
 
 /// The same without its trace: the viscous stress.
 template <class V>
-Symmetric<V> stress(const V (&f)[D3Q19::q], const Moments<V>& m) {
+[[gnu::always_inline]] inline Symmetric<V> stress(const V (&f)[D3Q19::q], const Moments<V>& m) {
   Symmetric<V> s = second_central_moments(f, m);
   const V mean = (s.xx + s.yy + s.zz) * number<V>(1.0 / 3.0);
   s.xx -= mean, s.yy -= mean, s.zz -= mean;
@@ -92,7 +92,7 @@ Symmetric<V> stress(const V (&f)[D3Q19::q], const Moments<V>& m) {
 
 /// S_ab S_ab
 template <class V>
-V square(const Symmetric<V>& s) {
+[[gnu::always_inline]] inline V square(const Symmetric<V>& s) {
   return s.xx * s.xx + s.yy * s.yy + s.zz * s.zz + V(2) * (s.xy * s.xy + s.xz * s.xz + s.yz * s.yz);
 }
 

@@ -21,7 +21,7 @@ namespace lahar::lbm {
 
 /// Writes the populations with given density, velocity and deviatoric second central moments.
 template <class V>
-void from_central_moments(const V& drho, const V (&v)[3], const Symmetric<V>& s, V (&f)[D3Q19::q]) {
+[[gnu::always_inline]] inline void from_central_moments(const V& drho, const V (&v)[3], const Symmetric<V>& s, V (&f)[D3Q19::q]) {
   const V rho = V(1) + drho, half = number<V>(0.5), quarter = number<V>(0.25);
   const V third = rho * number<V>(1.0 / 3.0), dthird = drho * number<V>(1.0 / 3.0), dninth = drho * number<V>(1.0 / 9.0);
   const V vx = v[0], vy = v[1], vz = v[2];
@@ -58,7 +58,7 @@ struct CentralMoments {
   static constexpr bool bounds_stress = true;  ///< collision/stress_limit.h
 
   template <bool kLes, class V>
-  static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,
+  [[gnu::always_inline]] static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,
                       const V& les_factor) {
     using std::min;
     Symmetric<V> s = stress(f, m);

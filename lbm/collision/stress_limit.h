@@ -28,7 +28,7 @@ inline double stress_limit(double tau) { return 2.0 / 3.0 * tau * kLargestStrain
 
 /// Share of a stress S (the deviator of the second central moments) that may be handed on.
 template <class V>
-V limited_stress_share(const Symmetric<V>& s, const V& inverse_density, const V& limit) {
+[[gnu::always_inline]] inline V limited_stress_share(const Symmetric<V>& s, const V& inverse_density, const V& limit) {
   using std::max;
   using std::sqrt;
   return limit / max(limit, V(sqrt(square(s)) * inverse_density));
