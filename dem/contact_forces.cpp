@@ -166,7 +166,7 @@ void ContactForces::compute_with(const L& law, const Work& work) {
       p.torque.y[i] = p.external_torque.y[i];
       p.torque.z[i] = p.external_torque.z[i];
     }
-    Batch batch;
+    static thread_local Batch batch;  // what idle lanes hold from before is harmless
     Tally tally;
     chunk_pairs(law, work, batch, first, last, tally);
     chunk_walls(law, work, batch, first, last, tally);

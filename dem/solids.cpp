@@ -31,20 +31,21 @@ void Solids::set_time_step(double time_step) {
 void Solids::advance(int substeps) {
   if (!prepared_ || particles_.size() != known_particles_ || bonds_.size() != known_bonds_) prepare();
   take_external_forces();
-  for (int n = 0; n < substeps; ++n) substep();
+  for (int n = 0; n < substeps; ++n) substep(n == 0, n + 1 == substeps);
 }
 
-void Solids::substep() {
+/// The half kick at the end of a sub-step and the one at the start of the next are done in one.
+void Solids::substep(bool first, bool last) {
   const double dt = options_.time_step;
   {
     const ScopedTimer timer(*section_integrate_);
-    kick(particles_, 0.5 * dt);
+    kick(particles_, first ? 0.5 * dt : dt);
     drift(particles_, dt);
     if (external_acts_) external_work_ += external_work(particles_, dt);
   }
   detect();
   evaluate_forces(dt);
-  {
+  if (last) {
     const ScopedTimer timer(*section_integrate_);
     kick(particles_, 0.5 * dt);
   }

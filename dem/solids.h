@@ -79,7 +79,7 @@ class Solids {
   void restore(const SolidsState& state);
 
  private:
-  void substep();
+  void substep(bool first, bool last);
   void detect();
   void evaluate_forces(double dt);
   void prepare();

@@ -116,6 +116,9 @@ BuiltSolids build_solids(const scene::Scene& scene) {
   options.watchdog.speed_limit = 200;  // m/s: nothing in a debris flow is that fast
   options.watchdog.overlap_limit = 1;   // beyond it a bead has gone through
   options.watchdog.interval = 20;
+  // Beads are hit by boulders and move far in a step, for their size: a skin of half a wire between them would be used up
+  // in a few steps.
+  if (scene.barrier.enabled) options.neighbours.minimum_skin = scene.barrier.net.wire_diameter / 2;
   options.time_step = solids_time_step(scene);
   if (scene.fluid.enabled) options.time_step = fluid_time_step(scene) / substeps_of(scene);
   return {dem::Solids(std::move(particles), std::move(bonds), scene::make_materials(scene), scene::make_walls(scene),
