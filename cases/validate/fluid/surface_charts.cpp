@@ -28,7 +28,7 @@ void draw_gravity_wave(const Context& context, double reynolds, double period, c
 void draw_front(const Context& context, const std::string& name, const std::vector<double>& time,
                 const std::vector<double>& front, std::span<const std::pair<double, double>> measured) {
   if (context.plots.empty()) return;
-  cases::ChartLine ours{"Lahar", time, front, false}, theirs{"Martin & Moyce 1952", {}, {}, true};
+  cases::ChartLine ours{"Lahar", time, front, false}, theirs{"Martin and Moyce 1952", {}, {}, true};
   for (const auto& [t, z] : measured) theirs.x.push_back(t), theirs.y.push_back(z);
   const std::array<cases::ChartLine, 2> lines{ours, theirs};
   cases::write_png(context.plots / (name + ".png"),
