@@ -17,6 +17,7 @@ namespace {
 constexpr std::size_t kBlocksPerTask = 8;     // a group of the population layout
 constexpr std::int64_t kWatchEvery = 32;      // steps between looks at every cell
 constexpr std::int64_t kReleaseEvery = 16;    // steps between rounds of giving blocks back
+constexpr double kLargestGradient = 2;        // of pressure at the surface, in rho g
 constexpr double kSpeedLimit = 0.57735;       // lu, the speed of sound: nothing beyond it is physical
 
 LatticeUnits units_of(const FluidOptions& o) { return {o.domain.cell_size, o.time_step, o.density}; }
@@ -189,9 +190,11 @@ void Fluid<Real>::step() {
 template <class Real>
 void Fluid<Real>::exchange() {
   const ScopedTimer timer(timers_.section("fluid.surface"));
+  const auto& g = parameters_.gravity;
+  const auto largest = static_cast<Real>(kLargestGradient * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]));
   const auto& active = grid_.active();
   parallel_for(0, active.size(), kBlocksPerTask,
-               [&](std::size_t k) { exchange_surface(grid_, active[k], parameters_.parity, Real(0)); });
+               [&](std::size_t k) { exchange_surface(grid_, active[k], parameters_.parity, Real(0), largest); });
 }
 
 template <class Real>

@@ -1,10 +1,13 @@
 #include "lbm/free_surface/surface_exchange.h"
 
 #include <algorithm>
+#include <cmath>
 #include <experimental/simd>
 
 #include "lbm/collision/stress_limit.h"
 #include "lbm/equilibrium.h"
+#include "lbm/free_surface/surface_gradient.h"
+#include "lbm/free_surface/surface_plane.h"
 #include "lbm/free_surface/surroundings.h"
 #include "lbm/gather.h"
 
@@ -12,7 +15,6 @@ namespace lahar::lbm {
 
 namespace {
 
-namespace stdx = std::experimental;
 
 /// Gas around a cell at which liquid no longer holds its stress: a cell at the edge of a cube has 9 of 18, at a flat
 /// surface or in a film on a wall 5.
@@ -24,8 +26,14 @@ class RowExchange {
  public:
   using V = stdx::simd<Real, stdx::simd_abi::deduce_t<Real, kBlockWidth>>;
 
-  RowExchange(const std::array<Block<Real>*, 27>& around, const Surroundings<Real>& near, Parity parity, Real gas_drho)
-      : around_(around), block_(*around[13]), near_(near), parity_(parity), gas_drho_(gas_drho) {}
+  RowExchange(const std::array<Block<Real>*, 27>& around, const Surroundings<Real>& near, Parity parity, Real gas_drho,
+              Real largest_gradient)
+      : around_(around),
+        block_(*around[13]),
+        near_(near),
+        parity_(parity),
+        gas_drho_(gas_drho),
+        largest_gradient_(largest_gradient) {}
 
   void run(int row) {
     load(row);
@@ -33,28 +41,27 @@ class RowExchange {
     const int place = Surroundings<Real>::at(0, row & 7, row >> 3);
     const auto interface = V(near_.half + place, stdx::element_aligned) > V(0);
     V gain(0), empty(0), fullest(0);
-    const Velocity u = outgoing_velocity(row);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      constexpr int step = CX + CY * Surroundings<Real>::pitch_y + CZ * Surroundings<Real>::pitch_z;
+      constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
       const V full_ahead = see(near_.full, place + step), full_behind = see(near_.full, place - step);
-      const V empty_ahead = see(near_.empty, place + step), empty_behind = see(near_.empty, place - step);
       gain += (full_ahead + see(near_.half, place + step) * fill) * (incoming_b_[P] - outgoing_a_[P]);
       gain += (full_behind + see(near_.half, place - step) * fill) * (incoming_a_[P] - outgoing_b_[P]);
-      empty += empty_ahead + empty_behind;
+      empty += see(near_.empty, place + step) + see(near_.empty, place - step);
       fullest = stdx::max(fullest, stdx::max(full_ahead, full_behind));
-      const V even = equilibrium_pair_sum(D3Q19::forward(P), gas_drho_, u.x, u.y, u.z);
-      const auto from_ahead = interface && empty_ahead > V(0), from_behind = interface && empty_behind > V(0);
-      if (stdx::any_of(from_ahead)) write_shifted<P, CX, CY, CZ>(row, even - outgoing_a_[P], from_ahead);
-      if (stdx::any_of(from_behind))
-        stdx::where(from_behind, V(even - outgoing_b_[P]))
-            .copy_to(block_.f(parity_.home(D3Q19::forward(P))) + 8 * row, stdx::element_aligned);
     });
     note(row, interface, gain, empty, fullest);
+    const auto open = interface && empty > V(0);
+    if (stdx::any_of(open)) rebuild_from_gas(row, place, open);
   }
 
  private:
   struct Velocity {
     V x, y, z;
+  };
+
+  /// Pressure over density at a place x in a cell, from its centre: depth + (x, y, z) . x; 0 on the surface.
+  struct SurfacePressure {
+    V depth, x, y, z;
   };
 
   [[gnu::always_inline]] static V see(const Real* field, int place) { return V(field + place, stdx::element_aligned); }
@@ -103,6 +110,49 @@ class RowExchange {
     }
   }
 
+  /// Populations that would come from the gas, in the cells `open` to it.
+  template <class Mask>
+  void rebuild_from_gas(int row, int place, const Mask& open) {
+    const Velocity u = outgoing_velocity(row);
+    const SurfacePressure s = surface_pressure(row, place, open);
+    for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+      constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
+      const auto from_ahead = open && see(near_.empty, place + step) > V(0);
+      const auto from_behind = open && see(near_.empty, place - step) > V(0);
+      const V half_way = V(Real(0.5)) * (V(Real(CX)) * s.x + V(Real(CY)) * s.y + V(Real(CZ)) * s.z);
+      const auto even = [&](const V& height) __attribute__((always_inline)) {
+        return equilibrium_pair_sum(D3Q19::forward(P), V(gas_drho_ + V(3) * height), u.x, u.y, u.z);
+      };
+      if (stdx::any_of(from_ahead))
+        write_shifted<P, CX, CY, CZ>(row, even(s.depth + half_way) - outgoing_a_[P], from_ahead);
+      if (stdx::any_of(from_behind))
+        stdx::where(from_behind, V(even(s.depth - half_way) - outgoing_b_[P]))
+            .copy_to(block_.f(parity_.home(D3Q19::forward(P))) + 8 * row, stdx::element_aligned);
+    });
+  }
+
+  template <class Mask>
+  SurfacePressure surface_pressure(int row, int place, const Mask& open) const {
+    if (largest_gradient_ <= 0) return {V(0), V(0), V(0), V(0)};
+    V a[3];
+    pressure_gradient(near_, place, see, a);
+    const V size = stdx::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]), largest(largest_gradient_);
+    const V share = largest / stdx::max(size, largest);
+    for (V& component : a) component *= share;
+    alignas(64) Real depth[kBlockWidth] = {};
+    const SurfaceFields<Real>& surface = *block_.surface;
+    for (int k = 0; k < kBlockWidth; ++k) {
+      const auto lane = static_cast<std::size_t>(k);
+      if (!open[lane]) continue;
+      // The level of now: that of the last conversion is a step old, and a pressure that lags feeds waves.
+      const int cell = 8 * row + k;
+      const Real fill = std::clamp(surface.mass[cell] / (Real(1) + surface.density[cell]), Real(0), Real(1));
+      const Real gradient[3] = {a[0][lane], a[1][lane], a[2][lane]};
+      depth[k] = depth_of_centre(gradient, fill);
+    }
+    return {V(depth, stdx::vector_aligned), a[0], a[1], a[2]};
+  }
+
   /// Velocity that the cells had after their last collision.
   [[gnu::always_inline]] Velocity outgoing_velocity(int row) const {
     V rho = V(1) + V(block_.f(0) + 8 * row, stdx::element_aligned), jx(0), jy(0), jz(0);
@@ -138,25 +188,26 @@ class RowExchange {
   const Surroundings<Real>& near_;
   const Parity parity_;
   const V gas_drho_;
+  const Real largest_gradient_;
   V incoming_a_[D3Q19::pairs], outgoing_b_[D3Q19::pairs], outgoing_a_[D3Q19::pairs], incoming_b_[D3Q19::pairs];
 };
 
 }  // namespace
 
 template <class Real>
-void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real gas_drho) {
+void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real gas_drho, Real largest_gradient) {
   Block<Real>& block = grid.block(b);
   if (!block.surface) return;
   SurfaceFields<Real>& surface = *block.surface;
   surface.exposed = 0;
   Surroundings<Real> near;
-  look_around(grid.around(b), surface.rows, near);
-  RowExchange<Real> exchange(grid.around(b), near, parity, gas_drho);
+  LookAround<Real>(grid, b, parity).run(surface.rows, near);
+  RowExchange<Real> exchange(grid.around(b), near, parity, gas_drho, largest_gradient);
   for (int row = 0; row < 64; ++row)
     if (surface.rows >> row & 1) exchange.run(row);
 }
 
-template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, float);
-template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, double);
+template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, float, float);
+template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, double, double);
 
 }  // namespace lahar::lbm

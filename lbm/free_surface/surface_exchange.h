@@ -7,20 +7,25 @@
 // What one cell gains the other loses, to the last bit.
 //
 // Missing populations (same paper, Eq. 11; only those from gas, as Bogner et al. 2015 and Schwarzmeier et al. 2023
-// found better than the choice by the surface normal): f_opposite(i) = f_i^eq + f_opposite(i)^eq - f_i at gas density
-// (anti-bounce-back); the terms linear in u cancel in the sum. The rule sets the gas pressure half a link from the cell's
-// centre whatever the fill level: first order, the level is felt with an error of up to half a cell
-// (docs/decisions/0006).
+// found better than the choice by the surface normal): f_opposite(i) = f_i^eq + f_opposite(i)^eq - f_i
+// (anti-bounce-back); the terms linear in u cancel in the sum. The rule sets a pressure half a link from the cell's
+// centre, wherever the surface lies. So that it is the gas pressure on the surface itself, the density in it is that at
+// the link's middle,
+//   rho - 1 = gas + 3 (d + a . c_i / 2),
+// with a = grad p / rho (surface_gradient.h) and d = a . (centre - surface) from the fill level (surface_plane.h): second
+// order in the place of the surface, exact for water at rest at any angle to the lattice, and the plain rule in free
+// fall, where a = 0 (docs/decisions/0007).
 #include "lbm/fluid_grid.h"
 
 namespace lahar::lbm {
 
 /// Treats the interface cells of one block; marks those that are exposed to gas on half of their sides, whose relaxation rate is
-/// bounded (collision/stress_limit.h). Writes mass and rates of this block and locations that belong to its cells alone.
+/// bounded (collision/stress_limit.h). `largest_gradient` bounds |a|, lu: beyond it densities are sound and splash, no
+/// weight of liquid; 0 is the plain rule. Writes mass and rates of this block and locations that belong to its cells alone.
 template <class Real>
-void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real gas_drho);
+void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real gas_drho, Real largest_gradient);
 
-extern template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, float);
-extern template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, double);
+extern template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, float, float);
+extern template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, double, double);
 
 }  // namespace lahar::lbm

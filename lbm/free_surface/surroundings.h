@@ -1,72 +1,121 @@
 #pragma once
-// What the interface cells of a block see around them: the block's cells and one cell beyond, laid out so that a row of
+// What the interface cells of a block see around them: the block's cells and two cells beyond, laid out so that a row of
 // cells sees its neighbours in any direction at a constant offset.
-#include "lbm/block.h"
+#include <experimental/simd>
+
+#include "lbm/cell_moments.h"
 
 namespace lahar::lbm {
 
+namespace stdx = std::experimental;
+
 template <class Real>
 struct Surroundings {
-  static constexpr int pitch_y = 16, pitch_z = 160;
-  static constexpr int size = 10 * pitch_z;
+  static constexpr int rim = 2, pitch_y = 16, pitch_z = 12 * pitch_y;
+  static constexpr int size = 12 * pitch_z;
   /// Share of a link's flux that is mass of an interface cell of fill level F: full + half F. Liquid 1 and 0, interface half
   /// of its own fill level and 1/2, all else 0 and 0.
   alignas(64) Real full[size];
   alignas(64) Real half[size];
-  alignas(64) Real empty[size];  ///< 1 in gas and sinks
+  alignas(64) Real empty[size];    ///< 1 in gas and sinks
+  alignas(64) Real wet[size];      ///< 1 in liquid and interface
+  alignas(64) Real density[size];  ///< rho - 1 in wet cells, else 0
 
-  /// Place of cell (x, y, z), each -1..8.
-  static constexpr int at(int x, int y, int z) { return (x + 1) + pitch_y * (y + 1) + pitch_z * (z + 1); }
+  /// Place of cell (x, y, z), each -2..9.
+  static constexpr int at(int x, int y, int z) { return (x + rim) + pitch_y * (y + rim) + pitch_z * (z + rim); }
+  static constexpr int step(int cx, int cy, int cz) { return cx + cy * pitch_y + cz * pitch_z; }
 };
 
-template <class Real>
-[[gnu::always_inline]] inline void see_cell(Surroundings<Real>& s, int place, const Block<Real>* block, int cell) {
-  const CellType type = block ? block->type[static_cast<std::size_t>(cell)] : CellType::gas;
-  const bool interface = type == CellType::interface;
-  const Real fill = interface ? block->surface->fill_level[cell] : Real(0);
-  s.full[place] = type == CellType::liquid ? Real(1) : Real(0.5) * fill;
-  s.half[place] = interface ? Real(0.5) : Real(0);
-  s.empty[place] = type == CellType::gas || type == CellType::sink ? Real(1) : Real(0);
-}
-
-/// Bits y + 1 of the rows z = -1..8 that touch one of the given rows (bit y + 8 z), themselves included.
-inline std::array<std::uint32_t, 10> touching_rows(std::uint64_t rows) {
-  std::array<std::uint32_t, 10> needed{};
+/// Bits y + 2 of the rows z = -2..9 within two rows of the given ones (bit y + 8 z), themselves included.
+inline std::array<std::uint32_t, 12> rows_around(std::uint64_t rows) {
+  std::array<std::uint32_t, 12> needed{};
   for (std::size_t z = 0; z < 8; ++z) {
     const auto layer = static_cast<std::uint32_t>(rows >> (8 * z) & 0xFFU);
-    const std::uint32_t wide = layer | layer << 1 | layer << 2;
-    for (std::size_t k = z; k < z + 3; ++k) needed[k] |= wide;
+    const std::uint32_t wide = layer | layer << 1 | layer << 2 | layer << 3 | layer << 4;
+    for (std::size_t k = z; k < z + 5; ++k) needed[k] |= wide;
   }
   return needed;
 }
 
-/// Fills what the interface cells of the given rows see.
+/// Fills what the interface cells of given rows see.
 template <class Real>
-void look_around(const std::array<Block<Real>*, 27>& around, std::uint64_t rows, Surroundings<Real>& s) {
-  const auto needed = touching_rows(rows);
-  for (int z = -1; z < 9; ++z)
-    for (int y = -1; y < 9; ++y) {
-      if (!(needed[static_cast<std::size_t>(z + 1)] >> (y + 1) & 1U)) continue;
-      const int by = y < 0 ? -1 : (y > 7 ? 1 : 0), bz = z < 0 ? -1 : (z > 7 ? 1 : 0);
-      const int row = cell_index(0, y & 7, z & 7), place = Surroundings<Real>::at(0, y, z);
-      const auto slot = [&](int bx) { return static_cast<std::size_t>(neighbour_slot(bx, by, bz)); };
-      see_cell(s, place - 1, around[slot(-1)], row + 7);
-      see_cell(s, place + 8, around[slot(1)], row);
-      const Block<Real>* block = around[slot(0)];
-      if (block && block->surface) {
-        const SurfaceFields<Real>& surface = *block->surface;
-        for (int k = 0; k < 8; ++k) {
-          const CellType type = block->type[static_cast<std::size_t>(row + k)];
-          const bool interface = type == CellType::interface;
-          const Real fill = surface.fill_level[row + k];
-          s.full[place + k] = type == CellType::liquid ? Real(1) : (interface ? Real(0.5) * fill : Real(0));
-          s.half[place + k] = interface ? Real(0.5) : Real(0);
-          s.empty[place + k] = type == CellType::gas || type == CellType::sink ? Real(1) : Real(0);
-        }
-      } else {
-        for (int k = 0; k < 8; ++k) see_cell(s, place + k, block, row + k);
-      }
+class LookAround {
+ public:
+  LookAround(FluidGrid<Real>& grid, BlockIndex b, Parity parity) : grid_(grid), index_(b), parity_(parity) {}
+
+  void run(std::uint64_t rows, Surroundings<Real>& s) {
+    const auto needed = rows_around(rows);
+    for (int z = -2; z < 10; ++z)
+      for (int y = -2; y < 10; ++y)
+        if (needed[static_cast<std::size_t>(z + 2)] >> (y + 2) & 1U) see_row(s, y, z);
+  }
+
+ private:
+  using V = stdx::simd<Real, stdx::simd_abi::deduce_t<Real, kBlockWidth>>;
+
+  void see_row(Surroundings<Real>& s, int y, int z) {
+    const int by = y < 0 ? -1 : (y > 7 ? 1 : 0), bz = z < 0 ? -1 : (z > 7 ? 1 : 0);
+    const int row = cell_index(0, y & 7, z & 7), place = Surroundings<Real>::at(0, y, z);
+    see_side(s, place - 2, neighbour_slot(-1, by, bz), row + 6);
+    see_eight(s, place, neighbour_slot(0, by, bz), row);
+    see_side(s, place + 8, neighbour_slot(1, by, bz), row);
+  }
+
+  /// A whole row of a block.
+  void see_eight(Surroundings<Real>& s, int place, int slot, int first) {
+    const Block<Real>* block = grid_.around(index_)[static_cast<std::size_t>(slot)];
+    const V one(1), zero(0);
+    const auto put = [&](Real* field, const V& values) { values.copy_to(field + place, stdx::element_aligned); };
+    if (!block || !(block->wet_rows >> (first / kBlockWidth) & 1)) {
+      // Nothing wet: walls count as neither, all else is empty.
+      put(s.full, zero), put(s.half, zero), put(s.wet, zero), put(s.density, zero), put(s.empty, one);
+      for (int k = 0; block && k < kBlockWidth; ++k)
+        if (block->type[static_cast<std::size_t>(first + k)] == CellType::wall) s.empty[place + k] = 0;
+      return;
     }
-}
+    const stdx::fixed_size_simd<std::uint8_t, kBlockWidth> codes(
+        [&](auto k) { return static_cast<std::uint8_t>(block->type[static_cast<std::size_t>(first) + k]); });
+    const V type = stdx::static_simd_cast<V>(codes);
+    const auto is = [&](CellType t) { return type == V(static_cast<Real>(t)); };
+    V full = zero, half = zero, empty = zero, wet = zero, density = zero;
+    stdx::where(is(CellType::liquid), full) = one;
+    stdx::where(is(CellType::interface), half) = V(Real(0.5));
+    stdx::where(is(CellType::gas) || is(CellType::sink), empty) = one;
+    stdx::where(is(CellType::liquid) || is(CellType::interface), wet) = one;
+    if (block->surface) {
+      full += half * V(block->surface->fill_level + first, stdx::element_aligned);
+      density = wet * V(block->surface->density + first, stdx::element_aligned);
+    }
+    put(s.full, full), put(s.half, half), put(s.empty, empty), put(s.wet, wet), put(s.density, density);
+    if (!block->surface) compute_density(s, place, slot, first, kBlockWidth);
+  }
+
+  /// The two cells of a row that lie in a block beside it.
+  void see_side(Surroundings<Real>& s, int place, int slot, int first) {
+    const Block<Real>* block = grid_.around(index_)[static_cast<std::size_t>(slot)];
+    for (int k = 0; k < Surroundings<Real>::rim; ++k) {
+      const CellType type = block ? block->type[static_cast<std::size_t>(first + k)] : CellType::gas;
+      const bool surface = block && block->surface;
+      s.half[place + k] = type == CellType::interface ? Real(0.5) : Real(0);
+      s.full[place + k] = type == CellType::liquid ? Real(1)
+                          : surface ? s.half[place + k] * block->surface->fill_level[first + k] : Real(0);
+      s.empty[place + k] = type == CellType::gas || type == CellType::sink ? Real(1) : Real(0);
+      s.wet[place + k] = is_wet(type) ? Real(1) : Real(0);
+      s.density[place + k] = surface && is_wet(type) ? block->surface->density[first + k] : Real(0);
+    }
+    if (block && !block->surface) compute_density(s, place, slot, first, Surroundings<Real>::rim);
+  }
+
+  /// The sweep keeps no densities of blocks without a surface.
+  void compute_density(Surroundings<Real>& s, int place, int slot, int first, int count) {
+    const BlockIndex b = grid_.topology().neighbours(index_)[static_cast<std::size_t>(slot)];
+    for (int k = 0; k < count; ++k)
+      if (s.wet[place + k] > 0) s.density[place + k] = outgoing_moments(grid_, {b, first + k}, parity_).drho;
+  }
+
+  FluidGrid<Real>& grid_;
+  const BlockIndex index_;
+  const Parity parity_;
+};
 
 }  // namespace lahar::lbm

@@ -1,9 +1,13 @@
 #include "cases/validate/fluid/entries.h"
 
+#include "cases/validate/fluid/surface_entries.h"
+
 namespace lahar::validate {
 
 std::vector<Entry> fluid_entries() {
-  return {};
+  std::vector<Entry> entries;
+  for (Entry& e : surface_entries()) entries.push_back(std::move(e));
+  return entries;
 }
 
 }  // namespace lahar::validate

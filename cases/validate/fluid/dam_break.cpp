@@ -1,0 +1,94 @@
+#include "cases/validate/fluid/dam_break.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/validate/fluid/martin_moyce_data.h"
+#include "cases/validate/fluid/surface_flows.h"
+
+namespace lahar::validate {
+namespace {
+
+constexpr double kGravity = 9.81;
+
+lbm::FluidOptions options_of(const DamBreak& dam, const Vec3i& cells) {
+  const double dx = dam.column / dam.width;
+  const double dt = dam.lattice_velocity * dx / (kFrontSlope * std::sqrt(2 * kGravity * dam.column));
+  lbm::FluidOptions o = open_tank(cells, dam.kinematic_viscosity * dt / (dx * dx), Vec3(0, 0, -kGravity * dt * dt / dx));
+  o.smagorinsky = dam.smagorinsky;
+  o.domain.faces[2] = o.domain.faces[3] = lbm::FaceKind::periodic;
+  if (dam.slip) {
+    o.domain.faces[0] = o.domain.faces[4] = lbm::FaceKind::open;
+    o.domain.walls.add({"bed", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}, WallSlip::free_slip});
+    o.domain.walls.add({"back", HalfSpace{Vec3::Zero(), Vec3::UnitX()}, WallSlip::free_slip});
+  }
+  return o;
+}
+
+double rms(const DamBreakRun& run, double shift) {
+  double squares = 0;
+  for (const auto& [t, z] : kMartinMoyceFront) squares += std::pow(run.front_at(t + shift) / z - 1, 2);
+  return std::sqrt(squares / kMartinMoyceFront.size());
+}
+
+}  // namespace
+
+double DamBreakRun::front_at(double t) const {
+  const auto n = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
+  if (n == 0) return front.front();
+  if (n == time.size()) return front.back();
+  return std::lerp(front[n - 1], front[n], (t - time[n - 1]) / (time[n] - time[n - 1]));
+}
+
+double DamBreakRun::time_at(double z) const {
+  for (std::size_t n = 0; n < front.size(); ++n)
+    if (front[n] >= z) return time[n];
+  return time.back();
+}
+
+template <class Real>
+DamBreakRun run_dam_break(const DamBreak& dam) {
+  const Vec3i cells(dam.length * dam.width, 8, 2 * dam.width + dam.width / 2);
+  lbm::Fluid<Real> fluid(options_of(dam, cells));
+  fluid.fill({{Vec3::Zero(), Vec3(dam.width, cells.y() - 1e-9, 2.0 * dam.width)}});
+  const double scale = std::sqrt(-2 * fluid.options().gravity.z() / dam.width);
+  const auto energy = [&] {
+    const Energies e = energies(fluid);
+    return e.kinetic + e.potential;
+  };
+  const double initial = energy();
+  DamBreakRun run;
+  for (double t = 0; t < dam.until || static_cast<double>(run.steps) < dam.steps; t = scale * static_cast<double>(run.steps)) {
+    if (t < dam.until) {
+      run.time.push_back(t);
+      run.front.push_back(front_in_bottom_layer(fluid, cells) / dam.width);
+    }
+    fluid.step();
+    if (++run.steps % 20 != 0) continue;
+    run.fastest = std::max(run.fastest, fastest(fluid));
+    run.energy_rise = std::max(run.energy_rise, energy() / initial - 1);
+    run.drift = std::max(run.drift, std::abs(fluid.mass_drift()));
+  }
+  run.limited = static_cast<double>(fluid.account().limited) / fluid.cell_updates();
+  return run;
+}
+
+FrontErrors compare_front(const DamBreakRun& run) {
+  FrontErrors e;
+  double n = 0, st = 0, sz = 0, stt = 0, stz = 0;
+  for (const auto& [t, unused] : kMartinMoyceFront) {
+    if (t < kMartinMoyceSlopeFrom) continue;
+    const double z = run.front_at(t);
+    n += 1, st += t, sz += z, stt += t * t, stz += t * z;
+  }
+  e.slope = (n * stz - st * sz) / (n * stt - st * st);
+  e.rms = e.shifted_rms = rms(run, 0);
+  for (double shift = -0.4; shift <= 0.4; shift += 0.005)
+    if (const double r = rms(run, shift); r < e.shifted_rms) e.shifted_rms = r, e.shift = shift;
+  return e;
+}
+
+template DamBreakRun run_dam_break<float>(const DamBreak&);
+template DamBreakRun run_dam_break<double>(const DamBreak&);
+
+}  // namespace lahar::validate

@@ -1,0 +1,44 @@
+#pragma once
+// A column of water twice as high as wide collapses over a dry bed, in lattice units: what several entries ask about.
+#include <vector>
+
+#include "cases/validate/entry.h"
+
+namespace lahar::validate {
+
+struct DamBreak {
+  int width = 40;                 ///< of the column, cells
+  int length = 5;                 ///< of the tank, in widths
+  double column = 0.05715;        ///< width of the column, m
+  double lattice_velocity = 0.1;  ///< of the front, 1.319 sqrt(2 g a)
+  bool slip = true;               ///< whether the bed and the wall behind the column slip
+  double kinematic_viscosity = 1e-6;  ///< m^2/s
+  double smagorinsky = 0;
+  double until = 3.38;            ///< T = n t sqrt(g/a), n^2 = 2
+  double steps = 0;               ///< at least as many
+};
+
+struct DamBreakRun {
+  std::vector<double> time, front;  ///< T and Z = x/a, every step until the end of the tank is near
+  std::size_t steps = 0;
+  double fastest = 0;      ///< lu, of every 20th step
+  double energy_rise = 0;  ///< largest energy above the initial one, of the initial one
+  double drift = 0;        ///< largest, of the mass
+  double limited = 0;      ///< cell updates with a limited stress, of all
+  /// Front at a time T; time at which the front passes Z (the last time if it does not).
+  [[nodiscard]] double front_at(double t) const;
+  [[nodiscard]] double time_at(double z) const;
+};
+
+template <class Real>
+DamBreakRun run_dam_break(const DamBreak& dam);
+
+/// RMS of the relative error of Z, and slope dZ/dT from T = 1.43 on, against Martin & Moyce 1952, n^2 = 2.
+struct FrontErrors {
+  double rms = 0, slope = 0;
+  double shifted_rms = 0, shift = 0;  ///< after the shift in T that fits best
+};
+FrontErrors compare_front(const DamBreakRun& run);
+constexpr double kFrontSlope = 1.319;
+
+}  // namespace lahar::validate
