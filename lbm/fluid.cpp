@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "lbm/boundary/wall_balance.h"
 #include "lbm/boundary/wall_reflection.h"
 #include "lbm/collision/cell_state.h"
 #include "lbm/equilibrium.h"
@@ -28,6 +29,9 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   if (o.weighting == BodyWeighting::noble_torczynski) p.coverage_resistance = 1 / (p.tau - 0.5);
   if (o.weighting == BodyWeighting::seepage) p.coverage_resistance = 1 / o.seepage_constant;
   p.smagorinsky = o.smagorinsky;
+  // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield stress.
+  require(o.rheology.law == FlowLaw::newtonian || o.smagorinsky == 0, "Fluid: Smagorinsky is for Newtonian fluids alone");
+  p.rheology = rheology_to_lu(o.rheology, o.kinematic_viscosity, units);
   for (int a = 0; a < 3; ++a) p.gravity[static_cast<std::size_t>(a)] = units.acceleration_to_lu(o.gravity[a]);
   return p;
 }
@@ -114,6 +118,7 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
     initialize(place, resting_density(grid_.centre(place.block, place.cell).z(), *region, options_.gravity.z(), units_),
                units_.velocity_to_lu(1.0) * region->velocity);
   classify_filled(touched);
+  reflect();  // what is on its way into a wall at the start comes back: without it the mass would change
   open_ledger();
 }
 
@@ -168,6 +173,7 @@ void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& veloci
     initialize(p, drho(centre), velocity_lu(centre));
   }
   for (const BlockIndex b : touched) grid_.relist(b);
+  reflect();
   open_ledger();
 }
 
@@ -219,8 +225,10 @@ template <class Real>
 void Fluid<Real>::reflect() {
   const ScopedTimer timer(timers_.section("fluid.walls"));
   const auto& active = grid_.active();
+  const WallPhysics physics{(parameters_.tau - 0.5) / 3, parameters_.gravity};
   parallel_for(0, active.size(), kBlocksPerTask,
-               [&](std::size_t k) { reflect_at_walls(grid_, active[k], parameters_.parity); });
+               [&](std::size_t k) { reflect_at_walls(grid_, active[k], parameters_.parity, physics); });
+  if (grid_.domain().placement() == WallPlacement::interpolated) balance_walls(grid_, account_.walls);
 }
 
 template <class Real>

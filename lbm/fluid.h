@@ -23,7 +23,8 @@ struct FluidOptions {
   CollisionOperator collision = CollisionOperator::central_moments;
   BodyWeighting weighting = BodyWeighting::solid_fraction;
   double seepage_constant = 0;           ///< in place of tau - 1/2 for BodyWeighting::seepage
-  double smagorinsky = 0;                ///< Cs; 0 is off
+  double smagorinsky = 0;                ///< Cs; 0 is off; only with a Newtonian fluid
+  RheologyOptions rheology;              ///< flow law of mud and slurry
 };
 
 /// A box of liquid at the start.

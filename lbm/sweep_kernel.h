@@ -5,9 +5,11 @@
 #include "core/denormals.h"
 #include "lbm/collision/bgk.h"
 #include "lbm/collision/central_moments.h"
+#include "lbm/collision/smagorinsky.h"
 #include "lbm/collision/stress_limit.h"
 #include "lbm/collision/trt.h"
 #include "lbm/gather.h"
+#include "lbm/rheology/herschel_bulkley.h"
 #include "lbm/sweep.h"
 
 namespace lahar::lbm {
@@ -15,18 +17,20 @@ namespace lahar::lbm {
 namespace stdx = std::experimental;
 
 /// Numbers of a sweep in the kernel's type, spread over a vector.
-template <class V>
+template <class V, class Viscosity>
 struct Uniform {
-  V tau, les_factor, gravity[3], resistance, stress_limit;
+  Viscosity viscosity;
+  V gravity[3], resistance, stress_limit;
 };
 
-template <class V>
-Uniform<V> make_uniform(const SweepParameters& p) {
+template <class V, class Viscosity>
+Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
   using Real = typename V::value_type;
   const auto real = [](double x) { return V(static_cast<Real>(x)); };
-  return {real(p.tau), real(smagorinsky_factor(p.smagorinsky)),
+  const bool newtonian = p.rheology.law == FlowLaw::newtonian;
+  return {Viscosity::of(p),
           {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(p.coverage_resistance),
-          real(stress_limit(p.tau))};
+          real(newtonian ? stress_limit(p.tau) : stress_limit(p.rheology))};
 }
 
 template <class Real, bool kMixed, bool kBody>
@@ -35,14 +39,14 @@ class BlockKernel {
   using V = stdx::native_simd<Real>;
   static constexpr int width = static_cast<int>(V::size());
 
-  template <class Operator, bool kLes>
+  template <class Operator, template <class> class Viscosity>
   static void run(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p) {
     const FlushDenormals flush;
     alignas(64) Real away[D3Q19::pairs][kBlockCells];
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       gather_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), away[P]);
     });
-    const Uniform<V> uniform = make_uniform<V>(p);
+    const auto uniform = make_uniform<V, Viscosity<V>>(p);
     Real* home[D3Q19::pairs];
     for (int pair = 0; pair < D3Q19::pairs; ++pair) home[pair] = block.f(p.parity.home(D3Q19::forward(pair)));
     alignas(64) Real wet[kMixed ? kBlockCells : 1];
@@ -52,7 +56,7 @@ class BlockKernel {
     for (int n = 0; n < kBlockCells; n += width) {
       if constexpr (kMixed)
         if (stdx::none_of(V(wet + n, stdx::vector_aligned) > V(0))) continue;
-      collide_cells<Operator, kLes>(block, home, away, wet, n, uniform);
+      collide_cells<Operator>(block, home, away, wet, n, uniform);
     }
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       scatter_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), away[P]);
@@ -60,10 +64,10 @@ class BlockKernel {
   }
 
  private:
-  template <class Operator, bool kLes>
+  template <class Operator, class Uniforms>
   [[gnu::always_inline]] static void collide_cells(Block<Real>& block, Real* const (&home)[D3Q19::pairs],
                                                    Real (&away)[D3Q19::pairs][kBlockCells], const Real* wet, int n,
-                                                   const Uniform<V>& uniform) {
+                                                   const Uniforms& uniform) {
     V f[D3Q19::q];
     f[0] = V(block.f(0) + n, stdx::vector_aligned);
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
@@ -84,14 +88,14 @@ class BlockKernel {
         if constexpr (Operator::bounds_stress)
           force.largest_rate = V(block.surface->largest_rate + n, stdx::vector_aligned);
       }
-    if constexpr (Operator::bounds_stress) limit_stress(block, f, uniform, m, force);
+    if constexpr (Operator::bounds_stress) limit_stress(block, f, uniform.stress_limit, m, force);
     add_forcing(block, n, uniform, m, force);
     if constexpr (kBody && kMixed) {
       stdx::where(dry, force.coverage_weight) = V(0);
       for (V& k : force.kick) stdx::where(dry, k) = V(0);
     }
     if constexpr (kBody) record_exchange(block, n, m, force);
-    Operator::template collide<kLes>(f, m, force, uniform.tau, uniform.les_factor);
+    Operator::collide(f, m, force, uniform.viscosity);
     if constexpr (kMixed)
       for (V& population : f) stdx::where(dry, population) = V(0);
     f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
@@ -102,19 +106,20 @@ class BlockKernel {
   }
 
   /// Bounds the stress of cells that strain too fast, and counts them: rare, hence the test of the squares first.
-  [[gnu::always_inline]] static void limit_stress(Block<Real>& block, const V (&f)[D3Q19::q], const Uniform<V>& uniform,
+  [[gnu::always_inline]] static void limit_stress(Block<Real>& block, const V (&f)[D3Q19::q], const V& largest,
                                                   const Moments<V>& m, CellForcing<V>& force) {
     const Symmetric<V> s = stress(f, m);
-    const V limit = uniform.stress_limit * (V(1) + m.drho);
+    const V limit = largest * (V(1) + m.drho);
     const auto over = square(s) > limit * limit;
     if (stdx::none_of(over)) [[likely]] return;
-    force.stress_share = limited_stress_share(s, m.inverse_density, uniform.stress_limit);
+    force.stress_share = limited_stress_share(s, m.inverse_density, largest);
     block.limited_cells += stdx::popcount(over);
   }
 
   /// Gravity acts on all that the populations stand for, liquid and displaced liquid; the bodies' buoyancy is the
   /// weight of the latter (coupling/body_map.h).
-  [[gnu::always_inline]] static void add_forcing(const Block<Real>& block, int n, const Uniform<V>& uniform,
+  template <class Uniforms>
+  [[gnu::always_inline]] static void add_forcing(const Block<Real>& block, int n, const Uniforms& uniform,
                                                  const Moments<V>& m, CellForcing<V>& force) {
     if constexpr (kBody) {
       const BodyFields<Real>& body = *block.body;
@@ -152,22 +157,24 @@ class BlockKernel {
 };
 
 template <class Real, bool kMixed, bool kBody, class Operator>
-BlockSweep<Real> pick_les(const SweepParameters& p) {
+BlockSweep<Real> pick_viscosity(const SweepParameters& p) {
   using Kernel = BlockKernel<Real, kMixed, kBody>;
-  return p.smagorinsky > 0 ? &Kernel::template run<Operator, true> : &Kernel::template run<Operator, false>;
+  if (p.rheology.law == FlowLaw::bingham) return &Kernel::template run<Operator, Bingham>;
+  if (p.rheology.law == FlowLaw::herschel_bulkley) return &Kernel::template run<Operator, HerschelBulkley>;
+  return p.smagorinsky > 0 ? &Kernel::template run<Operator, Smagorinsky> : &Kernel::template run<Operator, Newtonian>;
 }
 
 template <class Real, bool kMixed, bool kBody>
 BlockSweep<Real> pick_operator(const SweepParameters& p) {
   switch (p.collision) {
     case CollisionOperator::bgk:
-      return pick_les<Real, kMixed, kBody, Bgk>(p);
+      return pick_viscosity<Real, kMixed, kBody, Bgk>(p);
     case CollisionOperator::trt:
-      return pick_les<Real, kMixed, kBody, Trt>(p);
+      return pick_viscosity<Real, kMixed, kBody, Trt>(p);
     case CollisionOperator::central_moments:
       break;
   }
-  return pick_les<Real, kMixed, kBody, CentralMoments>(p);
+  return pick_viscosity<Real, kMixed, kBody, CentralMoments>(p);
 }
 
 template <class Real>

@@ -6,6 +6,7 @@
 // the equilibrium at the mean density and velocity of their wet neighbours (refilling by equilibrium was the most robust
 // of those compared by Schwarzmeier & Ruede 2022). Where a body covers part of a cell the mass of the cell includes the
 // body's share: empty means that only the body is left (docs/coupling.md). Spray moves on as a whole (drops.h).
+#include "lbm/boundary/wall_balance.h"
 #include "lbm/fluid_grid.h"
 #include "lbm/free_surface/drops.h"
 
@@ -19,6 +20,7 @@ struct LiquidAccount {
   std::int64_t drop_moves = 0;  ///< moves of spray cells (drops.h)
   std::int64_t limited = 0;     ///< cell updates with a limited stress (collision/stress_limit.h)
   std::int64_t exposed = 0;     ///< cell updates with a bounded relaxation rate (same place)
+  WallAccount walls;            ///< mass that interpolated walls took and gave (boundary/wall_balance.h)
 };
 
 /// What is to become of the interface cells of one block.

@@ -3,7 +3,9 @@
 namespace lahar::validate {
 
 std::vector<Entry> fluid_entries() {
-  return {};
+  return {
+      bingham_channel(),
+  };
 }
 
 }  // namespace lahar::validate

@@ -6,4 +6,6 @@ namespace lahar::validate {
 
 std::vector<Entry> fluid_entries();
 
+Entry bingham_channel();
+
 }  // namespace lahar::validate
