@@ -31,6 +31,9 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   p.smagorinsky = o.smagorinsky;
   // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield stress.
   require(o.rheology.law == FlowLaw::newtonian || o.smagorinsky == 0, "Fluid: Smagorinsky is for Newtonian fluids alone");
+  const auto& walls = o.domain.walls.all();
+  const bool modelled = std::any_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip == WallSlip::wall_model; });
+  require(o.rheology.law == FlowLaw::newtonian || !modelled, "Fluid: the wall model is for Newtonian fluids alone");
   p.rheology = rheology_to_lu(o.rheology, o.kinematic_viscosity, units);
   for (int a = 0; a < 3; ++a) p.gravity[static_cast<std::size_t>(a)] = units.acceleration_to_lu(o.gravity[a]);
   return p;
@@ -49,7 +52,9 @@ Fluid<Real>::Fluid(FluidOptions options)
     : options_(std::move(options)),
       units_(units_of(options_)),
       parameters_(parameters_of(options_, units_)),
-      grid_(options_.domain, units_.velocity_to_lu(1.0)) {}
+      grid_(options_.domain, units_.velocity_to_lu(1.0)) {
+  for (const InflowOptions& inflow : options_.inflows) inflows_.emplace_back(inflow, grid_.domain(), units_);
+}
 
 template <class Real>
 void Fluid<Real>::initialize(CellPlace place, double drho, const Vec3& u) {
@@ -179,6 +184,7 @@ void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& veloci
 
 template <class Real>
 void Fluid<Real>::step() {
+  feed();
   exchange();
   sweep();
   parameters_.parity = parameters_.parity.next();
@@ -190,6 +196,11 @@ void Fluid<Real>::step() {
   ++steps_;
   if (steps_ % kReleaseEvery == 0) release_dry_blocks();
   if (steps_ % kWatchEvery == 0) watch();
+}
+
+template <class Real>
+void Fluid<Real>::feed() {
+  for (Inflow<Real>& inflow : inflows_) inflow.feed(grid_, conversion_, parameters_.parity, time(), steps_, account_);
 }
 
 template <class Real>
@@ -327,7 +338,8 @@ double Fluid<Real>::liquid_mass() const {
 
 template <class Real>
 double Fluid<Real>::mass_drift() const {
-  return initial_mass_ > 0 ? (liquid_mass() + outflow_mass() - initial_mass_) / initial_mass_ : 0.0;
+  const double put_in = initial_mass_ + inflow_mass();
+  return put_in > 0 ? (liquid_mass() + outflow_mass() - put_in) / put_in : 0.0;
 }
 
 template <class Real>

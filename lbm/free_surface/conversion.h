@@ -15,6 +15,7 @@ namespace lahar::lbm {
 /// What left the tracked cells, in lattice mass units, and how often the rules for unresolved liquid were used.
 struct LiquidAccount {
   double outflow = 0;       ///< left through open faces
+  double inflow = 0;        ///< came in through inflow boxes (inflow.h)
   double pool = 0;          ///< waiting to be paid back to interface cells
   double pooled_total = 0;  ///< sum of all that ever went through the pool (absolute)
   std::int64_t drop_moves = 0;  ///< moves of spray cells (drops.h)
@@ -43,12 +44,15 @@ template <class Real>
 class CellConversion {
  public:
   void run(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
+  /// Makes a gas cell an interface cell without liquid, in the equilibrium of given moments; before a step.
+  void wet(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments);
 
  private:
   struct Excess {
     CellPlace place;
     Real mass;
   };
+  void relist_touched(FluidGrid<Real>& grid);
   void flag(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
   void fill_cells(FluidGrid<Real>& grid, Parity parity);
   void wet_neighbours(FluidGrid<Real>& grid, CellPlace place, Parity parity);

@@ -5,6 +5,7 @@ namespace lahar::validate {
 std::vector<Entry> fluid_entries() {
   return {
       bingham_channel(),
+      log_law_channel(),
   };
 }
 

@@ -7,5 +7,6 @@ namespace lahar::validate {
 std::vector<Entry> fluid_entries();
 
 Entry bingham_channel();
+Entry log_law_channel();
 
 }  // namespace lahar::validate
