@@ -27,10 +27,12 @@ template <class V, class Viscosity>
 Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
   using Real = typename V::value_type;
   const auto real = [](double x) { return V(static_cast<Real>(x)); };
-  const bool newtonian = p.rheology.law == FlowLaw::newtonian;
+  double largest_stress;
+  if constexpr (Viscosity::flow_law) largest_stress = stress_limit(p.rheology);
+  else largest_stress = stress_limit(p.tau);
   return {Viscosity::of(p),
           {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(p.coverage_resistance),
-          real(newtonian ? stress_limit(p.tau) : stress_limit(p.rheology))};
+          real(largest_stress)};
 }
 
 template <class Real, bool kMixed, bool kBody>

@@ -20,7 +20,7 @@ inline double smagorinsky_factor(double cs) { return 18 * std::sqrt(2.0) * cs * 
 /// The viscosity model (collision/newtonian.h).
 template <class V>
 struct Smagorinsky {
-  static constexpr bool constant = false;
+  static constexpr bool constant = false, flow_law = false;
   V tau, factor;
 
   template <class Parameters>

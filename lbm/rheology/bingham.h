@@ -26,7 +26,7 @@ inline constexpr double kLeastLoading = 1e-15;  ///< below it a cell is at rest
 
 template <class V>
 struct Bingham {
-  static constexpr bool constant = false;
+  static constexpr bool constant = false, flow_law = true;
   V plastic_rate;   ///< 1 / tau_p
   V yield_loading;  ///< 3 yield
   V least_rate;     ///< 1 / tau at the limit viscosity

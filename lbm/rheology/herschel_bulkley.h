@@ -14,7 +14,7 @@ namespace lahar::lbm {
 
 template <class V>
 struct HerschelBulkley {
-  static constexpr bool constant = false;
+  static constexpr bool constant = false, flow_law = true;
   static constexpr int newton_steps = 5;
   V exponent;         ///< n
   V log_consistency;  ///< log2(3 K)
