@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "flows.h"
+#include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "flows.h"
+#include "tests/lbm/flows.h"
 #include "lbm/collision/central_moments.h"
 
 namespace lahar::lbm {

@@ -1,6 +1,7 @@
-// Turbulent flow of water down a rough open channel (a rigid lid that slips freely), far too coarse to resolve its bed: the
-// wall model gives the bed's stress, Smagorinsky the rest. In the mean the bed carries the push, u_tau^2 = g h, and with the
+// Turbulent flow of water between two rough beds 2 h apart, far too coarse to resolve them: the wall model gives their
+// stress, Smagorinsky the rest. In the mean each bed carries the push, u_tau^2 = g h, and with the
 // logarithmic law over the whole depth (Keulegan 1938) the bulk velocity is U = u_tau / kappa [ln(h/z0) - 1], z0 = k_s/30.
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -19,14 +20,15 @@ struct Mean {
 Mean run_channel(int depth, double friction, WallSlip slip, double roughness, double turnovers) {
   const double viscosity = 1e-5 / 3;  // tau - 1/2 = 1e-5
   lbm::FluidOptions o;
-  o.domain.upper = Vec3(4 * depth, 2 * depth, depth);
+  o.domain.upper = Vec3(4 * depth, 2 * depth, 2 * depth);
   o.domain.cell_size = o.time_step = o.density = 1;
   o.domain.faces.fill(lbm::FaceKind::periodic);
   o.domain.faces[4] = o.domain.faces[5] = lbm::FaceKind::closed;
   Wall bed{"bed", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}, slip};
   bed.roughness = roughness;
   o.domain.walls.add(bed);
-  o.domain.walls.add({"lid", HalfSpace{Vec3(0, 0, depth), -Vec3::UnitZ()}, WallSlip::free_slip});
+  bed.shape = HalfSpace{Vec3(0, 0, 2 * depth), -Vec3::UnitZ()};
+  o.domain.walls.add(bed);
   o.kinematic_viscosity = viscosity;
   o.smagorinsky = 0.1;
   o.gravity = Vec3(friction * friction / depth, 0, 0);
@@ -36,7 +38,7 @@ Mean run_channel(int depth, double friction, WallSlip slip, double roughness, do
   const double start = friction / lbm::kKarman * (std::log(30 * depth / std::max(roughness, 0.01)) - 1);
   fluid.fill_everything(
       [&](const Vec3& p) {
-        const double profile = start + friction / lbm::kKarman * (std::log(p.z() / depth) + 1);
+        const double profile = start + friction / lbm::kKarman * (std::log(std::min(p.z(), 2 * depth - p.z()) / depth) + 1);
         return Vec3(Vec3(profile, 0, 0) + 2 * friction * Vec3(normal(random), normal(random), normal(random)));
       },
       [](const Vec3&) { return 0.0; });
@@ -49,7 +51,7 @@ Mean run_channel(int depth, double friction, WallSlip slip, double roughness, do
     double sum = 0, stress = 0, cells = 0, at_bed = 0;
     fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
       sum += c.velocity.x(), cells += 1;
-      if (c.centre.z() > 1) return;
+      if (c.centre.z() > 1 && c.centre.z() < 2 * depth - 1) return;
       const double speed = std::hypot(c.velocity.x(), c.velocity.y());
       stress += lbm::wall_stress(speed, 0.5, viscosity, roughness) * c.velocity.x() / speed, at_bed += 1;
     });
