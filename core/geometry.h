@@ -24,10 +24,12 @@ struct SolidBox {
   [[nodiscard]] Vec3 gradient(const Vec3& p) const;
 };
 
-/// A solid capped cylinder of given axis (two end points) and radius; free space is outside.
+/// A solid capped cylinder of given axis (two end points) and radius; free space is outside. With `hollow` it is a bore
+/// without ends: all within the radius is free, all beyond is solid.
 struct SolidCylinder {
   Vec3 start, end;
   double radius = 0;
+  bool hollow = false;
   [[nodiscard]] double distance(const Vec3& p) const;
   [[nodiscard]] Vec3 gradient(const Vec3& p) const;
 };
@@ -43,7 +45,11 @@ struct SolidSphere {
 using Shape = std::variant<HalfSpace, SolidBox, SolidCylinder, SolidSphere>;
 
 /// How fluid slides along a wall.
-enum class WallSlip { no_slip, free_slip };
+enum class WallSlip {
+  no_slip,
+  free_slip,
+  wall_model,  ///< with the shear stress of the logarithmic law at the nearest cells
+};
 
 struct Wall {
   std::string name;
@@ -51,6 +57,13 @@ struct Wall {
   WallSlip slip = WallSlip::no_slip;
   int material = 0;               ///< index into the DEM's materials
   Vec3 velocity = Vec3::Zero();   ///< m/s, tangential motion of the wall surface
+  double roughness = 0;           ///< m, equivalent sand roughness k_s of WallSlip::wall_model
+  /// rad/s, rotation of the surface about an axis through `centre`, in addition to `velocity`; felt by the fluid alone.
+  Vec3 angular_velocity = Vec3::Zero();
+  Vec3 centre = Vec3::Zero();     ///< m
+
+  /// Velocity of the surface at a point, m/s.
+  [[nodiscard]] Vec3 surface_velocity(const Vec3& p) const { return velocity + angular_velocity.cross(p - centre); }
 };
 
 struct WallPoint {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/geometry.h"
 #include "lbm/cells.h"
 #include "lbm/pool.h"
 
@@ -49,15 +50,27 @@ struct WallCell {
   std::uint16_t cell;
   std::uint16_t first_link;
   std::uint8_t links;
-  bool free_slip;
+  WallSlip slip;
   std::array<float, 3> normal;         ///< unit, out of the wall
   std::array<float, 3> wall_velocity;  ///< lu
+  float distance;                      ///< of the cell centre from the wall, lu
+  float roughness;                     ///< k_s, lu; WallSlip::wall_model
+};
+
+/// Where a link meets its wall; only with WallPlacement::interpolated.
+struct WallHit {
+  float share;  ///< of the link, from the cell centre
+  float push;   ///< c_i . u_wall there, lu
 };
 
 struct WallLinks {
   std::vector<WallCell> cells;
   std::vector<std::uint8_t> directions;  ///< velocity index pointing into the wall
-  void clear() { cells.clear(), directions.clear(); }
+  std::vector<WallHit> hits;             ///< one per direction, or empty
+  std::vector<double> gains;             ///< per cell: mass that its interpolated links will add in the coming sweep, lu
+  double gained = 0;                     ///< sum of what liquid cells got in the last sweep, lu
+  int takers = 0;                        ///< entries of liquid cells at interpolated walls
+  void clear() { cells.clear(), directions.clear(), hits.clear(), gains.clear(), gained = 0, takers = 0; }
 };
 
 template <class Real>

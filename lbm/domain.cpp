@@ -1,5 +1,6 @@
 #include "lbm/domain.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/check.h"
@@ -35,6 +36,28 @@ bool Domain::outside_open_face(const Vec3i& cell) const {
     if (cell[axis] >= first_[axis] + cells_[axis] && spec_.faces[low + 1] == FaceKind::open) return true;
   }
   return false;
+}
+
+double Domain::wall_share(const Vec3& from, const Vec3& into) const {
+  double low = 0, high = 1, f_low = spec_.walls.nearest(from).distance, f_high = spec_.walls.nearest(into).distance;
+  // Regula falsi with the Illinois rule: exact at once on a plane.
+  int side = 0;
+  double t = 0.5;
+  for (int k = 0; k < 30 && high - low > 1e-12; ++k) {
+    t = (low * f_high - high * f_low) / (f_high - f_low);
+    const double f = spec_.walls.nearest(from + t * (into - from)).distance;
+    if (std::abs(f) < 1e-12 * spec_.cell_size) break;
+    if (f > 0) {
+      low = t, f_low = f;
+      if (side == 1) f_high /= 2;
+      side = 1;
+    } else {
+      high = t, f_high = f;
+      if (side == -1) f_low /= 2;
+      side = -1;
+    }
+  }
+  return std::clamp(t, 1e-6, 1.0);
 }
 
 CellType Domain::classify(const Vec3i& cell) const {

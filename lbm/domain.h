@@ -14,11 +14,18 @@ enum class FaceKind : std::uint8_t {
   periodic,  ///< both faces of an axis; the number of cells must be a multiple of 8
 };
 
+/// Where no-slip walls are felt.
+enum class WallPlacement : std::uint8_t {
+  half_way,      ///< half-way between the cells, wherever the wall is: first order
+  interpolated,  ///< at their distance along each link: second order (boundary/wall_reflection.h)
+};
+
 struct DomainSpec {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Ones();  ///< m; rounded outwards to whole cells from `lower`
   double cell_size = 0;                             ///< m
   std::array<FaceKind, 6> faces{};
   Walls walls;  ///< signed distances; the closed faces are added as planes
+  WallPlacement placement = WallPlacement::half_way;
 };
 
 class Domain {
@@ -28,6 +35,9 @@ class Domain {
 
   [[nodiscard]] double cell_size() const { return spec_.cell_size; }
   [[nodiscard]] const Walls& walls() const { return spec_.walls; }
+  [[nodiscard]] WallPlacement placement() const { return spec_.placement; }
+  /// Share of the way from a cell centre to another, inside a wall, at which the wall begins: above 0, at most 1.
+  [[nodiscard]] double wall_share(const Vec3& from, const Vec3& into) const;
   /// Position of the lower corner of cell (0, 0, 0). Along a bounded axis this lies one cell outside the domain, so
   /// that the layer of wall cells shares blocks with the first fluid cells.
   [[nodiscard]] const Vec3& origin() const { return origin_; }

@@ -5,6 +5,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "lbm/boundary/wall_balance.h"
 #include "lbm/boundary/wall_reflection.h"
 #include "lbm/collision/cell_state.h"
 #include "lbm/equilibrium.h"
@@ -29,6 +30,12 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   if (o.weighting == BodyWeighting::noble_torczynski) p.coverage_resistance = 1 / (p.tau - 0.5);
   if (o.weighting == BodyWeighting::seepage) p.coverage_resistance = 1 / o.seepage_constant;
   p.smagorinsky = o.smagorinsky;
+  // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield stress.
+  require(o.rheology.law == FlowLaw::newtonian || o.smagorinsky == 0, "Fluid: Smagorinsky is for Newtonian fluids alone");
+  const auto& walls = o.domain.walls.all();
+  const bool modelled = std::any_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip == WallSlip::wall_model; });
+  require(o.rheology.law == FlowLaw::newtonian || !modelled, "Fluid: the wall model is for Newtonian fluids alone");
+  p.rheology = rheology_to_lu(o.rheology, o.kinematic_viscosity, units);
   for (int a = 0; a < 3; ++a) p.gravity[static_cast<std::size_t>(a)] = units.acceleration_to_lu(o.gravity[a]);
   return p;
 }
@@ -46,7 +53,9 @@ Fluid<Real>::Fluid(FluidOptions options)
     : options_(std::move(options)),
       units_(units_of(options_)),
       parameters_(parameters_of(options_, units_)),
-      grid_(options_.domain, units_.velocity_to_lu(1.0)) {}
+      grid_(options_.domain, units_.velocity_to_lu(1.0)) {
+  for (const InflowOptions& inflow : options_.inflows) inflows_.emplace_back(inflow, grid_.domain(), units_);
+}
 
 template <class Real>
 void Fluid<Real>::initialize(CellPlace place, double drho, const Vec3& u) {
@@ -115,6 +124,7 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
     initialize(place, resting_density(grid_.centre(place.block, place.cell).z(), *region, options_.gravity.z(), units_),
                units_.velocity_to_lu(1.0) * region->velocity);
   classify_filled(touched);
+  reflect();  // what is on its way into a wall at the start comes back: without it the mass would change
   open_ledger();
 }
 
@@ -169,11 +179,13 @@ void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& veloci
     initialize(p, drho(centre), velocity_lu(centre));
   }
   for (const BlockIndex b : touched) grid_.relist(b);
+  reflect();
   open_ledger();
 }
 
 template <class Real>
 void Fluid<Real>::step() {
+  feed();
   exchange();
   sweep();
   parameters_.parity = parameters_.parity.next();
@@ -185,6 +197,11 @@ void Fluid<Real>::step() {
   ++steps_;
   if (steps_ % kReleaseEvery == 0) release_dry_blocks();
   if (steps_ % kWatchEvery == 0) watch();
+}
+
+template <class Real>
+void Fluid<Real>::feed() {
+  for (Inflow<Real>& inflow : inflows_) inflow.feed(grid_, conversion_, parameters_.parity, time(), steps_, account_);
 }
 
 template <class Real>
@@ -222,8 +239,10 @@ template <class Real>
 void Fluid<Real>::reflect() {
   const ScopedTimer timer(timers_.section("fluid.walls"));
   const auto& active = grid_.active();
+  const WallPhysics physics{(parameters_.tau - 0.5) / 3, parameters_.gravity};
   parallel_for(0, active.size(), kBlocksPerTask,
-               [&](std::size_t k) { reflect_at_walls(grid_, active[k], parameters_.parity); });
+               [&](std::size_t k) { reflect_at_walls(grid_, active[k], parameters_.parity, physics); });
+  if (grid_.domain().placement() == WallPlacement::interpolated) balance_walls(grid_, account_.walls);
 }
 
 template <class Real>
@@ -322,7 +341,8 @@ double Fluid<Real>::liquid_mass() const {
 
 template <class Real>
 double Fluid<Real>::mass_drift() const {
-  return initial_mass_ > 0 ? (liquid_mass() + outflow_mass() - initial_mass_) / initial_mass_ : 0.0;
+  const double put_in = initial_mass_ + inflow_mass();
+  return put_in > 0 ? (liquid_mass() + outflow_mass() - put_in) / put_in : 0.0;
 }
 
 template <class Real>

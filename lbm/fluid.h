@@ -10,6 +10,7 @@
 #include "lbm/fluid_grid.h"
 #include "lbm/fluid_snapshot.h"
 #include "lbm/free_surface/conversion.h"
+#include "lbm/free_surface/inflow.h"
 #include "lbm/sweep.h"
 
 namespace lahar::lbm {
@@ -23,7 +24,9 @@ struct FluidOptions {
   CollisionOperator collision = CollisionOperator::central_moments;
   BodyWeighting weighting = BodyWeighting::solid_fraction;
   double seepage_constant = 0;           ///< in place of tau - 1/2 for BodyWeighting::seepage
-  double smagorinsky = 0;                ///< Cs; 0 is off
+  double smagorinsky = 0;                ///< Cs; 0 is off; only with a Newtonian fluid
+  RheologyOptions rheology;              ///< flow law of mud and slurry
+  std::vector<InflowOptions> inflows;    ///< boxes through which liquid enters
 };
 
 /// A box of liquid at the start.
@@ -55,7 +58,7 @@ class Fluid {
                        const std::function<double(const Vec3&)>& drho);
 
   /// The liquid of now is the start of the mass ledger. Done by fill; to be called again after bodies were put in.
-  void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass(); }
+  void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass() - inflow_mass(); }
 
   /// One fluid step: mass over the surface, collide and stream, walls, cell conversion, blocks.
   /// Throws NumericalFailure if a cell is no longer finite or faster than the lattice can carry.
@@ -70,13 +73,17 @@ class Fluid {
   [[nodiscard]] const FluidGrid<Real>& grid() const { return grid_; }
   [[nodiscard]] Parity parity() const { return parameters_.parity; }
   [[nodiscard]] LiquidAccount& account() { return account_; }
+  /// s, of the last finished step.
+  [[nodiscard]] double time() const { return static_cast<double>(steps_) * options_.time_step; }
   [[nodiscard]] Timers& timers() { return timers_; }
 
   /// Liquid in the domain, kg: full cells, interface cells, pool, less the bodies' share.
   [[nodiscard]] double liquid_mass() const;
   /// Liquid that left through open faces, kg.
   [[nodiscard]] double outflow_mass() const { return account_.outflow * units_.mass(); }
-  /// (in the domain + left - filled in) / filled in; 0 without liquid.
+  /// Liquid that came in through inflow boxes, kg.
+  [[nodiscard]] double inflow_mass() const { return account_.inflow * units_.mass(); }
+  /// (in the domain + left - come in - at the start) / (come in + at the start); 0 without liquid.
   [[nodiscard]] double mass_drift() const;
   [[nodiscard]] std::size_t wet_cells() const;
   /// Cells with at least one update so far (sum over steps of wet cells).
@@ -100,6 +107,7 @@ class Fluid {
 
  private:
   void sweep();
+  void feed();
   void exchange();
   void reflect();
   void classify_filled(std::vector<BlockIndex>& touched);
@@ -111,6 +119,7 @@ class Fluid {
   SweepParameters parameters_;
   FluidGrid<Real> grid_;
   CellConversion<Real> conversion_;
+  std::vector<Inflow<Real>> inflows_;
   LiquidAccount account_;
   double initial_mass_ = 0;
   std::int64_t steps_ = 0;

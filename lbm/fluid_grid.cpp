@@ -112,18 +112,31 @@ void FluidGrid<Real>::add_wall_links(Block<Real>& fresh, int cell, const Vec3i& 
     const auto links = std::count(wall_of.begin(), wall_of.end(), wall);
     if (links == 0) continue;
     const Wall& w = domain_.walls().all()[static_cast<std::size_t>(wall)];
-    const Vec3 normal = domain_.walls().gradient(static_cast<std::size_t>(wall), domain_.centre(place));
-    const Vec3 velocity = w.velocity * velocity_to_lu_;
+    const Vec3 centre = domain_.centre(place), normal = domain_.walls().gradient(static_cast<std::size_t>(wall), centre);
+    const Vec3 velocity = w.surface_velocity(centre) * velocity_to_lu_;
     WallCell entry{static_cast<std::uint16_t>(cell), static_cast<std::uint16_t>(fresh.walls.directions.size()),
-                   static_cast<std::uint8_t>(links), w.slip == WallSlip::free_slip, {}, {}};
+                   static_cast<std::uint8_t>(links), w.slip, {}, {},
+                   static_cast<float>(domain_.walls().distance(static_cast<std::size_t>(wall), centre) / domain_.cell_size()),
+                   static_cast<float>(w.roughness / domain_.cell_size())};
     for (int a = 0; a < 3; ++a) {
       entry.normal[static_cast<std::size_t>(a)] = static_cast<float>(normal[a]);
       entry.wall_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);
     }
     fresh.walls.cells.push_back(entry);
     for (int i = 1; i < D3Q19::q; ++i)
-      if (wall_of[static_cast<std::size_t>(i)] == wall) fresh.walls.directions.push_back(static_cast<std::uint8_t>(i));
+      if (wall_of[static_cast<std::size_t>(i)] == wall) {
+        fresh.walls.directions.push_back(static_cast<std::uint8_t>(i));
+        if (domain_.placement() == WallPlacement::interpolated) fresh.walls.hits.push_back(wall_hit(w, place, i));
+      }
   }
+}
+
+template <class Real>
+WallHit FluidGrid<Real>::wall_hit(const Wall& wall, const Vec3i& place, int i) const {
+  const Vec3 from = domain_.centre(place), c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+  const double share = domain_.wall_share(from, from + domain_.cell_size() * c);
+  const Vec3 velocity = wall.surface_velocity(from + share * domain_.cell_size() * c) * velocity_to_lu_;
+  return {static_cast<float>(share), static_cast<float>(c.dot(velocity))};
 }
 
 template <class Real>

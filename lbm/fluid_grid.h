@@ -68,6 +68,7 @@ class FluidGrid {
 
  private:
   void cut_geometry(BlockIndex b);
+  [[nodiscard]] WallHit wall_hit(const Wall& wall, const Vec3i& place, int i) const;
   void add_wall_links(Block<Real>& block, int cell, const Vec3i& place, const std::array<CellType, 1000>& types);
 
   Domain domain_;

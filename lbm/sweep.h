@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lbm/block.h"
+#include "lbm/rheology/rheology.h"
 #include "lbm/streaming.h"
 
 namespace lahar::lbm {
@@ -29,6 +30,7 @@ struct SweepParameters {
   double coverage_resistance = 0;        ///< see coverage_weight
   double tau = 1;                        ///< relaxation time of the viscous moments
   double smagorinsky = 0;                ///< Cs, 0 is off
+  RheologyParameters rheology;           ///< in place of tau where the flow law is not Newtonian
   std::array<double, 3> gravity{0, 0, 0};
   Parity parity;
 };

@@ -5,9 +5,11 @@
 #include "core/denormals.h"
 #include "lbm/collision/bgk.h"
 #include "lbm/collision/central_moments.h"
+#include "lbm/collision/smagorinsky.h"
 #include "lbm/collision/stress_limit.h"
 #include "lbm/collision/trt.h"
 #include "lbm/gather.h"
+#include "lbm/rheology/herschel_bulkley.h"
 #include "lbm/sweep.h"
 
 namespace lahar::lbm {
@@ -15,18 +17,22 @@ namespace lahar::lbm {
 namespace stdx = std::experimental;
 
 /// Numbers of a sweep in the kernel's type, spread over a vector.
-template <class V>
+template <class V, class Viscosity>
 struct Uniform {
-  V tau, les_factor, gravity[3], resistance, stress_limit;
+  Viscosity viscosity;
+  V gravity[3], resistance, stress_limit;
 };
 
-template <class V>
-Uniform<V> make_uniform(const SweepParameters& p) {
+template <class V, class Viscosity>
+Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
   using Real = typename V::value_type;
   const auto real = [](double x) { return V(static_cast<Real>(x)); };
-  return {real(p.tau), real(smagorinsky_factor(p.smagorinsky)),
+  double largest_stress;
+  if constexpr (Viscosity::flow_law) largest_stress = stress_limit(p.rheology);
+  else largest_stress = stress_limit(p.tau);
+  return {Viscosity::of(p),
           {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(p.coverage_resistance),
-          real(stress_limit(p.tau))};
+          real(largest_stress)};
 }
 
 template <class Real, bool kMixed, bool kBody>
@@ -35,7 +41,7 @@ class BlockKernel {
   using V = stdx::native_simd<Real>;
   static constexpr int width = static_cast<int>(V::size());
 
-  template <class Operator, bool kLes>
+  template <class Operator, template <class> class Viscosity>
   static void run(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p) {
     const FlushDenormals flush;
     const std::uint64_t rows = kMixed ? whole_vectors(block.wet_rows) : kAllRows;
@@ -43,7 +49,7 @@ class BlockKernel {
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       gather_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), rows, away[P]);
     });
-    const Uniform<V> uniform = make_uniform<V>(p);
+    const auto uniform = make_uniform<V, Viscosity<V>>(p);
     Real* home[D3Q19::pairs];
     for (int pair = 0; pair < D3Q19::pairs; ++pair) home[pair] = block.f(p.parity.home(D3Q19::forward(pair)));
     alignas(64) Real wet[kMixed ? kBlockCells : 1];
@@ -53,7 +59,7 @@ class BlockKernel {
     for (int n = 0; n < kBlockCells; n += width) {
       if constexpr (kMixed)
         if (!(rows >> (n / kBlockWidth) & 1)) continue;
-      collide_cells<Operator, kLes>(block, home, away, wet, n, uniform);
+      collide_cells<Operator>(block, home, away, wet, n, uniform);
     }
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       scatter_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), rows, away[P]);
@@ -70,10 +76,10 @@ class BlockKernel {
     return first | first << 1;
   }
 
-  template <class Operator, bool kLes>
+  template <class Operator, class Uniforms>
   [[gnu::always_inline]] static void collide_cells(Block<Real>& block, Real* const (&home)[D3Q19::pairs],
                                                    Real (&away)[D3Q19::pairs][kBlockCells], const Real* wet, int n,
-                                                   const Uniform<V>& uniform) {
+                                                   const Uniforms& uniform) {
     V f[D3Q19::q];
     f[0] = V(block.f(0) + n, stdx::vector_aligned);
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
@@ -94,14 +100,14 @@ class BlockKernel {
         if constexpr (Operator::bounds_stress)
           force.largest_rate = V(block.surface->largest_rate + n, stdx::vector_aligned);
       }
-    if constexpr (Operator::bounds_stress) limit_stress(block, f, uniform, m, force);
+    if constexpr (Operator::bounds_stress) limit_stress(block, f, uniform.stress_limit, m, force);
     add_forcing(block, n, uniform, m, force);
     if constexpr (kBody && kMixed) {
       stdx::where(dry, force.coverage_weight) = V(0);
       for (V& k : force.kick) stdx::where(dry, k) = V(0);
     }
     if constexpr (kBody) record_exchange(block, n, m, force);
-    Operator::template collide<kLes>(f, m, force, uniform.tau, uniform.les_factor);
+    Operator::collide(f, m, force, uniform.viscosity);
     if constexpr (kMixed)
       for (V& population : f) stdx::where(dry, population) = V(0);
     f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
@@ -112,19 +118,20 @@ class BlockKernel {
   }
 
   /// Bounds the stress of cells that strain too fast, and counts them: rare, hence the test of the squares first.
-  [[gnu::always_inline]] static void limit_stress(Block<Real>& block, const V (&f)[D3Q19::q], const Uniform<V>& uniform,
+  [[gnu::always_inline]] static void limit_stress(Block<Real>& block, const V (&f)[D3Q19::q], const V& largest,
                                                   const Moments<V>& m, CellForcing<V>& force) {
     const Symmetric<V> s = stress(f, m);
-    const V limit = uniform.stress_limit * (V(1) + m.drho);
+    const V limit = largest * (V(1) + m.drho);
     const auto over = square(s) > limit * limit;
     if (stdx::none_of(over)) [[likely]] return;
-    force.stress_share = limited_stress_share(s, m.inverse_density, uniform.stress_limit);
+    force.stress_share = limited_stress_share(s, m.inverse_density, largest);
     block.limited_cells += stdx::popcount(over);
   }
 
   /// Gravity acts on all that the populations stand for, liquid and displaced liquid; the bodies' buoyancy is the
   /// weight of the latter (coupling/body_map.h).
-  [[gnu::always_inline]] static void add_forcing(const Block<Real>& block, int n, const Uniform<V>& uniform,
+  template <class Uniforms>
+  [[gnu::always_inline]] static void add_forcing(const Block<Real>& block, int n, const Uniforms& uniform,
                                                  const Moments<V>& m, CellForcing<V>& force) {
     if constexpr (kBody) {
       const BodyFields<Real>& body = *block.body;
@@ -162,22 +169,24 @@ class BlockKernel {
 };
 
 template <class Real, bool kMixed, bool kBody, class Operator>
-BlockSweep<Real> pick_les(const SweepParameters& p) {
+BlockSweep<Real> pick_viscosity(const SweepParameters& p) {
   using Kernel = BlockKernel<Real, kMixed, kBody>;
-  return p.smagorinsky > 0 ? &Kernel::template run<Operator, true> : &Kernel::template run<Operator, false>;
+  if (p.rheology.law == FlowLaw::bingham) return &Kernel::template run<Operator, Bingham>;
+  if (p.rheology.law == FlowLaw::herschel_bulkley) return &Kernel::template run<Operator, HerschelBulkley>;
+  return p.smagorinsky > 0 ? &Kernel::template run<Operator, Smagorinsky> : &Kernel::template run<Operator, Newtonian>;
 }
 
 template <class Real, bool kMixed, bool kBody>
 BlockSweep<Real> pick_operator(const SweepParameters& p) {
   switch (p.collision) {
     case CollisionOperator::bgk:
-      return pick_les<Real, kMixed, kBody, Bgk>(p);
+      return pick_viscosity<Real, kMixed, kBody, Bgk>(p);
     case CollisionOperator::trt:
-      return pick_les<Real, kMixed, kBody, Trt>(p);
+      return pick_viscosity<Real, kMixed, kBody, Trt>(p);
     case CollisionOperator::central_moments:
       break;
   }
-  return pick_les<Real, kMixed, kBody, CentralMoments>(p);
+  return pick_viscosity<Real, kMixed, kBody, CentralMoments>(p);
 }
 
 template <class Real>

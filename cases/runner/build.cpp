@@ -44,6 +44,19 @@ double sauter_diameter(const scene::Scene& scene) {
   return area > 0 ? volume / area : scene.fluid.cell_size;
 }
 
+lbm::RheologyOptions rheology_of(const scene::Rheology& r) {
+  const auto law = r.law == scene::FlowLaw::bingham            ? lbm::FlowLaw::bingham
+                   : r.law == scene::FlowLaw::herschel_bulkley ? lbm::FlowLaw::herschel_bulkley
+                                                               : lbm::FlowLaw::newtonian;
+  return {law, r.yield_stress, r.consistency, r.exponent, r.limit_viscosity};
+}
+
+lbm::InflowOptions inflow_of(const scene::Inflow& s) {
+  lbm::InflowOptions inflow{s.name, s.lower, s.upper, s.velocity, {}};
+  for (const scene::TimeValue& point : s.discharge) inflow.discharge.points.push_back({point.time, point.value});
+  return inflow;
+}
+
 lbm::FaceKind face_kind(const scene::Scene& scene, int face) {
   if (scene.domain.periodic(static_cast<scene::Axis>(face / 2))) return lbm::FaceKind::periodic;
   return scene.domain.open(static_cast<scene::Face>(face)) ? lbm::FaceKind::open : lbm::FaceKind::closed;
@@ -86,6 +99,8 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
   o.domain.cell_size = scene.fluid.cell_size;
   for (int face = 0; face < 6; ++face) o.domain.faces[static_cast<std::size_t>(face)] = face_kind(scene, face);
   o.domain.walls = scene::make_walls(scene);
+  if (scene.fluid.wall_placement == scene::WallPlacement::interpolated)
+    o.domain.placement = lbm::WallPlacement::interpolated;
   o.time_step = fluid_time_step(scene);
   o.density = scene.fluid.density;
   o.kinematic_viscosity = scene.fluid.kinematic_viscosity;
@@ -96,6 +111,8 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
     o.seepage_constant = coupling::seepage_constant(sauter_diameter(scene), o.kinematic_viscosity, o.gravity.norm(),
                                                     {o.domain.cell_size, o.time_step, o.density});
   o.smagorinsky = scene.fluid.smagorinsky;
+  o.rheology = rheology_of(scene.fluid.rheology);
+  for (const scene::Inflow& inflow : scene.fluid.inflows) o.inflows.push_back(inflow_of(inflow));
   return o;
 }
 

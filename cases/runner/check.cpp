@@ -29,6 +29,8 @@ double blocks_at_start(const scene::Scene& scene) {
 double depth_of(const scene::Scene& scene) {
   double depth = 0;
   for (const scene::FluidRegion& r : scene.fluid.regions) depth = std::max(depth, r.upper.z() - r.lower.z());
+  if (scene.fluid.regions.empty())
+    for (const scene::Inflow& i : scene.fluid.inflows) depth = std::max(depth, i.upper.z() - i.lower.z());
   return depth;
 }
 
@@ -48,6 +50,19 @@ void set_numbers(const scene::Scene& scene, FluidFigures& f) {
   f.bond = fluid.density * scene.gravity.magnitude * f.depth * f.depth / water_surface_tension;
 }
 
+void set_flow_law_numbers(const scene::Scene& scene, FluidFigures& f) {
+  const scene::Rheology& r = scene.fluid.rheology;
+  if (r.law == scene::FlowLaw::newtonian) return;
+  const double rate = f.max_speed / f.depth, density = scene.fluid.density;
+  const double viscous = r.law == scene::FlowLaw::bingham ? density * scene.fluid.kinematic_viscosity * rate
+                                                          : r.consistency * std::pow(rate, r.exponent);
+  f.reynolds = density * f.max_speed * f.max_speed / viscous;
+  f.bingham = r.yield_stress / viscous;
+  f.hedstrom = f.bingham * f.reynolds;
+  const LatticeUnits units{scene.fluid.cell_size, f.time_step, density};
+  f.limit_tau = 0.5 + 3 * units.viscosity_to_lu(r.limit_viscosity);
+}
+
 FluidFigures fluid_figures(const scene::Scene& scene) {
   FluidFigures f;
   const double dx = scene.fluid.cell_size;
@@ -65,6 +80,7 @@ FluidFigures fluid_figures(const scene::Scene& scene) {
   f.steps = std::ceil(scene.run.duration / f.time_step);
   f.depth = depth_of(scene);
   set_numbers(scene, f);
+  set_flow_law_numbers(scene, f);
   return f;
 }
 

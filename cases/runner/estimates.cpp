@@ -33,6 +33,10 @@ double expected_max_speed(const scene::Scene& scene) {
     const double fall = std::max(0.0, highest(r.lower, r.upper, up) - lowest);  // g h
     fastest = std::max(fastest, std::sqrt(r.velocity.squaredNorm() + 2 * fall));
   }
+  for (const scene::Inflow& i : scene.fluid.inflows) {
+    const double fall = std::max(0.0, highest(i.lower, i.upper, up) - lowest);
+    fastest = std::max(fastest, std::sqrt(i.velocity.squaredNorm() + 2 * fall));
+  }
   return fastest;
 }
 

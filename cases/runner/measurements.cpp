@@ -246,7 +246,11 @@ std::map<std::string, double> Measurements<Real>::metrics() {
   auto all = found_;
   if (step_.fluid() && step_.solids()) all["momentum_audit_rel"] = step_.audit().relative();
   if (step_.fluid()) {
-    all["liquid_mass_start_kg"] = step_.fluid()->liquid_mass() + step_.fluid()->outflow_mass();
+    all["liquid_mass_start_kg"] =
+        step_.fluid()->liquid_mass() + step_.fluid()->outflow_mass() - step_.fluid()->inflow_mass();
+    if (!step_.fluid()->options().inflows.empty()) all["liquid_inflow_kg"] = step_.fluid()->inflow_mass();
+    if (const double returned = step_.fluid()->account().walls.returned; returned > 0)
+      all["liquid_wall_balance_kg"] = returned * step_.fluid()->units().mass();
     all["speed_limited_cells_max"] = static_cast<double>(step_.fluid()->limited_cells());
     all["liquid_left_kg"] = step_.fluid()->outflow_mass();
     all["liquid_pooled_kg"] = step_.fluid()->account().pooled_total * step_.fluid()->units().mass();

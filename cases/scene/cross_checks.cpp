@@ -51,6 +51,8 @@ void check_pairs(const Scene& scene, Findings& findings) {
 
 void check_names(const Scene& scene, Findings& findings) {
   check_plain(scene.identity.name, "scene.name", findings);
+  for (std::size_t i = 0; i < scene.fluid.inflows.size(); ++i)
+    check_plain(scene.fluid.inflows[i].name, fmt::format("fluid.inflow[{}].name", i), findings);
   std::set<std::string> seen;
   for (std::size_t i = 0; i < scene.probes.size(); ++i) {
     const std::string path = fmt::format("probe[{}].name", i);

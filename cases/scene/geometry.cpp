@@ -20,7 +20,7 @@ Shape make_shape(const WallSettings& s) {
 }  // namespace
 
 Wall make_wall(const WallSettings& settings, int material) {
-  return {settings.name, make_shape(settings), settings.slip, material, settings.velocity};
+  return {settings.name, make_shape(settings), settings.slip, material, settings.velocity, settings.roughness};
 }
 
 Walls make_walls(const Scene& scene) {

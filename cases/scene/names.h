@@ -33,7 +33,18 @@ constexpr auto names_of(WallShape) {
                                   {"sphere", WallShape::sphere}}};
 }
 constexpr auto names_of(WallSlip) {
-  return NameTable<WallSlip, 2>{{{"no_slip", WallSlip::no_slip}, {"free_slip", WallSlip::free_slip}}};
+  return NameTable<WallSlip, 3>{{{"no_slip", WallSlip::no_slip},
+                                 {"free_slip", WallSlip::free_slip},
+                                 {"wall_model", WallSlip::wall_model}}};
+}
+constexpr auto names_of(WallPlacement) {
+  return NameTable<WallPlacement, 2>{
+      {{"half_way", WallPlacement::half_way}, {"interpolated", WallPlacement::interpolated}}};
+}
+constexpr auto names_of(FlowLaw) {
+  return NameTable<FlowLaw, 3>{{{"newtonian", FlowLaw::newtonian},
+                                {"bingham", FlowLaw::bingham},
+                                {"herschel_bulkley", FlowLaw::herschel_bulkley}}};
 }
 constexpr auto names_of(Collision) {
   return NameTable<Collision, 3>{

@@ -17,6 +17,8 @@ enum class Axis { x, y, z };
 enum class WallShape { plane, box, cylinder, sphere };
 enum class Collision { central_moments, bgk, trt };
 enum class BodyWeighting { solid_fraction, noble_torczynski, seepage };
+enum class WallPlacement { half_way, interpolated };
+enum class FlowLaw { newtonian, bingham, herschel_bulkley };
 enum class ProbeKind { height, pressure };
 
 struct Identity {
@@ -63,6 +65,7 @@ struct WallSettings {
   Vec3 start = Vec3::Zero(), end = Vec3::Zero(), centre = Vec3::Zero();
   double radius = 0;
   WallSlip slip = WallSlip::no_slip;
+  double roughness = 0;  ///< m, of the wall model
   std::string material;  ///< empty where nothing solid can touch it
   Vec3 velocity = Vec3::Zero();
   bool operator==(const WallSettings&) const = default;
@@ -71,6 +74,28 @@ struct WallSettings {
 struct FluidRegion {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero(), velocity = Vec3::Zero();
   bool operator==(const FluidRegion&) const = default;
+};
+
+struct Rheology {
+  FlowLaw law = FlowLaw::newtonian;
+  double yield_stress = 0;     ///< Pa
+  double consistency = 0;      ///< Pa s^n
+  double exponent = 1;
+  double limit_viscosity = 0;  ///< m^2/s
+  bool operator==(const Rheology&) const = default;
+};
+
+/// A value at a time, s.
+struct TimeValue {
+  double time = 0, value = 0;
+  bool operator==(const TimeValue&) const = default;
+};
+
+struct Inflow {
+  std::string name;
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero(), velocity = Vec3::Zero();
+  std::vector<TimeValue> discharge;  ///< m^3/s
+  bool operator==(const Inflow&) const = default;
 };
 
 struct Fluid {
@@ -82,7 +107,10 @@ struct Fluid {
   double smagorinsky = 0;
   double lattice_velocity = 0.1;
   double max_speed = 0;  ///< m/s, 0 = from the drop height
+  WallPlacement wall_placement = WallPlacement::half_way;
+  Rheology rheology;
   std::vector<FluidRegion> regions;
+  std::vector<Inflow> inflows;
   bool operator==(const Fluid&) const = default;
 };
 

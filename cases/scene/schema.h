@@ -72,7 +72,11 @@ void describe(V& v, WallSettings& s) {
               [&] { v.value("centre_m", s.centre, required(), "Centre."); });
   v.for_shape(s.shape == WallShape::cylinder || s.shape == WallShape::sphere, "shape = \"cylinder\" or \"sphere\"",
               [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
-  v.value("slip", s.slip, {}, "How water slides along the wall.");
+  v.value("slip", s.slip, {},
+          "How water slides along the wall: not at all, freely, or with the wall stress of a turbulent layer thinner than "
+          "the cells.");
+  v.value("roughness_m", s.roughness, {non_negative()},
+          "Equivalent sand roughness of a wall with slip = \"wall_model\"; 0 = smooth.");
   v.value("material", s.material, {}, "Name of a material; needed where the scene has grains or a barrier.");
   v.for_shape(s.shape == WallShape::plane || s.shape == WallShape::box, "shape = \"plane\" or \"box\"", [&] {
     v.value("velocity_m_s", s.velocity, {}, "Tangential velocity of the surface (the wall itself stays in place).");
@@ -84,6 +88,28 @@ void describe(V& v, FluidRegion& s) {
   v.value("lower_m", s.lower, required(), "Lower corner of a box that is full of liquid at the start.");
   v.value("upper_m", s.upper, required(), "Upper corner.");
   v.value("velocity_m_s", s.velocity, {}, "Velocity at the start.");
+}
+
+template <class V>
+void describe(V& v, Rheology& s) {
+  v.value("law", s.law, {},
+          "Flow law. Bingham: yield stress and the kinematic viscosity as the plastic one. Herschel-Bulkley: yield "
+          "stress, consistency and exponent in place of the kinematic viscosity.");
+  v.value("yield_stress_Pa", s.yield_stress, {non_negative()}, "Shear stress below which the fluid only creeps.");
+  v.value("consistency_Pa_s_n", s.consistency, {non_negative()}, "K of the stress yield + K rate^n.");
+  v.value("exponent", s.exponent, {between(0.3, 2)}, "n: below 1 thinner, above 1 thicker in fast shear.");
+  v.value("limit_viscosity_m2_s", s.limit_viscosity, {non_negative()},
+          "Largest kinematic viscosity, that of the creep below the yield stress; needed with a yield stress law.");
+}
+
+template <class V>
+void describe(V& v, Inflow& s) {
+  v.value("name", s.name, required(), "Name in messages: letters, digits, `_` and `-`.");
+  v.value("lower_m", s.lower, required(), "Lower corner of the box whose cells liquid enters.");
+  v.value("upper_m", s.upper, required(), "Upper corner.");
+  v.value("velocity_m_s", s.velocity, {}, "Velocity with which it comes.");
+  v.value("discharge_m3_s", s.discharge, {.range = non_negative(), .required = true, .min_count = 2},
+          "Hydrograph: [time in s, discharge], straight lines between, nothing before the first and after the last.");
 }
 
 template <class V>
@@ -101,7 +127,12 @@ void describe(V& v, Fluid& s) {
         "square.");
     v.value("max_speed_m_s", s.max_speed, {non_negative()},
             "Largest expected speed; 0 = from the drop height, sqrt(v0^2 + 2 g h).");
+    v.value("wall_placement", s.wall_placement, {},
+            "Where no-slip walls are felt: half-way between cells, or at their own place between the cells (interpolated "
+            "bounce-back, second order).");
+    v.table("rheology", s.rheology, Presence::optional, "Flow law of mud and slurry. Newtonian when left out.");
     v.array("region", s.regions, "Where the liquid is at the start.");
+    v.array("inflow", s.inflows, "Where liquid comes in during the run.");
   });
 }
 

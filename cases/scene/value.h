@@ -27,11 +27,13 @@ std::string read(const toml::node& node, const Rule& rule, std::int64_t& value);
 std::string read(const toml::node& node, const Rule& rule, bool& value);
 std::string read(const toml::node& node, const Rule& rule, std::string& value);
 std::string read(const toml::node& node, const Rule& rule, Vec3& value);
+std::string read(const toml::node& node, const Rule& rule, TimeValue& value);
 
 inline std::string type_text(double) { return "a number"; }
 inline std::string type_text(std::int64_t) { return "a whole number"; }
 inline std::string type_text(bool) { return "true or false"; }
 inline std::string type_text(const std::string&) { return "a string"; }
+inline std::string type_text(const TimeValue&) { return "a pair [time, value]"; }
 inline std::string type_text(const Vec3&) { return "three numbers [x, y, z]"; }
 template <class E>
 requires std::is_enum_v<E> std::string type_text(E) {
@@ -102,6 +104,7 @@ inline std::string toml_text(const std::string& v) { return string_text(v); }
 inline std::string toml_text(const Vec3& v) {
   return "[" + number_text(v.x()) + ", " + number_text(v.y()) + ", " + number_text(v.z()) + "]";
 }
+inline std::string toml_text(const TimeValue& v) { return "[" + number_text(v.time) + ", " + number_text(v.value) + "]"; }
 template <class E>
 requires std::is_enum_v<E> std::string toml_text(E v) { return string_text(name_of(v)); }
 template <class T>

@@ -1,5 +1,6 @@
 #include "lbm/boundary/wall_reflection.h"
 
+#include "lbm/boundary/wall_traction.h"
 #include "lbm/cell_moments.h"
 
 namespace lahar::lbm {
@@ -9,12 +10,13 @@ namespace {
 /// Velocity of the wall at a cell, as the reflection sees it.
 template <class Real>
 std::array<Real, 3> reflection_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
-                                        Real& rho) {
+                                        const WallPhysics& physics, Real& rho) {
   rho = 1;
   std::array<Real, 3> v{};
-  if (wall.free_slip) {
+  if (wall.slip != WallSlip::no_slip) {
     const auto m = outgoing_moments(grid, place, parity);
     rho += m.drho;
+    if (wall.slip == WallSlip::wall_model) return wall_model_velocity(grid, place, wall, parity, physics, m);
     Real normal_speed = 0;
     for (std::size_t k = 0; k < 3; ++k) normal_speed += m.u[k] * static_cast<Real>(wall.normal[k]);
     for (std::size_t k = 0; k < 3; ++k) v[k] = m.u[k] - normal_speed * static_cast<Real>(wall.normal[k]);
@@ -44,16 +46,61 @@ Real mean_wall_push(const std::uint8_t* links, int count, const std::array<Real,
   return sum / weights;
 }
 
+/// One link of an interpolated wall; returns the mass that it adds to the cell.
+template <class Real>
+double interpolate(FluidGrid<Real>& grid, CellPlace place, int i, const WallHit& hit, Parity parity,
+                   const WallPhysics& physics) {
+  const bool forward = i % 2 == 1;
+  const auto pair = grid.access(place, forward ? i : i - 1, parity);
+  const Real out = forward ? *pair.outgoing_a : *pair.outgoing_b, out_opposite = forward ? *pair.outgoing_b : *pair.outgoing_a;
+  const Real arrived = forward ? *pair.incoming_a : *pair.incoming_b;
+  Real& back = forward ? *pair.incoming_b : *pair.incoming_a;
+  const auto w = static_cast<Real>(D3Q19::w(i)), push = 6 * w * static_cast<Real>(hit.push);
+  Real q = static_cast<Real>(hit.share);
+  if (q < Real(0.5) && !is_wet(grid.type(grid.neighbour(place, D3Q19::opposite(i))))) q = Real(0.5);
+  const auto* c = D3Q19::c[i];
+  const auto& a = physics.acceleration;
+  const Real weight = 3 * w * static_cast<Real>(c[0] * a[0] + c[1] * a[1] + c[2] * a[2]);
+  if (q < Real(0.5)) back = 2 * q * out + (1 - 2 * q) * (arrived + weight) - push;
+  else back = (out + (2 * q - 1) * (out_opposite + weight) - push) / (2 * q);
+  return static_cast<double>(back) - static_cast<double>(out);
+}
+
+/// All links of a cell at an interpolated wall.
+template <class Real>
+void interpolate_links(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
+                       const WallPhysics& physics) {
+  Block<Real>& block = grid.block(place.block);
+  const auto entry = static_cast<std::size_t>(&wall - block.walls.cells.data());
+  if (block.type[wall.cell] == CellType::liquid) {
+    block.walls.gained += block.walls.gains[entry];
+    ++block.walls.takers;
+  }
+  double gained = 0;
+  for (std::size_t k = wall.first_link; k < std::size_t{wall.first_link} + wall.links; ++k)
+    gained += interpolate(grid, place, block.walls.directions[k], block.walls.hits[k], parity, physics);
+  block.walls.gains[entry] = gained;
+}
+
 }  // namespace
 
 template <class Real>
-void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
+void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const WallPhysics& physics) {
   Block<Real>& block = grid.block(b);
+  block.walls.gained = 0, block.walls.takers = 0;
+  if (!block.walls.hits.empty()) block.walls.gains.resize(block.walls.cells.size(), 0);
   for (const WallCell& wall : block.walls.cells) {
     const CellPlace place{b, wall.cell};
-    if (!is_wet(block.type[wall.cell])) continue;
+    if (!is_wet(block.type[wall.cell])) {
+      if (!block.walls.gains.empty()) block.walls.gains[static_cast<std::size_t>(&wall - block.walls.cells.data())] = 0;
+      continue;
+    }
+    if (wall.slip == WallSlip::no_slip && !block.walls.hits.empty()) {
+      interpolate_links(grid, place, wall, parity, physics);
+      continue;
+    }
     Real rho;
-    const auto v = reflection_velocity(grid, place, wall, parity, rho);
+    const auto v = reflection_velocity(grid, place, wall, parity, physics, rho);
     const auto* links = block.walls.directions.data() + wall.first_link;
     const Real mean_push = mean_wall_push(links, wall.links, v);
     for (int k = 0; k < wall.links; ++k) {
@@ -66,7 +113,7 @@ void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
   }
 }
 
-template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity);
-template void reflect_at_walls<double>(FluidGrid<double>&, BlockIndex, Parity);
+template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity, const WallPhysics&);
+template void reflect_at_walls<double>(FluidGrid<double>&, BlockIndex, Parity, const WallPhysics&);
 
 }  // namespace lahar::lbm

@@ -2,26 +2,25 @@
 // Single relaxation time (Qian, d'Humieres & Lallemand 1992), for comparison. Forces by the exact difference of
 // equilibria (Kupershtokh 2004).
 #include "lbm/collision/cell_state.h"
-#include "lbm/collision/smagorinsky.h"
+#include "lbm/collision/newtonian.h"
 #include "lbm/equilibrium.h"
 
 namespace lahar::lbm {
 
-/// The rate of the even (viscous) part: constant, or with the eddy viscosity.
-template <bool kLes, class V>
-V viscous_rate(const V (&f)[D3Q19::q], const Moments<V>& m, const V& tau0, const V& les_factor) {
-  if constexpr (kLes) return smagorinsky_rate(second_central_moments(f, m), m.inverse_density, tau0, les_factor);
-  return V(1) / tau0;
+/// The rate of the even (viscous) part: constant, or from the cell's stress.
+template <class Viscosity, class V>
+V viscous_rate(const V (&f)[D3Q19::q], const Moments<V>& m, const Viscosity& viscosity) {
+  if constexpr (Viscosity::constant) return viscosity.rate();
+  else return viscosity.rate(second_central_moments(f, m), m.inverse_density);
 }
 
 struct Bgk {
   static constexpr const char* name = "bgk";
   static constexpr bool bounds_stress = false;
 
-  template <bool kLes, class V>
-  static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,
-                      const V& les_factor) {
-    const V omega = viscous_rate<kLes>(f, m, tau0, les_factor);
+  template <class Viscosity, class V>
+  static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const Viscosity& viscosity) {
+    const V omega = viscous_rate(f, m, viscosity);
     const V keep = (V(1) - omega) * (V(1) - force.coverage_weight);
     V v[3];
     velocity_after(m, force, v);

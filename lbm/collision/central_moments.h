@@ -15,7 +15,7 @@
 // Maxwell distribution, it still grew five-fold in 6000; with 1/2 it decays). Forces shift the frame in which the central moments
 // are taken, which is exact up to the square of the force.
 #include "lbm/collision/cell_state.h"
-#include "lbm/collision/smagorinsky.h"
+#include "lbm/collision/newtonian.h"
 
 namespace lahar::lbm {
 
@@ -57,13 +57,13 @@ struct CentralMoments {
   static constexpr const char* name = "central_moments";
   static constexpr bool bounds_stress = true;  ///< collision/stress_limit.h
 
-  template <bool kLes, class V>
-  [[gnu::always_inline]] static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,
-                      const V& les_factor) {
+  template <class Viscosity, class V>
+  [[gnu::always_inline]] static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const Viscosity& viscosity) {
     using std::min;
     Symmetric<V> s = stress(f, m);
-    V omega = V(1) / tau0;
-    if constexpr (kLes) omega = smagorinsky_rate(s, m.inverse_density, tau0, les_factor);
+    V omega;
+    if constexpr (Viscosity::constant) omega = viscosity.rate();
+    else omega = viscosity.rate(s, m.inverse_density);
     omega = min(omega, force.largest_rate);
     V v[3];
     const V limited = velocity_after(m, force, v);

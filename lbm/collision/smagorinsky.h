@@ -17,4 +17,19 @@ template <class V>
 /// 18 sqrt(2) Cs^2.
 inline double smagorinsky_factor(double cs) { return 18 * std::sqrt(2.0) * cs * cs; }
 
+/// The viscosity model (collision/newtonian.h).
+template <class V>
+struct Smagorinsky {
+  static constexpr bool constant = false, flow_law = false;
+  V tau, factor;
+
+  template <class Parameters>
+  static Smagorinsky of(const Parameters& p) {
+    return {number<V>(p.tau), number<V>(smagorinsky_factor(p.smagorinsky))};
+  }
+  V rate(const Symmetric<V>& s, const V& inverse_density) const {
+    return smagorinsky_rate(s, inverse_density, tau, factor);
+  }
+};
+
 }  // namespace lahar::lbm

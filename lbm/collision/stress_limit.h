@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "lbm/collision/cell_state.h"
+#include "lbm/rheology/rheology.h"
 
 namespace lahar::lbm {
 
@@ -25,6 +26,11 @@ inline constexpr double kLargestExposedRate = 1.0;  ///< omega in cells with gas
 
 /// |S| / rho of the largest strain rate: |S| = 2/3 rho tau |D|.
 inline double stress_limit(double tau) { return 2.0 / 3.0 * tau * kLargestStrain; }
+
+/// The same for a flow law: |S| / rho = sqrt(2)/3 tau g at the largest shear rate g = sqrt(2) |D|.
+inline double stress_limit(const RheologyParameters& p) {
+  return std::sqrt(2.0) / 3 * loading(p, std::sqrt(2.0) * kLargestStrain);
+}
 
 /// Share of a stress S (the deviator of the second central moments) that may be handed on.
 template <class V>

@@ -10,10 +10,9 @@ struct Trt {
   static constexpr bool bounds_stress = false;
   static constexpr double magic_parameter = 3.0 / 16.0;  ///< half-way walls exact for Poiseuille flow
 
-  template <bool kLes, class V>
-  static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const V& tau0,
-                      const V& les_factor) {
-    const V even_rate = viscous_rate<kLes>(f, m, tau0, les_factor);
+  template <class Viscosity, class V>
+  static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const Viscosity& viscosity) {
+    const V even_rate = viscous_rate(f, m, viscosity);
     const V odd_rate = V(1) / (number<V>(0.5) + number<V>(magic_parameter) / (V(1) / even_rate - number<V>(0.5)));
     const V stay = V(1) - force.coverage_weight, half = number<V>(0.5);
     const V keep_even = (V(1) - even_rate) * stay, keep_odd = (V(1) - odd_rate) * stay;

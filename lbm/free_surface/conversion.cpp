@@ -101,12 +101,23 @@ void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, LiquidAccou
   move_drops(grid, parity, account);
   distribute(grid, account);
   pay_pool(grid, account);
+  relist_touched(grid);
+}
+
+template <class Real>
+void CellConversion<Real>::relist_touched(FluidGrid<Real>& grid) {
   for (const BlockIndex b : touched_) {
     grid.relist(b);
     fresh_[static_cast<std::size_t>(b)].clear();
     is_touched_[static_cast<std::size_t>(b)] = 0;
   }
   touched_.clear();
+}
+
+template <class Real>
+void CellConversion<Real>::wet(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments) {
+  set_interface(grid, place, parity, moments, Real(0));
+  relist_touched(grid);
 }
 
 template <class Real>

@@ -6,6 +6,7 @@
 // the equilibrium at the mean density and velocity of their wet neighbours (refilling by equilibrium was the most robust
 // of those compared by Schwarzmeier & Ruede 2022). Where a body covers part of a cell the mass of the cell includes the
 // body's share: empty means that only the body is left (docs/coupling.md). Spray moves on as a whole (drops.h).
+#include "lbm/boundary/wall_balance.h"
 #include "lbm/fluid_grid.h"
 #include "lbm/free_surface/drops.h"
 
@@ -14,11 +15,13 @@ namespace lahar::lbm {
 /// What left the tracked cells, in lattice mass units, and how often the rules for unresolved liquid were used.
 struct LiquidAccount {
   double outflow = 0;       ///< left through open faces
+  double inflow = 0;        ///< came in through inflow boxes (inflow.h)
   double pool = 0;          ///< waiting to be paid back to interface cells
   double pooled_total = 0;  ///< sum of all that ever went through the pool (absolute)
   std::int64_t drop_moves = 0;  ///< moves of spray cells (drops.h)
   std::int64_t limited = 0;     ///< cell updates with a limited stress (collision/stress_limit.h)
   std::int64_t exposed = 0;     ///< cell updates with a bounded relaxation rate (same place)
+  WallAccount walls;            ///< mass that interpolated walls took and gave (boundary/wall_balance.h)
 };
 
 /// What is to become of the interface cells of one block.
@@ -41,12 +44,15 @@ template <class Real>
 class CellConversion {
  public:
   void run(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
+  /// Makes a gas cell an interface cell without liquid, in the equilibrium of given moments; before a step.
+  void wet(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments);
 
  private:
   struct Excess {
     CellPlace place;
     Real mass;
   };
+  void relist_touched(FluidGrid<Real>& grid);
   void flag(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
   void fill_cells(FluidGrid<Real>& grid, Parity parity);
   void wet_neighbours(FluidGrid<Real>& grid, CellPlace place, Parity parity);

@@ -79,7 +79,7 @@ TEST(Value, SuggestsTheNearestWordOfAnOption) {
 TEST(Value, SaysWhatIsExpected) {
   EXPECT_EQ(expected_text(0.0, {positive()}), "a number above 0");
   EXPECT_EQ(expected_text(Vec3(0, 0, 0), {positive()}), "three numbers [x, y, z], each above 0");
-  EXPECT_EQ(expected_text(WallSlip{}, {}), "one of \"no_slip\", \"free_slip\"");
+  EXPECT_EQ(expected_text(WallSlip{}, {}), "one of \"no_slip\", \"free_slip\", \"wall_model\"");
   EXPECT_EQ(expected_text(std::vector<std::string>{}, {.min_count = 2, .max_count = 2}),
             "a list, each a string, 2 of them");
 }

@@ -5,6 +5,7 @@
 
 #include "lbm/collision/bgk.h"
 #include "lbm/collision/central_moments.h"
+#include "lbm/collision/smagorinsky.h"
 #include "lbm/collision/trt.h"
 
 namespace lahar::lbm {
@@ -32,7 +33,7 @@ TYPED_TEST(Collision, KeepsMassAndMomentum) {
     double f[D3Q19::q];
     this->random_state(random, f, 0.01);
     const auto before = moments(f);
-    TypeParam::template collide<false>(f, before, this->no_force(), 0.501, 0.0);
+    TypeParam::collide(f, before, this->no_force(), Newtonian<double>{0.501});
     const auto after = moments(f);
     EXPECT_NEAR(after.drho, before.drho, 1e-15);
     for (int a = 0; a < 3; ++a) EXPECT_NEAR(after.u[a], before.u[a], 1e-15);
@@ -46,7 +47,7 @@ TYPED_TEST(Collision, ForceAddsItsImpulse) {
   const auto before = moments(f);
   CellForcing<double> force = this->no_force();
   force.acceleration[0] = 1e-3, force.acceleration[2] = -2e-3, force.kick[1] = 5e-4;
-  TypeParam::template collide<true>(f, before, force, 0.6, smagorinsky_factor(0.1));
+  TypeParam::collide(f, before, force, Smagorinsky<double>{0.6, smagorinsky_factor(0.1)});
   const auto after = moments(f);
   EXPECT_NEAR(after.u[0] - before.u[0], 1e-3, 1e-14);
   EXPECT_NEAR(after.u[1] - before.u[1], 5e-4, 1e-14);
@@ -61,7 +62,7 @@ TYPED_TEST(Collision, RelaxesTheStressAtTheViscousRate) {
   const auto m = moments(f);
   const auto before = second_central_moments(f, m);
   const double tau = 0.8;
-  TypeParam::template collide<false>(f, m, this->no_force(), tau, 0.0);
+  TypeParam::collide(f, m, this->no_force(), Newtonian<double>{tau});
   const auto after = second_central_moments(f, m);
   EXPECT_NEAR(after.xy, (1 - 1 / tau) * before.xy, 1e-15);
   EXPECT_NEAR(after.yz, (1 - 1 / tau) * before.yz, 1e-15);
@@ -77,7 +78,7 @@ TYPED_TEST(Collision, FullCoverageGivesTheBodysVelocity) {
   force.coverage_weight = 1;
   force.solid_velocity[0] = 0.03, force.solid_velocity[2] = -0.02;
   const auto before = moments(f);
-  TypeParam::template collide<false>(f, before, force, 0.55, 0.0);
+  TypeParam::collide(f, before, force, Newtonian<double>{0.55});
   const auto after = moments(f);
   EXPECT_NEAR(after.drho, before.drho, 1e-15);
   EXPECT_NEAR(after.u[0], 0.03, 1e-15);
@@ -98,15 +99,15 @@ TYPED_TEST(Collision, IsIsotropicUnderLatticeRotation) {
     return -1;
   };
   for (int i = 0; i < D3Q19::q; ++i) g[turned(i)] = f[i];
-  TypeParam::template collide<true>(f, moments(f), this->no_force(), 0.51, smagorinsky_factor(0.15));
-  TypeParam::template collide<true>(g, moments(g), this->no_force(), 0.51, smagorinsky_factor(0.15));
+  TypeParam::collide(f, moments(f), this->no_force(), Smagorinsky<double>{0.51, smagorinsky_factor(0.15)});
+  TypeParam::collide(g, moments(g), this->no_force(), Smagorinsky<double>{0.51, smagorinsky_factor(0.15)});
   for (int i = 0; i < D3Q19::q; ++i) EXPECT_NEAR(g[turned(i)], f[i], 1e-16);
 }
 
 TYPED_TEST(Collision, EquilibriumAtRestStays) {
   double f[D3Q19::q];
   for (int i = 0; i < D3Q19::q; ++i) f[i] = equilibrium(i, 0.01, 0.0, 0.0, 0.0);
-  TypeParam::template collide<false>(f, moments(f), this->no_force(), 0.5001, 0.0);
+  TypeParam::collide(f, moments(f), this->no_force(), Newtonian<double>{0.5001});
   for (int i = 0; i < D3Q19::q; ++i) EXPECT_NEAR(f[i], equilibrium(i, 0.01, 0.0, 0.0, 0.0), 1e-17);
 }
 

@@ -38,7 +38,7 @@ TEST(StressLimit, TakesStressAloneOut) {
     sheared(0.01, f);
     const auto before = moments(f);
     const CellForcing<double> force{{0, 0, 0}, 0, {0, 0, 0}, {0, 0, 0}, c.rate, c.share};
-    CentralMoments::collide<false>(f, before, force, 0.5, 0.0);
+    CentralMoments::collide(f, before, force, Newtonian<double>{0.5});
     const auto after = moments(f);
     EXPECT_NEAR(stress(f, after).xy, c.left * 0.01, 1e-15);
     EXPECT_NEAR(after.drho, before.drho, 1e-15);

@@ -6,4 +6,7 @@ namespace lahar::validate {
 
 std::vector<Entry> fluid_entries();
 
+Entry bingham_channel();
+Entry log_law_channel();
+
 }  // namespace lahar::validate

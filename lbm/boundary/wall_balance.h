@@ -1,0 +1,26 @@
+#pragma once
+// The mass that interpolated walls gain or lose in liquid cells, and its return.
+//
+// Half-way bounce-back returns to each cell what it sent into the wall. Interpolation does not, and must not: in a flow along a
+// wall that cuts the links at unlike distances the liquid crosses the surface half-way between the cells, out of some cells
+// and into others, and only the sum along the wall is zero (up to second order). Forcing every cell to keep its mass
+// would bring back the error of first order. So the sum over all cells is taken each step, and given back in equal parts to
+// the rest populations of the same cells; the ledger of the liquid stays exact to rounding, and how much was moved is counted.
+// What a reflection adds is in a cell after the next sweep, and only then taken back: in between the cell may have turned
+// from liquid to interface. Interface cells are left out: their mass changes over links to wet cells alone.
+#include "lbm/fluid_grid.h"
+
+namespace lahar::lbm {
+
+struct WallAccount {
+  double owed = 0;      ///< gained by cells and not yet taken back (rounding), lu
+  double returned = 0;  ///< sum of |what was given back or taken| so far, lu
+};
+
+template <class Real>
+void balance_walls(FluidGrid<Real>& grid, WallAccount& account);
+
+extern template void balance_walls<float>(FluidGrid<float>&, WallAccount&);
+extern template void balance_walls<double>(FluidGrid<double>&, WallAccount&);
+
+}  // namespace lahar::lbm

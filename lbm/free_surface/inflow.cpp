@@ -1,0 +1,90 @@
+#include "lbm/free_surface/inflow.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/check.h"
+#include "lbm/cell_moments.h"
+
+namespace lahar::lbm {
+
+template <class Real>
+Inflow<Real>::Inflow(InflowOptions options, const Domain& domain, const LatticeUnits& units)
+    : options_(std::move(options)), units_(units) {
+  // Cells whose centre lies in [lower, upper).
+  for (int a = 0; a < 3; ++a) {
+    const auto cell = [&](double x) {
+      return static_cast<int>(std::ceil((x - domain.origin()[a]) / units.cell_size - 0.5 - 1e-9));
+    };
+    first_[a] = cell(options_.lower[a]);
+    last_[a] = cell(options_.upper[a]) - 1;
+    require(first_[a] <= last_[a], "Inflow: the box holds the centre of no cell");
+  }
+}
+
+template <class Real>
+void Inflow<Real>::feed(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity, double time,
+                        std::int64_t step, LiquidAccount& account) {
+  const double volume = options_.discharge.volume_until(time + units_.time_step) - options_.discharge.volume_until(time);
+  owed_ += volume / std::pow(units_.cell_size, 3);
+  if (std::abs(owed_) < 1e-12) return;
+  collect(grid, conversion, parity);
+  const double cells = (last_ - first_ + Vec3i::Ones()).cast<double>().prod();
+  if (owed_ > std::max(cells, kLargestDose) || wet_.empty())
+    throw NumericalFailure("inflow " + options_.name, step,
+                           wet_.empty() ? "no free cell in its box" : "its box cannot take the discharge; make it larger");
+  const double mass = std::min(kLargestDose, owed_ / static_cast<double>(wet_.size()));
+  double arrived = 0;
+  for (const CellPlace& place : wet_) arrived += dose(grid, place, parity, mass);
+  owed_ -= arrived;
+  account.inflow += arrived;
+}
+
+/// Lists the wet cells of the box after wetting the lowest free cell of each column that is dry there.
+template <class Real>
+void Inflow<Real>::collect(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity) {
+  wet_.clear();
+  CellMoments<Real> entering;
+  for (int a = 0; a < 3; ++a) entering.u[a] = static_cast<Real>(units_.velocity_to_lu(options_.velocity[a]));
+  for (int x = first_.x(); x <= last_.x(); ++x)
+    for (int y = first_.y(); y <= last_.y(); ++y) {
+      bool lowest = true;
+      for (int z = first_.z(); z <= last_.z(); ++z) {
+        const Vec3i cell(x, y, z);
+        const CellPlace place{grid.require_block(block_of(cell)), cell_index(x & 7, y & 7, z & 7)};
+        const CellType type = grid.type(place);
+        if (type == CellType::wall || type == CellType::sink) continue;
+        if (type == CellType::gas && lowest) conversion.wet(grid, place, parity, entering);
+        if (is_wet(grid.type(place))) wet_.push_back(place);
+        lowest = false;
+      }
+    }
+}
+
+/// Mass and momentum into one cell; returns the mass as it was stored.
+template <class Real>
+double Inflow<Real>::dose(FluidGrid<Real>& grid, CellPlace place, Parity parity, double mass) {
+  Block<Real>& block = grid.block(place.block);
+  const bool liquid = block.type[static_cast<std::size_t>(place.cell)] == CellType::liquid;
+  const auto m = outgoing_moments(grid, place, parity);
+  Real& store = liquid ? block.f(0)[place.cell] : block.surface->mass[place.cell];
+  const Real before = store;
+  store += static_cast<Real>(mass);
+  // In a liquid cell the added density is at rest and wants its own momentum; in an interface cell the populations stand for the
+  // mass there was, and take the velocity of the mixture.
+  const double density = 1 + static_cast<double>(m.drho), held = std::max(1e-3, static_cast<double>(before));
+  const double weight = liquid ? mass : density * mass / (held + mass);
+  BodyFields<Real>& body = grid.require_body(place.block);
+  Real* const kick[3] = {body.exchange_x, body.exchange_y, body.exchange_z};
+  for (int a = 0; a < 3; ++a) {
+    const double entering = units_.velocity_to_lu(options_.velocity[a]);
+    const double change = liquid ? entering : entering - static_cast<double>(m.u[a]);
+    kick[a][place.cell] += static_cast<Real>(weight * change);
+  }
+  return static_cast<double>(store) - static_cast<double>(before);
+}
+
+template class Inflow<float>;
+template class Inflow<double>;
+
+}  // namespace lahar::lbm

@@ -1,0 +1,84 @@
+#include "lbm/free_surface/inflow.h"
+
+#include <gtest/gtest.h>
+
+#include "core/check.h"
+#include "tests/lbm/flows.h"
+
+namespace lahar::lbm {
+namespace {
+
+TEST(Hydrograph, VolumeIsTheIntegral) {
+  const Hydrograph h{{{1, 0}, {2, 4}, {4, 4}, {5, 0}}};
+  EXPECT_EQ(h.volume_until(0.5), 0);
+  EXPECT_NEAR(h.volume_until(1.5), 0.5, 1e-15);  // 4 t^2 / 2
+  EXPECT_NEAR(h.volume_until(3), 6, 1e-15);
+  EXPECT_NEAR(h.volume_until(5), 12, 1e-15);
+  EXPECT_NEAR(h.volume_until(50), 12, 1e-15);
+  EXPECT_EQ(h.peak(), 4);
+}
+
+/// A tank of 0.4 x 0.16 m; the hydrograph brings 2.4 litres in 0.5 s.
+FluidOptions filling(const Vec3& lower, const Vec3& upper, const Vec3& velocity) {
+  FluidOptions o = tank_options(Vec3(0.4, 0.16, 0.2), 0.01, 2.0);
+  o.kinematic_viscosity = 1e-5;
+  o.inflows.push_back({"source", lower, upper, velocity, {{{0.05, 0}, {0.15, 0.006}, {0.45, 0.006}, {0.5, 0.0}}}});
+  return o;
+}
+constexpr double kVolume = 0.5 * 0.006 * (0.1 + 0.05) + 0.006 * 0.3;  // m^3
+
+template <class Real>
+void expect_filled(Fluid<Real>& fluid, double start, double tolerance) {
+  while (fluid.time() < 0.6) {
+    fluid.step();
+    if (fluid.steps() % 100 == 0) {
+      EXPECT_NEAR(fluid.mass_drift(), 0, tolerance);
+    }
+  }
+  EXPECT_NEAR(fluid.inflow_mass() / (1000 * kVolume), 1, 1e-9 + tolerance);
+  EXPECT_NEAR((fluid.liquid_mass() + fluid.outflow_mass() - start) / (1000 * kVolume), 1, 1e-6);
+}
+
+TEST(Inflow, FillsADryTankToTheVolumeOfItsHydrograph) {
+  Fluid<double> fluid(filling(Vec3(0.0, 0.0, 0.0), Vec3(0.04, 0.16, 0.05), Vec3(0.5, 0, 0)));
+  expect_filled(fluid, 0, 1e-12);
+  EXPECT_EQ(fluid.outflow_mass(), 0);
+  double depth_far = 0;
+  fluid.for_each_wet_cell([&](const WetCell& c) {
+    if (c.centre.x() > 0.3) depth_far += c.liquid_volume / (0.1 * 0.16);
+  });
+  EXPECT_GT(depth_far, 0.5 * kVolume / (0.4 * 0.16));  // it runs through the tank
+}
+
+TEST(Inflow, FeedsUnderWater) {
+  Fluid<double> fluid(filling(Vec3(0.15, 0.04, 0.0), Vec3(0.25, 0.12, 0.03), Vec3(0, 0, 0.2)));
+  fluid.fill({{Vec3::Zero(), Vec3(0.4, 0.16, 0.06)}});
+  expect_filled(fluid, fluid.liquid_mass(), 1e-12);
+}
+
+TEST(Inflow, FillsInFloatToo) {
+  Fluid<float> fluid(filling(Vec3(0.0, 0.0, 0.0), Vec3(0.04, 0.16, 0.05), Vec3(0.5, 0, 0)));
+  expect_filled(fluid, 0, 1e-6);
+}
+
+/// The momentum of what comes in: without gravity and walls nearby, that of the mass at the velocity.
+TEST(Inflow, BringsItsMomentum) {
+  FluidOptions o = filling(Vec3(0.15, 0.04, 0.08), Vec3(0.25, 0.12, 0.14), Vec3(0.4, 0, 0));
+  o.gravity = Vec3::Zero();
+  Fluid<double> fluid(o);
+  while (fluid.time() < 0.2) fluid.step();
+  double momentum = 0;
+  fluid.for_each_wet_cell([&](const WetCell& c) { momentum += 1000 * c.liquid_volume * c.velocity.x(); });
+  EXPECT_NEAR(momentum / (0.4 * fluid.inflow_mass()), 1, 0.1);
+}
+
+TEST(Inflow, RefusesWhatItsBoxCannotTake) {
+  FluidOptions o = filling(Vec3(0.0, 0.0, 0.0), Vec3(0.01, 0.01, 0.01), Vec3::Zero());
+  Fluid<double> fluid(o);
+  EXPECT_THROW(for (int s = 0; s < 2000; ++s) fluid.step(), NumericalFailure);
+  o.inflows[0].upper = Vec3(0.001, 0.001, 0.001);
+  EXPECT_THROW(Fluid<double>{o}, std::logic_error);
+}
+
+}  // namespace
+}  // namespace lahar::lbm

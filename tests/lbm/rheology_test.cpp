@@ -1,0 +1,116 @@
+#include "lbm/rheology/rheology.h"
+
+#include <gtest/gtest.h>
+
+#include <experimental/simd>
+#include <stdexcept>
+
+#include "lbm/rheology/herschel_bulkley.h"
+#include "tests/lbm/flows.h"
+
+namespace lahar::lbm {
+namespace {
+
+TEST(Power, LogarithmAndExponential) {
+  for (double x = -90; x < 90; x += 0.37) {
+    EXPECT_NEAR(exp2_of(x) / std::exp2(x), 1, 1e-13) << x;
+    EXPECT_NEAR(exp2_of(static_cast<float>(x)) / std::exp2(static_cast<float>(x)), 1, 1e-6) << x;
+    EXPECT_NEAR(log2_of(std::exp2(x)), x, 1e-13 * std::max(1.0, std::abs(x))) << x;
+    EXPECT_NEAR(log2_of(std::exp2(static_cast<float>(x))), static_cast<float>(x), 3e-7 * std::max(1.0, std::abs(x)));
+  }
+}
+
+/// Stress of a cell at rest whose loading is q.
+Symmetric<double> sheared(double q) { return {0, 0, 0, q / 3, 0, 0}; }
+
+struct Parameters {
+  RheologyParameters rheology;
+};
+
+/// The rate that a model gives must belong to the viscosity that the flow law gives at the shear rate that it implies.
+template <class Model>
+void expect_law(const RheologyParameters& p, double tolerance) {
+  const Model model = Model::of(Parameters{p});
+  for (double q = 1e-7; q < 0.1; q *= 1.3) {
+    const double density = 1.02, rate = model.rate(sheared(q * density), 1 / density), shear = q * rate;
+    const double wanted = std::min((p.limit_tau - 0.5) / 3,
+                                   p.yield / shear + p.consistency * std::pow(shear, p.exponent - 1));
+    const double tau = 1 / rate;
+    EXPECT_NEAR(tau / (0.5 + 3 * wanted), 1, tolerance) << "q " << q << " n " << p.exponent;
+  }
+}
+
+TEST(Rheology, BinghamSolvesItsLaw) {
+  expect_law<Bingham<double>>({FlowLaw::bingham, 1e-5, 0.01, 1, 30.5}, 1e-10);
+  expect_law<Bingham<double>>({FlowLaw::bingham, 1e-3, 1e-6, 1, 3.5}, 1e-10);
+  expect_law<Bingham<double>>({FlowLaw::bingham, 0, 0.02, 1, 3.5}, 1e-10);
+}
+
+TEST(Rheology, HerschelBulkleySolvesItsLaw) {
+  for (const double n : {0.3, 0.5, 0.8, 1.0, 1.5, 2.0})
+    for (const double consistency : {1e-5, 1e-3, 0.1})
+      expect_law<HerschelBulkley<double>>({FlowLaw::herschel_bulkley, 1e-5, consistency, n, 30.5}, 1e-7);
+}
+
+TEST(Rheology, VectorsGiveWhatNumbersGive) {
+  using V = std::experimental::native_simd<float>;
+  const Parameters p{{FlowLaw::herschel_bulkley, 1e-5, 1e-3, 0.4, 30.5}};
+  Symmetric<V> s{V(0), V(0), V(0), V(0), V(0), V(0)};
+  for (std::size_t k = 0; k < V::size(); ++k) s.xy[k] = 1e-6F * std::pow(2.5F, static_cast<float>(k));
+  const V rate = HerschelBulkley<V>::of(p).rate(s, V(1));
+  for (std::size_t k = 0; k < V::size(); ++k) {
+    const Symmetric<double> one{0, 0, 0, static_cast<double>(s.xy[k]), 0, 0};
+    EXPECT_NEAR(rate[k] / HerschelBulkley<double>::of(p).rate(one, 1.0), 1, 1e-5);
+  }
+}
+
+FluidOptions channel_options(const RheologyOptions& rheology, double viscosity, double push) {
+  FluidOptions o = lattice_options({8, 8, 16}, viscosity);
+  o.domain.faces[4] = o.domain.faces[5] = FaceKind::closed;
+  o.gravity = Vec3(push, 0, 0);
+  o.rheology = rheology;
+  return o;
+}
+
+/// Peak of the speed in a channel of 16 cells after it has settled.
+template <class Real>
+double channel_peak(const FluidOptions& o) {
+  Fluid<Real> fluid(o);
+  fluid.fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, no_pressure);
+  for (int s = 0; s < 4000; ++s) fluid.step();
+  return largest_speed(fluid);
+}
+
+/// A push below the yield stress at the wall, rho g h, creeps at the limit viscosity; above it the plug moves as it should.
+TEST(Rheology, ChannelYieldsWhereItsWallDoes) {
+  const double viscosity = 0.1, push = 1e-5, half = 8, wall_stress = push * half;
+  const double creep = channel_peak<double>(channel_options({FlowLaw::bingham, 1.2 * wall_stress, 0, 1, 10}, viscosity, push));
+  // Walls of fluids with a large tau slip, as half-way walls do: half as fast again is allowed for.
+  EXPECT_LT(creep, 1.5 * push * half * half / (2 * 10));
+  const double yielding = 0.4 * wall_stress, sheared_depth = 0.6 * half;
+  const double plug = channel_peak<double>(channel_options({FlowLaw::bingham, yielding, 0, 1, 50}, viscosity, push));
+  EXPECT_NEAR(plug / (push * sheared_depth * sheared_depth / (2 * viscosity)), 1, 0.05);
+}
+
+TEST(Rheology, EveryOperatorTakesIt) {
+  const double push = 1e-5, yield = 0.4 * push * 8;
+  // A limit viscosity of ten times the plastic one: BGK and its walls are far off where tau is large.
+  const RheologyOptions law{FlowLaw::herschel_bulkley, yield, 0.1, 1, 1};  // n = 1: the Bingham fluid again
+  FluidOptions o = channel_options({FlowLaw::bingham, yield, 0, 1, 1}, 0.1, push);
+  const double expected = channel_peak<double>(o);
+  o.rheology = law;
+  for (const auto op : {CollisionOperator::central_moments, CollisionOperator::bgk, CollisionOperator::trt}) {
+    o.collision = op;
+    EXPECT_NEAR(channel_peak<double>(o) / expected, 1, 0.05);
+    EXPECT_NEAR(channel_peak<float>(o) / expected, 1, 0.05);
+  }
+}
+
+TEST(Rheology, RefusesAnEddyViscosity) {
+  FluidOptions o = channel_options({FlowLaw::bingham, 1e-5, 0, 1, 10}, 0.1, 1e-5);
+  o.smagorinsky = 0.1;
+  EXPECT_THROW(Fluid<float>{o}, std::logic_error);
+}
+
+}  // namespace
+}  // namespace lahar::lbm

@@ -1,0 +1,111 @@
+#include "lbm/boundary/wall_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/lbm/flows.h"
+
+namespace lahar::lbm {
+namespace {
+
+TEST(WallModel, LawHasItsLimits) {
+  // Sublayer: nu u / y. Logarithmic layer: u+ = ln(y+)/kappa + B.
+  EXPECT_NEAR(wall_stress(1e-4, 0.5, 0.1, 0) / (0.1 * 1e-4 / 0.5), 1, 1e-6);
+  for (const double y_plus : {300.0, 3000.0, 1e5}) {
+    const double u_plus = std::log(y_plus) / kKarman + kSmoothConstant;  // u_tau = 1
+    EXPECT_NEAR(wall_stress(u_plus, y_plus, 1, 0), 1, 0.01) << y_plus;
+  }
+  // Rough: does not feel the viscosity; a small roughness is smooth; more roughness is more stress.
+  EXPECT_NEAR(wall_stress(1, 1, 1e-9, 0.1) / std::pow(kKarman / std::log(1 + 300), 2), 1, 1e-12);
+  EXPECT_EQ(wall_stress(1, 1, 1e-3, 1e-9), wall_stress(1, 1, 1e-3, 0));
+  EXPECT_GT(wall_stress(1, 1, 1e-6, 0.1), wall_stress(1, 1, 1e-6, 0.01));
+  EXPECT_EQ(wall_stress(0, 1, 1e-6, 0.1), 0);
+}
+
+TEST(WallModel, SpaldingIsSolved) {
+  for (double u_plus = 0.01; u_plus < 40; u_plus *= 1.7) {
+    const double nu = 1e-5, u_tau = 0.03, y = spalding_distance(u_plus) * nu / u_tau;
+    EXPECT_NEAR(wall_stress(u_plus * u_tau, y, nu, 0) / (u_tau * u_tau), 1, 1e-8) << u_plus;
+  }
+}
+
+FluidOptions open_channel(int cells, double viscosity, WallSlip slip, double roughness) {
+  FluidOptions o = lattice_options({8, 8, cells}, viscosity);
+  o.domain.faces[4] = o.domain.faces[5] = FaceKind::closed;
+  Wall bed{"bed", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}, slip};
+  bed.roughness = roughness;
+  o.domain.walls.add(bed);
+  o.domain.walls.add({"lid", HalfSpace{Vec3(0, 0, cells), -Vec3::UnitZ()}, WallSlip::free_slip});
+  return o;
+}
+
+double mean_speed(const Fluid<double>& fluid) {
+  double sum = 0, n = 0;
+  fluid.for_each_wet_cell([&](const WetCell& c) { sum += c.velocity.x(), n += 1; });
+  return sum / n;
+}
+
+/// A laminar flow between plates feels the wall model as a no-slip wall.
+TEST(WallModel, LaminarFlowFeelsNoSlip) {
+  const double viscosity = 0.1, push = 1e-6;
+  double speed[2];
+  for (const WallSlip slip : {WallSlip::no_slip, WallSlip::wall_model}) {
+    FluidOptions o = lattice_options({8, 8, 24}, viscosity);
+    o.domain.faces[4] = o.domain.faces[5] = FaceKind::closed;
+    o.domain.walls.add({"bed", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}, slip});
+    o.domain.walls.add({"roof", HalfSpace{Vec3(0, 0, 24), -Vec3::UnitZ()}, slip});
+    o.gravity = Vec3(push, 0, 0);
+    Fluid<double> fluid(o);
+    fluid.fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, no_pressure);
+    for (int s = 0; s < 6000; ++s) fluid.step();
+    speed[slip == WallSlip::wall_model] = mean_speed(fluid);
+  }
+  EXPECT_NEAR(speed[0] / (push * 144 / (3 * viscosity)), 1, 0.01);
+  // The law takes the profile as straight up to the cell's centre; its curvature there is 1/24 of a cell's slope.
+  EXPECT_NEAR(speed[1] / speed[0], 1, 0.01);
+}
+
+/// A plug loses exactly the momentum that the law asks for, at any angle of the wall's normal to the lattice.
+TEST(WallModel, PlugLosesTheStressOfTheLaw) {
+  for (const double roughness : {0.0, 0.3}) {
+    const int cells = 16;
+    const double viscosity = 5e-6, speed = 0.05;
+    Fluid<double> fluid(open_channel(cells, viscosity, WallSlip::wall_model, roughness));
+    fluid.fill_everything([&](const Vec3&) { return Vec3(speed, 0, 0); }, no_pressure);
+    double taken = 0;
+    for (int s = 0; s < 400; ++s) {
+      fluid.step();
+      taken += wall_stress(fluid.cell_at(Vec3(4.5, 4.5, 0.5))->velocity.x(), 0.5, viscosity, roughness);
+    }
+    EXPECT_NEAR((speed - mean_speed(fluid)) * cells / taken, 1, 0.01);
+  }
+}
+
+TEST(WallModel, ObliqueWallTakesTheSameStress) {
+  // Flow along y over a bed that is tilted about y: the wall is a staircase, the stress is not.
+  const double viscosity = 5e-6, speed = 0.05, roughness = 0.3;
+  double lost[2];
+  for (const bool tilted : {false, true}) {
+    FluidOptions o = lattice_options({40, 8, 40}, viscosity);
+    o.domain.faces[0] = o.domain.faces[1] = o.domain.faces[4] = o.domain.faces[5] = FaceKind::closed;
+    const double angle = tilted ? 0.4636476 : 0;  // tan = 1/2
+    const Vec3 n(-std::sin(angle), 0, std::cos(angle)), t(std::cos(angle), 0, std::sin(angle)), middle(20, 0, 20);
+    Wall bed{"bed", HalfSpace{Vec3(middle - 8 * n), n}, WallSlip::wall_model};
+    bed.roughness = roughness;
+    o.domain.walls.add(bed);
+    for (const Vec3& side : {Vec3(n), Vec3(t), Vec3(-t)})
+      o.domain.walls.add({"side", HalfSpace{Vec3(middle + 8 * side), Vec3(-side)}, WallSlip::free_slip});
+    Fluid<double> fluid(o);
+    fluid.fill_everything([&](const Vec3&) { return Vec3(0, speed, 0); }, no_pressure);
+    double before = 0, after = 0;
+    fluid.for_each_wet_cell([&](const WetCell& c) { before += c.velocity.y(); });
+    for (int s = 0; s < 20; ++s) fluid.step();
+    fluid.for_each_wet_cell([&](const WetCell& c) { after += c.velocity.y(); });
+    lost[tilted] = before - after;
+  }
+  EXPECT_NEAR(lost[1] / lost[0], 1, 0.1);
+}
+
+}  // namespace
+}  // namespace lahar::lbm
