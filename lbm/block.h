@@ -51,6 +51,7 @@ struct WallCell {
   bool free_slip;
   std::array<float, 3> normal;         ///< unit, out of the wall
   std::array<float, 3> wall_velocity;  ///< lu
+  std::int16_t wall = -1;              ///< index of the wall in the domain
 };
 
 struct WallLinks {

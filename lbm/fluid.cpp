@@ -219,8 +219,26 @@ template <class Real>
 void Fluid<Real>::reflect() {
   const ScopedTimer timer(timers_.section("fluid.walls"));
   const auto& active = grid_.active();
-  parallel_for(0, active.size(), kBlocksPerTask,
-               [&](std::size_t k) { reflect_at_walls(grid_, active[k], parameters_.parity); });
+  const bool measured = !wall_loads_.empty();
+  if (measured) block_loads_.resize(std::max(block_loads_.size(), active.size()));
+  parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
+    if (measured) block_loads_[k].clear();
+    reflect_at_walls(grid_, active[k], parameters_.parity, measured ? &block_loads_[k] : nullptr);
+  });
+  if (measured) book_wall_loads();
+}
+
+/// Adds the loads of the step in the order of the blocks, so that the sum does not depend on the threads.
+template <class Real>
+void Fluid<Real>::book_wall_loads() {
+  const double impulse = units_.mass() * units_.velocity_to_si(1.0);
+  for (std::size_t k = 0; k < grid_.active().size(); ++k)
+    for (const auto& [wall, load] : block_loads_[k].entries()) {
+      WallLoad& sum = wall_loads_[static_cast<std::size_t>(wall)];
+      sum.impulse += impulse * load.impulse;
+      sum.angular_impulse += impulse * (units_.cell_size * load.angular_impulse +
+                                        grid_.domain().origin().cross(load.impulse));
+    }
 }
 
 template <class Real>

@@ -114,11 +114,12 @@ void FluidGrid<Real>::add_wall_links(Block<Real>& fresh, int cell, const Vec3i& 
     const Vec3 normal = domain_.walls().gradient(static_cast<std::size_t>(wall), domain_.centre(place));
     const Vec3 velocity = w.velocity * velocity_to_lu_;
     WallCell entry{static_cast<std::uint16_t>(cell), static_cast<std::uint16_t>(fresh.walls.directions.size()),
-                   static_cast<std::uint8_t>(links), w.slip == WallSlip::free_slip, {}, {}};
+                   static_cast<std::uint8_t>(links), w.slip == WallSlip::free_slip, {}, {}, -1};
     for (int a = 0; a < 3; ++a) {
       entry.normal[static_cast<std::size_t>(a)] = static_cast<float>(normal[a]);
       entry.wall_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);
     }
+    entry.wall = static_cast<std::int16_t>(wall);
     fresh.walls.cells.push_back(entry);
     for (int i = 1; i < D3Q19::q; ++i)
       if (wall_of[static_cast<std::size_t>(i)] == wall) fresh.walls.directions.push_back(static_cast<std::uint8_t>(i));

@@ -44,7 +44,8 @@ constexpr auto names_of(BodyWeighting) {
       {{"solid_fraction", BodyWeighting::solid_fraction}, {"noble_torczynski", BodyWeighting::noble_torczynski}, {"seepage", BodyWeighting::seepage}}};
 }
 constexpr auto names_of(ProbeKind) {
-  return NameTable<ProbeKind, 2>{{{"height", ProbeKind::height}, {"pressure", ProbeKind::pressure}}};
+  return NameTable<ProbeKind, 3>{
+      {{"height", ProbeKind::height}, {"pressure", ProbeKind::pressure}, {"force", ProbeKind::force}}};
 }
 
 /// The word for an option.

@@ -17,7 +17,7 @@ enum class Axis { x, y, z };
 enum class WallShape { plane, box, cylinder, sphere };
 enum class Collision { central_moments, bgk, trt };
 enum class BodyWeighting { solid_fraction, noble_torczynski, seepage };
-enum class ProbeKind { height, pressure };
+enum class ProbeKind { height, pressure, force };
 
 struct Identity {
   std::optional<std::string> base;  ///< only in the file: unset in a loaded scene
@@ -191,8 +191,17 @@ struct Measure {
 struct Probe {
   std::string name;
   ProbeKind kind = ProbeKind::height;
-  Vec3 position = Vec3::Zero();  ///< m
+  Vec3 position = Vec3::Zero();  ///< m; of a force: the point that its moment is taken about
+  std::string wall;              ///< of a force: name of the wall
   bool operator==(const Probe&) const = default;
+};
+
+/// A rectangle through which discharge and energy are measured; see frame_of() in cases/runner/sections.h.
+struct FluxSection {
+  std::string name;
+  Vec3 point = Vec3::Zero(), normal = Vec3::Zero();  ///< m, centre of the rectangle; any length but zero
+  double width = 0, height = 0;                      ///< m, 0 = as far as the domain
+  bool operator==(const FluxSection&) const = default;
 };
 
 struct Scene {
@@ -210,6 +219,7 @@ struct Scene {
   Coupling coupling;
   Measure measure;
   std::vector<Probe> probes;
+  std::vector<FluxSection> sections;
   bool operator==(const Scene&) const = default;
 
   [[nodiscard]] bool has_solids() const {

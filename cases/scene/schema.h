@@ -242,8 +242,20 @@ void describe(V& v, Measure& s) {
 template <class V>
 void describe(V& v, Probe& s) {
   v.value("name", s.name, required(), "Name in results: letters, digits, `_` and `-`.");
-  v.value("kind", s.kind, required(), "Depth of liquid above the point, or pressure in it.");
-  v.value("position_m", s.position, required(), "Where.");
+  v.value("kind", s.kind, required(), "Depth of liquid above the point, pressure in it, or force on a wall.");
+  v.value("position_m", s.position, required(), "Where; of a force: the point that its moment is taken about.");
+  v.for_shape(s.kind == ProbeKind::force, "kind = \"force\"",
+              [&] { v.value("wall", s.wall, required(), "Name of a [[wall]]."); });
+}
+
+template <class V>
+void describe(V& v, FluxSection& s) {
+  v.value("name", s.name, required(), "Name in results: letters, digits, `_` and `-`.");
+  v.value("point_m", s.point, required(), "Centre of the rectangle.");
+  v.value("normal", s.normal, required(), "Normal of its plane, the direction that counts as positive.");
+  v.value("width_m", s.width, {non_negative()},
+          "Extent along z x normal (along x where the normal is z); 0 = as far as the domain.");
+  v.value("height_m", s.height, {non_negative()}, "Extent along normal x width direction; 0 = as far as the domain.");
 }
 
 /// The whole file.
@@ -262,7 +274,8 @@ void describe(V& v, Scene& s) {
   v.table("barrier", s.barrier, Presence::optional, "The flexible ring net. Off when left out.");
   v.table("coupling", s.coupling, Presence::optional, "Fluid and particles together. Off when left out.");
   v.table("measure", s.measure, Presence::optional, "Where arrival, inflow and outflow are measured.");
-  v.array("probe", s.probes, "Points where a time series is taken.");
+  v.array("probe", s.probes, "Points and walls of which a time series is taken.");
+  v.array("section", s.sections, "Rectangles through which discharge and energy are measured.");
 }
 
 }  // namespace lahar::scene

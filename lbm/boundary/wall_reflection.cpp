@@ -44,10 +44,27 @@ Real mean_wall_push(const std::uint8_t* links, int count, const std::array<Real,
   return sum / weights;
 }
 
+/// What went into the wall over the links of a cell and what came back.
+template <class Real>
+void add_load(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, const std::uint8_t* links, Parity parity,
+              BlockWallLoads& loads) {
+  const auto p = cell_position(place.cell);
+  const Vec3i cell = grid.lowest_cell(place.block) + Vec3i(p[0], p[1], p[2]);
+  const Vec3 centre = cell.cast<double>() + Vec3::Constant(0.5);
+  for (int k = 0; k < wall.links; ++k) {
+    const int i = links[k], a = i % 2 == 1 ? i : i - 1;
+    const auto pair = grid.access(place, a, parity);
+    const double sent = static_cast<double>(i == a ? *pair.outgoing_a : *pair.outgoing_b);
+    const double back = static_cast<double>(i == a ? *pair.incoming_b : *pair.incoming_a);
+    const Vec3 c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+    loads.add(wall.wall, centre + 0.5 * c, (sent + back) * c);
+  }
+}
+
 }  // namespace
 
 template <class Real>
-void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
+void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, BlockWallLoads* loads) {
   Block<Real>& block = grid.block(b);
   for (const WallCell& wall : block.walls.cells) {
     const CellPlace place{b, wall.cell};
@@ -63,10 +80,11 @@ void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
       if (i == a) *pair.incoming_b = *pair.outgoing_a - push;
       else *pair.incoming_a = *pair.outgoing_b - push;
     }
+    if (loads) add_load(grid, place, wall, links, parity, *loads);
   }
 }
 
-template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity);
-template void reflect_at_walls<double>(FluidGrid<double>&, BlockIndex, Parity);
+template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity, BlockWallLoads*);
+template void reflect_at_walls<double>(FluidGrid<double>&, BlockIndex, Parity, BlockWallLoads*);
 
 }  // namespace lahar::lbm
