@@ -82,6 +82,18 @@ double overlap_fraction(const Vec3& centre, double dx, const LiquidRegion& r) {
   return fraction;
 }
 
+/// The same of a body, from its signed distance in eight parts of the cell: exact where the surface is flat and lies along
+/// the lattice.
+double body_fraction(const Vec3& centre, double dx, const Shape& body) {
+  double fraction = 0;
+  for (int k = 0; k < 8; ++k) {
+    const Vec3 part = centre + dx / 4 * Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    const double d = std::visit([&](const auto& s) { return s.distance(part); }, body);
+    fraction += std::clamp(0.5 - d / (dx / 2), 0.0, 1.0) / 8;
+  }
+  return fraction;
+}
+
 }  // namespace
 
 template <class Real>
@@ -99,7 +111,8 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
           for (int n = 0; n < kBlockCells; ++n) {
             Block<Real>& block = grid_.block(b);
             CellType& type = block.type[static_cast<std::size_t>(n)];
-            const double fraction = overlap_fraction(grid_.centre(b, n), dx, region);
+            const double fraction = region.body ? body_fraction(grid_.centre(b, n), dx, *region.body)
+                                                : overlap_fraction(grid_.centre(b, n), dx, region);
             if (type == CellType::wall || type == CellType::sink || fraction < 1e-6) continue;
             SurfaceFields<Real>& surface = grid_.require_surface(b);
             if (type == CellType::gas) wet.push_back({{b, n}, &region});

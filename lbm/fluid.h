@@ -27,10 +27,11 @@ struct FluidOptions {
   double smagorinsky = 0;                ///< Cs; 0 is off
 };
 
-/// A box of liquid at the start.
+/// Liquid at the start: a box, or a body within it.
 struct LiquidRegion {
   Vec3 lower, upper;              ///< m
   Vec3 velocity = Vec3::Zero();   ///< m/s
+  std::optional<Shape> body;      ///< liquid where its distance is below 0
 };
 
 /// One wet cell as observers see it, SI.

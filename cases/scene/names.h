@@ -27,10 +27,18 @@ constexpr auto names_of(Face) {
 }
 constexpr auto names_of(Axis) { return NameTable<Axis, 3>{{{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}}}; }
 constexpr auto names_of(WallShape) {
-  return NameTable<WallShape, 4>{{{"plane", WallShape::plane},
+  return NameTable<WallShape, 6>{{{"plane", WallShape::plane},
                                   {"box", WallShape::box},
                                   {"cylinder", WallShape::cylinder},
-                                  {"sphere", WallShape::sphere}}};
+                                  {"sphere", WallShape::sphere},
+                                  {"mesh", WallShape::mesh},
+                                  {"heightmap", WallShape::heightmap}}};
+}
+constexpr auto names_of(RegionShape) {
+  return NameTable<RegionShape, 4>{{{"box", RegionShape::box},
+                                    {"cylinder", RegionShape::cylinder},
+                                    {"sphere", RegionShape::sphere},
+                                    {"mesh", RegionShape::mesh}}};
 }
 constexpr auto names_of(WallSlip) {
   return NameTable<WallSlip, 2>{{{"no_slip", WallSlip::no_slip}, {"free_slip", WallSlip::free_slip}}};

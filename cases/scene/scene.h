@@ -2,6 +2,7 @@
 // A scene as plain typed data in SI units: what the user's file says after defaults, includes and overrides. Every
 // parameter's key, range and meaning is described once, in cases/scene/schema.h.
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,8 @@ namespace lahar::scene {
 enum class Precision { float32, float64 };
 enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
 enum class Axis { x, y, z };
-enum class WallShape { plane, box, cylinder, sphere };
+enum class WallShape { plane, box, cylinder, sphere, mesh, heightmap };
+enum class RegionShape { box, cylinder, sphere, mesh };
 enum class Collision { central_moments, bgk, trt };
 enum class BodyWeighting { solid_fraction, noble_torczynski, seepage };
 enum class ProbeKind { height, pressure, force };
@@ -53,8 +55,25 @@ struct Domain {
   bool operator==(const Domain&) const = default;
 };
 
+/// The distance that was sampled from a file when the scene was loaded. The file's name stands for it in comparisons.
+struct SampledShape {
+  std::shared_ptr<const DistanceGrid> grid;
+  bool operator==(const SampledShape&) const { return true; }
+};
+
+/// A shape that comes from a file.
+struct ShapeFile {
+  std::string file;  ///< absolute in a loaded scene
+  double scale = 1;
+  Vec3 translate = Vec3::Zero();  ///< m
+  double spacing = 0;             ///< m, between the points of a plain matrix of heights
+  double resolution = 0;          ///< m, 0 = automatic
+  SampledShape sampled;           ///< set by load_shapes
+  bool operator==(const ShapeFile&) const = default;
+};
+
 /// Only the members of its shape are used: plane (point, normal), box (lower, upper), cylinder (start, end, radius),
-/// sphere (centre, radius).
+/// sphere (centre, radius), mesh and heightmap (file).
 struct WallSettings {
   std::string name;
   WallShape shape = WallShape::plane;
@@ -62,14 +81,21 @@ struct WallSettings {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
   Vec3 start = Vec3::Zero(), end = Vec3::Zero(), centre = Vec3::Zero();
   double radius = 0;
+  ShapeFile file;
   WallSlip slip = WallSlip::no_slip;
   std::string material;  ///< empty where nothing solid can touch it
   Vec3 velocity = Vec3::Zero();
   bool operator==(const WallSettings&) const = default;
 };
 
+/// As WallSettings; `lower` and `upper` bound every shape in a loaded scene.
 struct FluidRegion {
-  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero(), velocity = Vec3::Zero();
+  RegionShape shape = RegionShape::box;
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
+  Vec3 start = Vec3::Zero(), end = Vec3::Zero(), centre = Vec3::Zero();
+  double radius = 0;
+  ShapeFile file;
+  Vec3 velocity = Vec3::Zero();
   bool operator==(const FluidRegion&) const = default;
 };
 

@@ -52,6 +52,17 @@ void describe(V& v, Domain& s) {
   v.value("periodic_axes", s.periodic_axes, {}, "Axes along which the fluid repeats; only without grains and barrier.");
 }
 
+/// Keys of a shape from a file; they stand in the table of the wall or region.
+template <class V>
+void describe_file(V& v, ShapeFile& s, std::string_view what) {
+  v.value("file", s.file, required(), what);
+  v.value("scale", s.scale, {positive()}, "Factor on all coordinates of the file, which then are metres.");
+  v.value("translate_m", s.translate, {}, "Shift after scaling.");
+  v.value("resolution_m", s.resolution, {non_negative()},
+          "Distance between the points where the distance to the surface is stored; 0 = half a cell of the fluid, or "
+          "an eighth of the smallest grain without one.");
+}
+
 template <class V>
 void describe(V& v, WallSettings& s) {
   v.value("name", s.name, {}, "Name in results.");
@@ -72,6 +83,15 @@ void describe(V& v, WallSettings& s) {
               [&] { v.value("centre_m", s.centre, required(), "Centre."); });
   v.for_shape(s.shape == WallShape::cylinder || s.shape == WallShape::sphere, "shape = \"cylinder\" or \"sphere\"",
               [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
+  v.for_shape(s.shape == WallShape::mesh || s.shape == WallShape::heightmap, "shape = \"mesh\" or \"heightmap\"", [&] {
+    describe_file(v, s.file,
+                  "File beside the scene: a closed surface (.stl, .ply or .obj), solid inside; or heights, solid below: "
+                  "an ESRI ASCII grid, or rows of numbers of which the first has the largest y.");
+  });
+  v.for_shape(s.shape == WallShape::heightmap, "shape = \"heightmap\"", [&] {
+    v.value("spacing_m", s.file.spacing, {non_negative()},
+            "Distance between the heights of a plain matrix, before scaling; its last row begins at (0, 0).");
+  });
   v.value("slip", s.slip, {}, "How water slides along the wall.");
   v.value("material", s.material, {}, "Name of a material; needed where the scene has grains or a barrier.");
   v.for_shape(s.shape == WallShape::plane || s.shape == WallShape::box, "shape = \"plane\" or \"box\"", [&] {
@@ -81,8 +101,22 @@ void describe(V& v, WallSettings& s) {
 
 template <class V>
 void describe(V& v, FluidRegion& s) {
-  v.value("lower_m", s.lower, required(), "Lower corner of a box that is full of liquid at the start.");
-  v.value("upper_m", s.upper, required(), "Upper corner.");
+  v.value("shape", s.shape, {}, "Shape of what is full of liquid at the start.");
+  v.for_shape(s.shape == RegionShape::box, "shape = \"box\"", [&] {
+    v.value("lower_m", s.lower, required(), "Lower corner.");
+    v.value("upper_m", s.upper, required(), "Upper corner.");
+  });
+  v.for_shape(s.shape == RegionShape::cylinder, "shape = \"cylinder\"", [&] {
+    v.value("start_m", s.start, required(), "One end of the axis.");
+    v.value("end_m", s.end, required(), "Other end of the axis.");
+  });
+  v.for_shape(s.shape == RegionShape::sphere, "shape = \"sphere\"",
+              [&] { v.value("centre_m", s.centre, required(), "Centre."); });
+  v.for_shape(s.shape == RegionShape::cylinder || s.shape == RegionShape::sphere,
+              "shape = \"cylinder\" or \"sphere\"",
+              [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
+  v.for_shape(s.shape == RegionShape::mesh, "shape = \"mesh\"",
+              [&] { describe_file(v, s.file, "File beside the scene: a closed surface (.stl, .ply or .obj)."); });
   v.value("velocity_m_s", s.velocity, {}, "Velocity at the start.");
 }
 
