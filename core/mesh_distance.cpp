@@ -89,6 +89,9 @@ class Columns {
 };
 
 constexpr double kFar = 1e100;  // m
+/// Added to all distances, in spacings: a point on the surface counts as free, as with the analytic shapes, whatever the
+/// rounding of a float.
+constexpr double kLift = 1e-5;
 
 /// All bricks whose middle is so near to the surface that the band may reach into them.
 std::vector<Vec3i> bricks_near(const TriangleTree& tree, const DistanceGrid& grid, double band) {
@@ -121,12 +124,13 @@ std::shared_ptr<const DistanceGrid> sample_distance(const TriangleMesh& mesh, co
   const auto sign = [&](const Vec3i& node) {
     return columns.winding(node.x(), node.y(), grid->node(node).z()) > 0 ? -1.0 : 1.0;
   };
+  const double lift = kLift * spacing;
   const Vec3i n = grid->bricks();
   parallel_for(0, static_cast<std::size_t>(n.x()) + 1, 1, [&](std::size_t x) {
     for (int y = 0; y <= n.y(); ++y)
       for (int z = 0; z <= n.z(); ++z) {
         const Vec3i corner(static_cast<int>(x), y, z), node = DistanceGrid::brick_cells * corner;
-        grid->coarse(corner) = static_cast<float>(sign(node) * tree.distance(grid->node(node), kFar));
+        grid->coarse(corner) = static_cast<float>(sign(node) * tree.distance(grid->node(node), kFar) + lift);
       }
   });
   const std::vector<Vec3i> bricks = bricks_near(tree, *grid, band);
@@ -139,7 +143,7 @@ std::shared_ptr<const DistanceGrid> sample_distance(const TriangleMesh& mesh, co
       // No node is further from the surface than its neighbour's distance and the way to it.
       const double far = m % 9 == 0 ? kFar : guess + 1.001 * spacing;
       guess = tree.distance(grid->node(node), far);
-      values[m] = static_cast<float>(sign(node) * guess);
+      values[m] = static_cast<float>(sign(node) * guess + lift);
     }
   });
   return grid;

@@ -53,12 +53,15 @@ Flux liquid_flux(const lbm::Fluid<Real>& fluid, const SectionFrame& frame, const
     for (int k = 0; k < rows; ++k) {
       const Vec3 p = frame.centre + (left + (i + 0.5) * wide) * frame.across + (bottom + (k + 0.5) * high) * frame.up;
       if (!domain.contains(p)) continue;
-      const auto cell = fluid.cell_at(p);
-      if (!cell) continue;
-      const double volume = cell->velocity.dot(frame.normal) * cell->liquid_volume / cell_volume * wide * high;
-      flux.volume += volume;
-      flux.energy +=
-          volume * (0.5 * rho * cell->velocity.squaredNorm() + rho * g * (up.dot(p) - datum) + cell->pressure);
+      for (const double side : {-0.5, 0.5}) {  // a plane between two layers of cells takes half of each
+        const auto cell = fluid.cell_at(p + side * spacing * frame.normal);
+        if (!cell) continue;
+        const double share = 0.5 * cell->liquid_volume / cell_volume * wide * high;
+        const double volume = cell->velocity.dot(frame.normal) * share;
+        flux.volume += volume;
+        flux.energy +=
+            volume * (0.5 * rho * cell->velocity.squaredNorm() + rho * g * (up.dot(p) - datum) + cell->pressure);
+      }
     }
   return flux;
 }

@@ -28,7 +28,7 @@ struct Flux {
   double energy = 0;  ///< W: kinetic and potential energy that passes, and the work of the pressure
 };
 
-/// Sums over points half a cell apart. `up` is the unit vector against gravity, heights count from `datum` (m) along it.
+/// Sums over points half a cell apart, a quarter of a cell off the plane on both sides. `up` is the unit vector against gravity, heights count from `datum` (m) along it.
 template <class Real>
 Flux liquid_flux(const lbm::Fluid<Real>& fluid, const SectionFrame& frame, const scene::Domain& domain, const Vec3& up,
                  double datum);

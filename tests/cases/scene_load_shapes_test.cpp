@@ -11,6 +11,9 @@
 namespace lahar::scene {
 namespace {
 
+using cases::obj_text;
+using cases::stl_text;
+
 const std::string tank = R"([scene]
 name = "shapes"
 [run]
@@ -91,8 +94,7 @@ radius_m = 0.08
   fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
     const int k = c.centre.x() < 0.25 ? 0 : c.centre.x() < 0.57 ? 1 : 2;
     found[k] += c.liquid_volume;
-    if (k == 0) EXPECT_NEAR(c.velocity.x(), 1, 1e-9);
-    else EXPECT_NEAR(c.velocity.x(), 0, 1e-9);
+    EXPECT_NEAR(c.velocity.x(), k == 0 ? 1 : 0, 1e-9);
   });
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], volumes[k], 0.01 * volumes[k]) << k;
 }
@@ -122,7 +124,7 @@ TEST_P(WrongShape, IsTheOneMistake) {
 
 INSTANTIATE_TEST_SUITE_P(
     LoadShapes, WrongShape,
-    testing::Values(Rejection{{"wall[0].file=none.stl"}, "wall[0].file", "there is no such file"},
+    testing::Values(Rejection{{"wall[0].file='missing.stl'"}, "wall[0].file", "there is no such file"},
                     Rejection{{"wall[0].file=GAPING"}, "wall[0].file", "is not closed: 3 edges"},
                     Rejection{{"wall[0].file=HOLLOW"}, "wall[0].file", "has no triangles"},
                     Rejection{{"wall[0].file=WORDS"}, "wall[0].file", "expected .stl, .ply or .obj"},

@@ -82,6 +82,18 @@ TEST(SampleDistance, IsThatOfTheBox) {
   }
 }
 
+/// Cells whose centre lies on a face must fall on the same side whatever describes the wall.
+TEST(SampleDistance, PointsOnTheSurfaceAreFree) {
+  const SolidBox exact{Vec3(0.6, 0.05, 0.1), Vec3(0.68, 0.15, 0.3)};
+  const auto grid = sample_distance(box_mesh(exact.lower, exact.upper), Vec3(0.5, 0, 0), Vec3(0.8, 0.2, 0.4), 0.01, 0.04);
+  for (const double x : {0.6, 0.61, 0.65, 0.68})
+    for (const double z : {0.11, 0.2, 0.29})
+      for (const double y : {0.05, 0.15}) {
+        EXPECT_GE(grid->distance({x, y, z}), 0);
+        EXPECT_LT(grid->distance({x, y, z}), 1e-6);
+      }
+}
+
 TEST(SampleDistance, ConvergesWithSecondOrderOnASphere) {
   const SolidSphere exact{Vec3(0.5, 0.48, 0.53), 0.3};
   const TriangleMesh mesh = sphere_mesh(exact.centre, exact.radius, 200);  // its own facets: 4e-5 m
