@@ -44,9 +44,9 @@ class Columns {
  private:
   using Point = Eigen::Vector2d;
 
-  /// Twice the area of (u, v, q), > 0 if anticlockwise, seen with the ends in a fixed order so that the two triangles of
-  /// an edge agree to the last bit, and with the tie of a point on the line broken as if it stood a trifle to the right
-  /// and a still smaller trifle up.
+  /// Twice the area of (u, v, q), > 0 if anticlockwise, seen with the ends in a fixed order so that the two triangles
+  /// of an edge agree to the last bit, and with the tie of a point on the line broken as if it stood a trifle to the
+  /// right and a still smaller trifle up.
   struct Side {
     double area;
     int sign;
@@ -89,15 +89,16 @@ class Columns {
 };
 
 constexpr double kFar = 1e100;  // m
-/// Added to all distances, in spacings: a point on the surface counts as free, as with the analytic shapes, whatever the
-/// rounding of a float.
+/// Added to all distances, in spacings: a point on the surface counts as free, as with the analytic shapes, whatever
+/// the rounding of a float.
 constexpr double kLift = 1e-5;
 
 /// All bricks whose middle is so near to the surface that the band may reach into them.
 std::vector<Vec3i> bricks_near(const TriangleTree& tree, const DistanceGrid& grid, double band) {
   const Vec3i n = grid.bricks();
   const double reach = band + 0.5 * std::sqrt(3.0) * DistanceGrid::brick_cells * grid.spacing();
-  const auto count = static_cast<std::size_t>(n.x()) * static_cast<std::size_t>(n.y()) * static_cast<std::size_t>(n.z());
+  const auto count =
+      static_cast<std::size_t>(n.x()) * static_cast<std::size_t>(n.y()) * static_cast<std::size_t>(n.z());
   const auto place = [&](std::size_t k) {
     const int i = static_cast<int>(k / static_cast<std::size_t>(n.y()) / static_cast<std::size_t>(n.z()));
     return Vec3i(i, static_cast<int>(k / static_cast<std::size_t>(n.z()) % static_cast<std::size_t>(n.y())),

@@ -87,8 +87,8 @@ double TriangleTree::distance(const Vec3& p, double limit) const {
                                              mesh_.corner(order_[k], 2)));
     if (node.count > 0) continue;
     const Node &left = nodes_[at + 1], &right = nodes_[node.right];
-    const bool left_first = squared_distance_to_box(p, left.lower, left.upper) <
-                            squared_distance_to_box(p, right.lower, right.upper);
+    const bool left_first =
+        squared_distance_to_box(p, left.lower, left.upper) < squared_distance_to_box(p, right.lower, right.upper);
     stack[height++] = left_first ? node.right : at + 1;
     stack[height++] = left_first ? at + 1 : node.right;
   }

@@ -31,7 +31,7 @@ struct FluidOptions {
 struct LiquidRegion {
   Vec3 lower, upper;              ///< m
   Vec3 velocity = Vec3::Zero();   ///< m/s
-  std::optional<Shape> body;      ///< liquid where its distance is below 0
+  std::optional<Shape> body = std::nullopt;  ///< liquid where its distance is below 0
 };
 
 /// One wet cell as observers see it, SI.

@@ -8,9 +8,9 @@ namespace lahar::cases {
 template <class Real>
 double depth_over(const lbm::Fluid<Real>& fluid, const Vec3& point, double top);
 
-/// Pressure above ambient at a point, Pa: interpolated between the centres of the eight cells around it. Air counts as 0,
-/// wall cells do not count. A point in or at a wall is first moved along the wall's normal to half a cell off it: what a
-/// gauge flush with the wall reads is the pressure in the cells next to it.
+/// Pressure above ambient at a point, Pa: interpolated between the centres of the eight cells around it. Air counts as
+/// 0, wall cells do not count. A point in or at a wall is first moved along the wall's normal to half a cell off it:
+/// what a gauge flush with the wall reads is the pressure in the cells next to it.
 template <class Real>
 double pressure_at(const lbm::Fluid<Real>& fluid, const Vec3& point);
 

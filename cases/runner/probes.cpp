@@ -33,7 +33,8 @@ Probes<Real>::Probes(const scene::Scene& scene, coupling::CoupledStep<Real>& ste
       declare("grains_force", "N", "mean force of grains and barrier on the wall since the last row, along ");
       declare("grains_moment", "Nm", "its moment about the probe's point, about ");
     }
-    const auto wall = std::find_if(scene.walls.begin(), scene.walls.end(), [&](const auto& w) { return w.name == p.wall; });
+    const auto wall =
+        std::find_if(scene.walls.begin(), scene.walls.end(), [&](const auto& w) { return w.name == p.wall; });
     forces_.push_back({p.name, static_cast<std::uint32_t>(wall - scene.walls.begin()), p.position, {}, {}});
   }
   if (!forces_.empty() && step.fluid()) step.fluid()->measure_walls();

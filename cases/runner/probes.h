@@ -18,8 +18,8 @@ class Probes {
 
   /// To be called after every step: grains push only while they touch.
   void after_step();
-  /// Appends the present values to a row, in the order of the columns. Forces are means over the `interval` (s) since the
-  /// last row.
+  /// Appends the present values to a row, in the order of the columns. Forces are means over the `interval` (s) since
+  /// the last row.
   void sample(std::vector<double>& row, double interval, std::map<std::string, double>& metrics);
 
  private:

@@ -18,8 +18,8 @@ struct SectionFrame {
   [[nodiscard]] bool holds(const Vec3& p) const;
 };
 
-/// The width runs along z x normal, the height along normal x width direction; where the normal is z or -z, the width runs
-/// along x. Extents of 0 become the size of the domain.
+/// The width runs along z x normal, the height along normal x width direction; where the normal is z or -z, the width
+/// runs along x. Extents of 0 become the size of the domain.
 SectionFrame frame_of(const scene::FluxSection& section, const scene::Domain& domain);
 
 /// What passes a section at one moment, positive along the normal.
@@ -28,7 +28,8 @@ struct Flux {
   double energy = 0;  ///< W: kinetic and potential energy that passes, and the work of the pressure
 };
 
-/// Sums over points half a cell apart, a quarter of a cell off the plane on both sides. `up` is the unit vector against gravity, heights count from `datum` (m) along it.
+/// Sums over points half a cell apart, a quarter of a cell off the plane on both sides. `up` is the unit vector against
+/// gravity, heights count from `datum` (m) along it.
 template <class Real>
 Flux liquid_flux(const lbm::Fluid<Real>& fluid, const SectionFrame& frame, const scene::Domain& domain, const Vec3& up,
                  double datum);

@@ -66,9 +66,10 @@ std::shared_ptr<const DistanceGrid> sample(const Scene& scene, const TriangleMes
   const double bytes = sizeof(float) * (fine + 2 * ((upper - lower) / brick).prod()) +
                        2 * sizeof(double) * (upper - lower).head<2>().prod() / (spacing * spacing);
   if (bytes > 0.25 * static_cast<double>(physical_memory()))
-    throw cases::ShapeFileError(fmt::format("takes about {:.2g} GB at a resolution of {:g} m, expected a coarser "
-                                            "resolution_m",
-                                            bytes * 1e-9, spacing));
+    throw cases::ShapeFileError(
+        fmt::format("takes about {:.2g} GB at a resolution of {:g} m, expected a coarser "
+                    "resolution_m",
+                    bytes * 1e-9, spacing));
   return sample_distance(mesh, lower, upper, spacing, band);
 }
 
@@ -81,8 +82,7 @@ Bounds sample_mesh(const Scene& scene, const fs::path& path, ShapeFile& s) {
 }
 
 void sample_heightmap(const Scene& scene, const fs::path& path, ShapeFile& s) {
-  const auto map =
-      cases::placed(cases::parse_heightmap(cases::read_bytes(path), s.spacing), s.scale, s.translate);
+  const auto map = cases::placed(cases::parse_heightmap(cases::read_bytes(path), s.spacing), s.scale, s.translate);
   const Vec3 lower = scene.domain.lower, upper = scene.domain.upper;
   const double spacing = spacing_of(scene, s, {lower, upper}), band = band_of(scene, spacing);
   // Ground under all of the grid, which is rounded up to whole bricks, and for distances at its rim.
@@ -91,8 +91,8 @@ void sample_heightmap(const Scene& scene, const fs::path& path, ShapeFile& s) {
   const TriangleMesh mesh = cases::terrain(map, lower - margin, upper + margin);
   const Bounds ground = bounds_of(mesh);
   if (map.lowest() > upper.z() || map.highest() < lower.z())
-    throw cases::ShapeFileError(fmt::format("has heights from {:g} to {:g} m, expected some inside the domain",
-                                            map.lowest(), map.highest()));
+    throw cases::ShapeFileError(
+        fmt::format("has heights from {:g} to {:g} m, expected some inside the domain", map.lowest(), map.highest()));
   s.sampled.grid = sample(scene, mesh, ground, spacing);
 }
 

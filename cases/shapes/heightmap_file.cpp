@@ -47,9 +47,12 @@ void apply_header(const Keys& keys, Heightmap& map) {
   if (!(map.spacing > 0)) throw ShapeFileError("has a cellsize that is not above 0");
   for (const auto& [axis, place] : {std::pair{"x", &map.x}, std::pair{"y", &map.y}}) {
     const std::string corner = std::string(axis) + "llcorner", centre = std::string(axis) + "llcenter";
-    if (keys.contains(centre)) *place = keys.at(centre);
-    else if (keys.contains(corner)) *place = keys.at(corner) + map.spacing / 2;
-    else throw ShapeFileError(fmt::format("has neither {} nor {} in its header", corner, centre));
+    if (keys.contains(centre))
+      *place = keys.at(centre);
+    else if (keys.contains(corner))
+      *place = keys.at(corner) + map.spacing / 2;
+    else
+      throw ShapeFileError(fmt::format("has neither {} nor {} in its header", corner, centre));
   }
   const double columns = keys.at("ncols"), rows = keys.at("nrows");
   if (columns != static_cast<double>(map.columns) || rows != static_cast<double>(map.rows))

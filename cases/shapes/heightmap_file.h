@@ -19,16 +19,16 @@ struct Heightmap {
   [[nodiscard]] double highest() const;
 };
 
-/// ESRI ASCII grid (a header of ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize and NODATA_value) or
-/// rows of numbers alone, which lie `spacing` apart with the first point of the last row at (0, 0). In both, the first row
-/// in the file is that with the largest y. Throws ShapeFileError.
+/// ESRI ASCII grid (a header of ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize and
+/// NODATA_value) or rows of numbers alone, which lie `spacing` apart with the first point of the last row at (0, 0). In
+/// both, the first row in the file is that with the largest y. Throws ShapeFileError.
 Heightmap parse_heightmap(const std::string& bytes, double spacing);
 
 /// The map times `scale` (x, y and height alike) and moved.
 Heightmap placed(Heightmap map, double scale, const Vec3& translate);
 
-/// Two triangles between each four points, which look up, over the rectangle (lower, upper); beyond the map the ground goes
-/// on level. Parts of the map outside the rectangle are left out.
+/// Two triangles between each four points, which look up, over the rectangle (lower, upper); beyond the map the ground
+/// goes on level. Parts of the map outside the rectangle are left out.
 TriangleMesh terrain(const Heightmap& map, const Vec3& lower, const Vec3& upper);
 
 }  // namespace lahar::cases

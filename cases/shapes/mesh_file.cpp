@@ -30,9 +30,10 @@ TriangleMesh read_closed_mesh(const std::filesystem::path& file) {
   weld(mesh);
   if (mesh.triangles.empty()) throw ShapeFileError("has no triangles");
   if (const std::size_t open = open_edges(mesh); open > 0)
-    throw ShapeFileError(fmt::format("is not closed: {} edges without a face on the other side that agrees on what is "
-                                     "outside",
-                                     open));
+    throw ShapeFileError(
+        fmt::format("is not closed: {} edges without a face on the other side that agrees on what is "
+                    "outside",
+                    open));
   const double volume = signed_volume(mesh);
   if (volume == 0) throw ShapeFileError("encloses no volume");
   if (volume < 0) flip(mesh);

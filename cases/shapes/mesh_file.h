@@ -21,8 +21,8 @@ TriangleMesh parse_stl(const std::string& bytes);  ///< text or binary
 TriangleMesh parse_ply(const std::string& bytes);  ///< text or binary, either byte order; polygons are cut into fans
 TriangleMesh parse_obj(const std::string& bytes);  ///< v and f; polygons are cut into fans
 
-/// Reads by the ending of the name (.stl, .ply, .obj), welds equal corners and turns the faces of a closed mesh outwards.
-/// Throws ShapeFileError if the file cannot be read, is malformed, has no triangles or is not closed.
+/// Reads by the ending of the name (.stl, .ply, .obj), welds equal corners and turns the faces of a closed mesh
+/// outwards. Throws ShapeFileError if the file cannot be read, is malformed, has no triangles or is not closed.
 TriangleMesh read_closed_mesh(const std::filesystem::path& file);
 
 }  // namespace lahar::cases

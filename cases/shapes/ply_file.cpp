@@ -29,9 +29,10 @@ struct Header {
 };
 
 std::size_t size_of(const std::string& type) {
-  static const std::map<std::string, std::size_t> sizes{
-      {"char", 1},  {"int8", 1},  {"uchar", 1},  {"uint8", 1}, {"short", 2},   {"int16", 2},  {"ushort", 2}, {"uint16", 2},
-      {"int", 4},   {"int32", 4}, {"uint", 4},   {"uint32", 4}, {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
+  static const std::map<std::string, std::size_t> sizes{{"char", 1},  {"int8", 1},    {"uchar", 1},  {"uint8", 1},
+                                                        {"short", 2}, {"int16", 2},   {"ushort", 2}, {"uint16", 2},
+                                                        {"int", 4},   {"int32", 4},   {"uint", 4},   {"uint32", 4},
+                                                        {"float", 4}, {"float32", 4}, {"double", 8}, {"float64", 8}};
   const auto found = sizes.find(type);
   return found == sizes.end() ? 0 : found->second;
 }
@@ -98,7 +99,8 @@ class Values {
     std::array<char, 8> bytes{};
     for (std::size_t k = 0; k < size; ++k) bytes[format_ == Format::big ? size - 1 - k : k] = data_[k];
     data_.remove_prefix(size);
-    if (type.starts_with("float") || type == "double") return size == 4 ? as<float>(bytes.data()) : as<double>(bytes.data());
+    if (type.starts_with("float") || type == "double")
+      return size == 4 ? as<float>(bytes.data()) : as<double>(bytes.data());
     const bool without_sign = type.starts_with('u');
     if (size == 1) return without_sign ? as<std::uint8_t>(bytes.data()) : as<std::int8_t>(bytes.data());
     if (size == 2) return without_sign ? as<std::uint16_t>(bytes.data()) : as<std::int16_t>(bytes.data());
@@ -148,8 +150,10 @@ TriangleMesh parse_ply(const std::string& bytes) {
                                    [](const Property& p) { return !p.count_type.empty(); });
     const bool vertices = element.name == "vertex" && !lists;
     for (long k = 0; k < element.count; ++k) {
-      if (vertices) read_vertex(values, element, mesh);
-      else read_other(values, element, mesh);
+      if (vertices)
+        read_vertex(values, element, mesh);
+      else
+        read_other(values, element, mesh);
     }
   }
   return mesh;

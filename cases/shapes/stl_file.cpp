@@ -1,5 +1,5 @@
-// STL: 80 bytes of header, number of triangles, and for each 12 floats (normal, corners) and 2 bytes; or text. Numbers of
-// binary files are little-endian, and so is every machine that this is built for.
+// STL: 80 bytes of header, number of triangles, and for each 12 floats (normal, corners) and 2 bytes; or text. Numbers
+// of binary files are little-endian, and so is every machine that this is built for.
 #include <bit>
 #include <cstring>
 
@@ -65,7 +65,8 @@ TriangleMesh parse_stl(const std::string& bytes) {
     if (bytes.size() == kHeader + kTriangle * std::size_t{count}) return parse_binary(bytes);
   }
   if (!bytes.starts_with("solid"))
-    throw ShapeFileError("is no STL file: neither text that begins with \"solid\" nor as long as its number of triangles says");
+    throw ShapeFileError(
+        "is no STL file: neither text that begins with \"solid\" nor as long as its number of triangles says");
   return parse_text(bytes);
 }
 

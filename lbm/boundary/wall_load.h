@@ -1,7 +1,7 @@
 #pragma once
 // What the fluid gives to walls: momentum exchange over their links (Ladd 1994, J. Fluid Mech. 271, eq. 3.3). A link
-// that sends f_i into a wall and gets f_opposite(i) back gives it the momentum (f_i + f_opposite(i)) c_i. Populations are
-// stored less their weights, so the sum is that of the pressure above ambient: air presses on the dry side too.
+// that sends f_i into a wall and gets f_opposite(i) back gives it the momentum (f_i + f_opposite(i)) c_i. Populations
+// are stored less their weights, so the sum is that of the pressure above ambient: air presses on the dry side too.
 #include <vector>
 
 #include "core/vector.h"

@@ -34,8 +34,8 @@ lower_m = [0, 0, 0]
 upper_m = [0.32, 0.16, 0.3]
 )";
 
-/// Hydrostatic pressure in the water, at a wall of the domain, on the floor (that of the lowest cells, half a cell higher
-/// up), at a sphere between the cells; none in the air.
+/// Hydrostatic pressure in the water, at a wall of the domain, on the floor (that of the lowest cells, half a cell
+/// higher up), at a sphere between the cells; none in the air.
 TEST(FluidSamples, PressureInsideAndAtWalls) {
   const scene::Scene scene = scene::load_text(tank);
   lbm::Fluid<double> fluid(fluid_options(scene));
@@ -100,8 +100,8 @@ wall = "idle"
 position_m = [0, 0, 0]
 )";
   const scene::ScratchFolder scratch;
-  const RunResult result = run_to_folder(scene::load_text(text),
-                                         {.out = scratch.path() / "out", .threads = 1, .quiet = true}, run_scene);
+  const RunResult result =
+      run_to_folder(scene::load_text(text), {.out = scratch.path() / "out", .threads = 1, .quiet = true}, run_scene);
   const Series series = read_series(scratch.path() / "out/series.h5");
   const double weight = 2500 * M_PI / 6 * 0.1 * 0.1 * 0.1 * 9.81;
   const auto last = [&](const char* name) { return series.find(name)->values.back(); };

@@ -66,8 +66,8 @@ TEST(Sections, OnlyTheRectangleCounts) {
   EXPECT_NEAR(flux(Vec3(3, 0, 0)).volume, speed * width * height, 1e-9 * speed);
   EXPECT_NEAR(flux(Vec3(-1, 0, 0)).volume, -speed * width * height, 1e-9 * speed);
   EXPECT_NEAR(flux(Vec3(0, 1, 0)).volume, 0, 1e-9 * speed);
-  // The section is centred at the datum: the potential energy that passes is 0, what is left is kinetic (the fall of half
-  // a step included).
+  // The section is centred at the datum: the potential energy that passes is 0, what is left is kinetic (the fall of
+  // half a step included).
   const double fall = 0.5 * fluid.units().time_step * 9.81, rho = scene.fluid.density;
   EXPECT_NEAR(flux(Vec3::UnitX()).energy, speed * width * height * 0.5 * rho * (speed * speed + fall * fall), 1e-6);
 }

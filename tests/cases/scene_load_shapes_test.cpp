@@ -85,7 +85,8 @@ start_m = [0.6, 0.3, 0.2]
 end_m = [0.9, 0.3, 0.2]
 radius_m = 0.08
 )";
-  const Scene s = load(scratch.write("scene.toml", tank + shapes), {"gravity.magnitude_m_s2=0", "fluid.max_speed_m_s=2"});
+  const Scene s =
+      load(scratch.write("scene.toml", tank + shapes), {"gravity.magnitude_m_s2=0", "fluid.max_speed_m_s=2"});
   EXPECT_EQ(s.fluid.regions[2].lower, Vec3(0.6, 0.3 - 0.08, 0.2 - 0.08));
   lbm::Fluid<double> fluid(cases::fluid_options(s));
   fluid.fill(cases::liquid_regions(s));

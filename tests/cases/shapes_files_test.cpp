@@ -35,7 +35,8 @@ TEST(MeshFile, EveryFormatGivesTheBox) {
 }
 
 TEST(MeshFile, FacesOfObjMayBePolygonsAndCountBackwards) {
-  const TriangleMesh m = parse_obj("# a square\nv 0 0 0\nv 1 0 0 # first\nvn 0 0 1\nv 1 1 0\nv 0 1 0\nf 1//1 2//1 -2//1 4//1\n");
+  const TriangleMesh m =
+      parse_obj("# a square\nv 0 0 0\nv 1 0 0 # first\nvn 0 0 1\nv 1 1 0\nv 0 1 0\nf 1//1 2//1 -2//1 4//1\n");
   ASSERT_EQ(m.triangles.size(), 2u);
   EXPECT_EQ(m.triangles[1], (std::array<std::uint32_t, 3>{0, 2, 3}));
 }
@@ -82,33 +83,32 @@ const std::string ply_head = "ply\nformat ascii 1.0\nelement vertex 1\nproperty 
 
 INSTANTIATE_TEST_SUITE_P(
     MeshFile, BadMesh,
-    testing::Values(BadFile{"a.step", "", "expected .stl, .ply or .obj"}, BadFile{"a.stl", "", "is no STL file"},
-                    BadFile{"a.stl", "solid nothing\nendsolid\n", "has no triangles"},
-                    BadFile{"a.stl", box_bytes.substr(0, box_bytes.size() - 1), "is no STL file"},
-                    BadFile{"a.stl", "solid s\nvertex 0 0\n", "line 2: expected \"vertex x y z\""},
-                    BadFile{"a.stl", "solid s\nvertex 0 0 up\n", "line 2: \"up\" is no finite number"},
-                    BadFile{"a.stl", "solid s\nvertex 0 0 nan\n", "is no finite number"},
-                    BadFile{"a.stl", "solid s\n\nvertex 0 0 0\nendloop\n", "line 4: a facet has 1 corners"},
-                    BadFile{"a.stl", "solid s\nvertex 0 0 0\n", "ends inside a facet"},
-                    BadFile{"a.stl", "solid s\ntriangle 0 0 0\n", "\"triangle\" is no word of an STL file"},
-                    BadFile{"a.stl", stl_text(open_box()), "is not closed: 3 edges"},
-                    BadFile{"a.stl", stl_text(mixed_box()), "is not closed: 3 edges"},
-                    BadFile{"a.stl", stl_text(flat()), "encloses no volume"},
-                    BadFile{"a.obj", "v 0 0\n", "line 1: expected \"v x y z\""},
-                    BadFile{"a.obj", "v 0 0 0\nf 1 1\n", "fewer than 3 corners"},
-                    BadFile{"a.obj", "v 0 0 0\nf 1 1 2\n", "line 2: corner 2 does not exist"},
-                    BadFile{"a.obj", "v 0 0 0\nf 1 0 1\n", "corner 0 does not exist"},
-                    BadFile{"a.obj", "v 0 0 0\nf 1 x 1\n", "is no whole number"},
-                    BadFile{"a.ply", "plz\n", "expected \"ply\""}, BadFile{"a.ply", "ply\n", "ends inside its header"},
-                    BadFile{"a.ply", "ply\nformat utf 1\n", "unknown format"},
-                    BadFile{"a.ply", "ply\nelement vertex -1\n", "negative number"},
-                    BadFile{"a.ply", "ply\nelement vertex 1\nproperty quad x\n", "unknown type"},
-                    BadFile{"a.ply", "ply\nsurprise\n", "\"surprise\" is not understood"},
-                    BadFile{"a.ply", ply_head + "end_header\n", "ends too early"},
-                    BadFile{"a.ply", ply_head + "end_header\nwide\n", "\"wide\" is no number"},
-                    BadFile{"a.ply",
-                            ply_head + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0\n3 0 1 2\n",
-                            "corner 1 of a face does not exist"}));
+    testing::Values(
+        BadFile{"a.step", "", "expected .stl, .ply or .obj"}, BadFile{"a.stl", "", "is no STL file"},
+        BadFile{"a.stl", "solid nothing\nendsolid\n", "has no triangles"},
+        BadFile{"a.stl", box_bytes.substr(0, box_bytes.size() - 1), "is no STL file"},
+        BadFile{"a.stl", "solid s\nvertex 0 0\n", "line 2: expected \"vertex x y z\""},
+        BadFile{"a.stl", "solid s\nvertex 0 0 up\n", "line 2: \"up\" is no finite number"},
+        BadFile{"a.stl", "solid s\nvertex 0 0 nan\n", "is no finite number"},
+        BadFile{"a.stl", "solid s\n\nvertex 0 0 0\nendloop\n", "line 4: a facet has 1 corners"},
+        BadFile{"a.stl", "solid s\nvertex 0 0 0\n", "ends inside a facet"},
+        BadFile{"a.stl", "solid s\ntriangle 0 0 0\n", "\"triangle\" is no word of an STL file"},
+        BadFile{"a.stl", stl_text(open_box()), "is not closed: 3 edges"},
+        BadFile{"a.stl", stl_text(mixed_box()), "is not closed: 3 edges"},
+        BadFile{"a.stl", stl_text(flat()), "encloses no volume"},
+        BadFile{"a.obj", "v 0 0\n", "line 1: expected \"v x y z\""},
+        BadFile{"a.obj", "v 0 0 0\nf 1 1\n", "fewer than 3 corners"},
+        BadFile{"a.obj", "v 0 0 0\nf 1 1 2\n", "line 2: corner 2 does not exist"},
+        BadFile{"a.obj", "v 0 0 0\nf 1 0 1\n", "corner 0 does not exist"},
+        BadFile{"a.obj", "v 0 0 0\nf 1 x 1\n", "is no whole number"}, BadFile{"a.ply", "plz\n", "expected \"ply\""},
+        BadFile{"a.ply", "ply\n", "ends inside its header"}, BadFile{"a.ply", "ply\nformat utf 1\n", "unknown format"},
+        BadFile{"a.ply", "ply\nelement vertex -1\n", "negative number"},
+        BadFile{"a.ply", "ply\nelement vertex 1\nproperty quad x\n", "unknown type"},
+        BadFile{"a.ply", "ply\nsurprise\n", "\"surprise\" is not understood"},
+        BadFile{"a.ply", ply_head + "end_header\n", "ends too early"},
+        BadFile{"a.ply", ply_head + "end_header\nwide\n", "\"wide\" is no number"},
+        BadFile{"a.ply", ply_head + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0\n3 0 1 2\n",
+                "corner 1 of a face does not exist"}));
 
 TEST(MeshFile, UnreadableFiles) {
   const scene::ScratchFolder scratch;

@@ -61,9 +61,9 @@ TEST(TriangleTree, AgreesWithTryingAllTriangles) {
   }
 }
 
-/// A box whose faces, edges and corners lie on nodes (ties everywhere) and one that lies between them: the same distances
-/// as the exact solid, within the band. Trilinear values are exact but where the distance has a kink (edges, corners, the
-/// middle of the box): at most half a spacing there.
+/// A box whose faces, edges and corners lie on nodes (ties everywhere) and one that lies between them: the same
+/// distances as the exact solid, within the band. Trilinear values are exact but where the distance has a kink (edges,
+/// corners, the middle of the box): at most half a spacing there.
 TEST(SampleDistance, IsThatOfTheBox) {
   for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(0.0123, 0.031, 0.0071)}) {
     const SolidBox exact{Vec3(0.2, 0.3, 0.1) + shift, Vec3(0.6, 0.5, 0.7) + shift};
@@ -85,7 +85,8 @@ TEST(SampleDistance, IsThatOfTheBox) {
 /// Cells whose centre lies on a face must fall on the same side whatever describes the wall.
 TEST(SampleDistance, PointsOnTheSurfaceAreFree) {
   const SolidBox exact{Vec3(0.6, 0.05, 0.1), Vec3(0.68, 0.15, 0.3)};
-  const auto grid = sample_distance(box_mesh(exact.lower, exact.upper), Vec3(0.5, 0, 0), Vec3(0.8, 0.2, 0.4), 0.01, 0.04);
+  const auto grid =
+      sample_distance(box_mesh(exact.lower, exact.upper), Vec3(0.5, 0, 0), Vec3(0.8, 0.2, 0.4), 0.01, 0.04);
   for (const double x : {0.6, 0.61, 0.65, 0.68})
     for (const double z : {0.11, 0.2, 0.29})
       for (const double y : {0.05, 0.15}) {

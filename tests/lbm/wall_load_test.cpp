@@ -61,8 +61,8 @@ TEST(WallLoad, ClosesTheBooksOfMomentum) {
   EXPECT_GT(fluid.wall_loads()[1].impulse.norm(), 1e-3 * given.norm());  // the ball feels something
 }
 
-/// Water at rest with an immersed box: the box feels the weight that it displaces, the near wall the hydrostatic load and
-/// its moment. The level is felt within half a cell (docs/fluid.md): 2.5 % of the depth here.
+/// Water at rest with an immersed box: the box feels the weight that it displaces, the near wall the hydrostatic load
+/// and its moment. The level is felt within half a cell (docs/fluid.md): 2.5 % of the depth here.
 TEST(WallLoad, IsHydrostaticAtRest) {
   constexpr double depth = 0.2, width = 0.16, gravity = 9.81, density = 1000;
   FluidOptions o = tank_options(Vec3(0.24, width, 0.3), 0.01, 2.0);
@@ -85,10 +85,12 @@ TEST(WallLoad, IsHydrostaticAtRest) {
   EXPECT_NEAR(near.x(), -push, 0.05 * push);
   EXPECT_NEAR(moment.y(), -push * depth / 3, 0.075 * push * depth / 3);
   EXPECT_NEAR(moment.z(), push * width / 2, 0.05 * push * width / 2);
-  EXPECT_NEAR(sum_of(fluid.wall_loads()).z() / span, -fluid.liquid_mass() * gravity, 0.02 * fluid.liquid_mass() * gravity);
+  EXPECT_NEAR(sum_of(fluid.wall_loads()).z() / span, -fluid.liquid_mass() * gravity,
+              0.02 * fluid.liquid_mass() * gravity);
 }
 
-/// A dam break on a box: the same bits with one and two threads, and the flow is the same whether it is measured or not.
+/// A dam break on a box: the same bits with one and two threads, and the flow is the same whether it is measured or
+/// not.
 TEST(WallLoad, DoesNotDependOnThreadsNorChangeTheFlow) {
   Vec3 impulse[2];
   double mass[3];
