@@ -2,10 +2,12 @@
 // Walls and terrain as signed distances: positive in the space that fluid and grains may fill, negative inside the
 // wall. The same walls bound the fluid (link-wise distances) and the particles (contact).
 #include <limits>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "core/distance_grid.h"
 #include "core/vector.h"
 
 namespace lahar {
@@ -42,7 +44,14 @@ struct SolidSphere {
   [[nodiscard]] Vec3 gradient(const Vec3& p) const;
 };
 
-using Shape = std::variant<HalfSpace, SolidBox, SolidCylinder, SolidSphere>;
+/// A solid of any shape whose distance was sampled beforehand: a mesh or a terrain from a file.
+struct SampledDistance {
+  std::shared_ptr<const DistanceGrid> grid;
+  [[nodiscard]] double distance(const Vec3& p) const { return grid->distance(p); }
+  [[nodiscard]] Vec3 gradient(const Vec3& p) const { return grid->gradient(p); }
+};
+
+using Shape = std::variant<HalfSpace, SolidBox, SolidCylinder, SolidSphere, SampledDistance>;
 
 /// How fluid slides along a wall.
 enum class WallSlip {

@@ -353,4 +353,17 @@ Vec3 ContactForces::force_on_wall(const ContactDetection& contacts, std::uint32_
   return sum;
 }
 
+Vec3 ContactForces::moment_on_wall(const ContactDetection& contacts, const Walls& walls, std::uint32_t wall) const {
+  const ContactSlots& slots = contacts.wall_contacts();
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i + 1 < slots.offset.size(); ++i)
+    for (std::size_t k = slots.offset[i]; k < slots.offset[i + 1]; ++k) {
+      if (slots.partner[k] != wall) continue;
+      const Vec3 p(bodies_[i].position.x, bodies_[i].position.y, bodies_[i].position.z);
+      const Vec3 at = p - walls.distance(wall, p) * walls.gradient(wall, p);
+      sum -= at.cross(Vec3(wall_forces_[k].x, wall_forces_[k].y, wall_forces_[k].z));
+    }
+  return sum;
+}
+
 }  // namespace lahar::dem

@@ -64,6 +64,8 @@ class ContactForces {
   [[nodiscard]] const WorstOverlap& worst_overlap() const { return worst_; }
   /// Force of all particles on one wall in the last evaluation, N.
   [[nodiscard]] Vec3 force_on_wall(const ContactDetection& contacts, std::uint32_t wall) const;
+  /// Its moment about the origin of the coordinates, N m; each force acts where its sphere is nearest to the wall.
+  [[nodiscard]] Vec3 moment_on_wall(const ContactDetection& contacts, const Walls& walls, std::uint32_t wall) const;
   /// Puts the dissipated sums back (checkpoint).
   void restore(const ContactEnergy& energy) { energy_ = energy; }
 

@@ -72,6 +72,10 @@ class Solids {
   [[nodiscard]] const WorstOverlap& worst_overlap() const { return contact_forces_.worst_overlap(); }
   /// Force of all particles on a wall in the last step, N.
   [[nodiscard]] Vec3 force_on_wall(std::uint32_t wall) const { return contact_forces_.force_on_wall(contacts_, wall); }
+  /// Its moment about the origin of the coordinates, N m.
+  [[nodiscard]] Vec3 moment_on_wall(std::uint32_t wall) const {
+    return contact_forces_.moment_on_wall(contacts_, walls_, wall);
+  }
   [[nodiscard]] const Timers& timers() const { return timers_; }
 
   [[nodiscard]] SolidsState state() const;

@@ -55,6 +55,7 @@ struct WallCell {
   std::array<float, 3> wall_velocity;  ///< lu
   float distance;                      ///< of the cell centre from the wall, lu
   float roughness;                     ///< k_s, lu; WallSlip::wall_model
+  std::int16_t wall = -1;              ///< index of the wall in the domain
 };
 
 /// Where a link meets its wall; only with WallPlacement::interpolated.

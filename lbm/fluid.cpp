@@ -92,6 +92,18 @@ double overlap_fraction(const Vec3& centre, double dx, const LiquidRegion& r) {
   return fraction;
 }
 
+/// The same of a body, from its signed distance in eight parts of the cell: exact where the surface is flat and lies along
+/// the lattice.
+double body_fraction(const Vec3& centre, double dx, const Shape& body) {
+  double fraction = 0;
+  for (int k = 0; k < 8; ++k) {
+    const Vec3 part = centre + dx / 4 * Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    const double d = std::visit([&](const auto& s) { return s.distance(part); }, body);
+    fraction += std::clamp(0.5 - d / (dx / 2), 0.0, 1.0) / 8;
+  }
+  return fraction;
+}
+
 }  // namespace
 
 template <class Real>
@@ -109,7 +121,8 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
           for (int n = 0; n < kBlockCells; ++n) {
             Block<Real>& block = grid_.block(b);
             CellType& type = block.type[static_cast<std::size_t>(n)];
-            const double fraction = overlap_fraction(grid_.centre(b, n), dx, region);
+            const double fraction = region.body ? body_fraction(grid_.centre(b, n), dx, *region.body)
+                                                : overlap_fraction(grid_.centre(b, n), dx, region);
             if (type == CellType::wall || type == CellType::sink || fraction < 1e-6) continue;
             SurfaceFields<Real>& surface = grid_.require_surface(b);
             if (type == CellType::gas) wet.push_back({{b, n}, &region});
@@ -240,9 +253,27 @@ void Fluid<Real>::reflect() {
   const ScopedTimer timer(timers_.section("fluid.walls"));
   const auto& active = grid_.active();
   const WallPhysics physics{(parameters_.tau - 0.5) / 3, parameters_.gravity};
-  parallel_for(0, active.size(), kBlocksPerTask,
-               [&](std::size_t k) { reflect_at_walls(grid_, active[k], parameters_.parity, physics); });
+  const bool measured = !wall_loads_.empty();
+  if (measured) block_loads_.resize(std::max(block_loads_.size(), active.size()));
+  parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
+    if (measured) block_loads_[k].clear();
+    reflect_at_walls(grid_, active[k], parameters_.parity, physics, measured ? &block_loads_[k] : nullptr);
+  });
   if (grid_.domain().placement() == WallPlacement::interpolated) balance_walls(grid_, account_.walls);
+  if (measured) book_wall_loads();
+}
+
+/// Adds the loads of the step in the order of the blocks, so that the sum does not depend on the threads.
+template <class Real>
+void Fluid<Real>::book_wall_loads() {
+  const double impulse = units_.mass() * units_.velocity_to_si(1.0);
+  for (std::size_t k = 0; k < grid_.active().size(); ++k)
+    for (const auto& [wall, load] : block_loads_[k].entries()) {
+      WallLoad& sum = wall_loads_[static_cast<std::size_t>(wall)];
+      sum.impulse += impulse * load.impulse;
+      sum.angular_impulse += impulse * (units_.cell_size * load.angular_impulse +
+                                        grid_.domain().origin().cross(load.impulse));
+    }
 }
 
 template <class Real>

@@ -6,6 +6,7 @@
 
 #include "core/timers.h"
 #include "core/units.h"
+#include "lbm/boundary/wall_load.h"
 #include "lbm/cell_moments.h"
 #include "lbm/fluid_grid.h"
 #include "lbm/fluid_snapshot.h"
@@ -29,10 +30,11 @@ struct FluidOptions {
   std::vector<InflowOptions> inflows;    ///< boxes through which liquid enters
 };
 
-/// A box of liquid at the start.
+/// Liquid at the start: a box, or a body within it.
 struct LiquidRegion {
   Vec3 lower, upper;              ///< m
   Vec3 velocity = Vec3::Zero();   ///< m/s
+  std::optional<Shape> body = std::nullopt;  ///< liquid where its distance is below 0
 };
 
 /// One wet cell as observers see it, SI.
@@ -94,6 +96,12 @@ class Fluid {
   /// Most cells at the largest speed (kLargestSpeed) that a watchdog round has found.
   [[nodiscard]] std::size_t limited_cells() const { return limited_cells_; }
 
+  /// From now on books what the walls get.
+  void measure_walls() { wall_loads_.assign(grid_.domain().walls().all().size(), {}); }
+  /// What each wall of the domain got since measure_walls(), N s and N m s about the origin of the coordinates: the
+  /// walls of the options in their order, then the closed faces. Empty if nothing is measured.
+  [[nodiscard]] const std::vector<WallLoad>& wall_loads() const { return wall_loads_; }
+
   /// Calls visit for every wet cell in a fixed order.
   void for_each_wet_cell(const std::function<void(const WetCell&)>& visit) const;
   /// The wet cell at a point, if any.
@@ -110,6 +118,7 @@ class Fluid {
   void feed();
   void exchange();
   void reflect();
+  void book_wall_loads();
   void classify_filled(std::vector<BlockIndex>& touched);
   void initialize(CellPlace place, double drho, const Vec3& velocity_lu);
   [[nodiscard]] WetCell describe(CellPlace place) const;
@@ -127,6 +136,8 @@ class Fluid {
   std::size_t limited_cells_ = 0;
   Timers timers_;
   std::vector<std::uint8_t> needed_;
+  std::vector<WallLoad> wall_loads_;
+  std::vector<BlockWallLoads> block_loads_;  // of the last step, by place in the list of active blocks
 };
 
 extern template class Fluid<float>;

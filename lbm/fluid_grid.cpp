@@ -117,7 +117,7 @@ void FluidGrid<Real>::add_wall_links(Block<Real>& fresh, int cell, const Vec3i& 
     WallCell entry{static_cast<std::uint16_t>(cell), static_cast<std::uint16_t>(fresh.walls.directions.size()),
                    static_cast<std::uint8_t>(links), w.slip, {}, {},
                    static_cast<float>(domain_.walls().distance(static_cast<std::size_t>(wall), centre) / domain_.cell_size()),
-                   static_cast<float>(w.roughness / domain_.cell_size())};
+                   static_cast<float>(w.roughness / domain_.cell_size()), static_cast<std::int16_t>(wall)};
     for (int a = 0; a < 3; ++a) {
       entry.normal[static_cast<std::size_t>(a)] = static_cast<float>(normal[a]);
       entry.wall_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);

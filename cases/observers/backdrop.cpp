@@ -11,6 +11,7 @@ namespace {
 constexpr int kMarchSteps = 64;
 
 ViewBox bounds_of(const SolidBox& b) { return {b.lower, b.upper}; }
+ViewBox bounds_of(const SampledDistance& s) { return {s.grid->lower(), s.grid->upper()}; }
 ViewBox bounds_of(const SolidSphere& s) {
   return {s.centre - Vec3::Constant(s.radius), s.centre + Vec3::Constant(s.radius)};
 }

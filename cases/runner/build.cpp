@@ -118,7 +118,7 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
 
 std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene) {
   std::vector<lbm::LiquidRegion> regions;
-  for (const auto& r : scene.fluid.regions) regions.push_back({r.lower, r.upper, r.velocity});
+  for (const auto& r : scene.fluid.regions) regions.push_back({r.lower, r.upper, r.velocity, scene::make_body(r)});
   return regions;
 }
 

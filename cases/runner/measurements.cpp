@@ -29,6 +29,8 @@ Measurements<Real>::Measurements(const scene::Scene& scene, coupling::CoupledSte
   if (step_.solids()) crossed_.assign(step_.solids()->particles().size(), 0);
   if (net_) topology_ = barrier::find_topology(*net_, step_.solids()->particles(), step_.solids()->bonds());
   declare_columns();
+  probes_.emplace(scene_, step_, series_);
+  sections_.emplace(scene_, step_, series_, up_, datum_height_);
 }
 
 template <class Real>
@@ -61,9 +63,6 @@ void Measurements<Real>::declare_columns() {
     series_.declare("dissipator_elongation_m", "m", "largest elongation of a dissipator");
     series_.declare("wet_beads", "1", "beads of rings and cables in the fluid");
   }
-  for (const auto& p : scene_.probes)
-    series_.declare(p.name, p.kind == scene::ProbeKind::height ? "m" : "Pa",
-                    p.kind == scene::ProbeKind::height ? "depth of liquid over the point" : "pressure above ambient");
 }
 
 template <class Real>
@@ -119,7 +118,8 @@ void Measurements<Real>::sample() {
   if (step_.fluid()) sample_fluid(row, interval);
   row.insert(row.end(), grains.begin(), grains.end());
   if (net_) sample_barrier(row);
-  sample_probes(row);
+  probes_->sample(row, interval, found_);
+  sections_->sample(row, interval, found_);
   series_.append(time, row);
   last_time_ = time;
 }
@@ -215,21 +215,6 @@ void Measurements<Real>::sample_barrier(std::vector<double>& row) {
 }
 
 template <class Real>
-void Measurements<Real>::sample_probes(std::vector<double>& row) {
-  for (const auto& probe : scene_.probes) {
-    double value = 0;
-    if (step_.fluid() && probe.kind == scene::ProbeKind::pressure) {
-      if (const auto cell = step_.fluid()->cell_at(probe.position)) value = cell->pressure;
-    } else if (step_.fluid()) {
-      const double dx = scene_.fluid.cell_size;
-      for (double z = probe.position.z() + dx / 2; z < scene_.domain.upper.z(); z += dx)
-        if (const auto cell = step_.fluid()->cell_at({probe.position.x(), probe.position.y(), z}))
-          value += cell->fill_level * dx;
-    }
-    row.push_back(value);
-  }
-}
-
 /// How far down a grain may be and still count as retained: the net's section, or the foremost bead where the net has
 /// bulged beyond it.
 template <class Real>

@@ -10,6 +10,8 @@
 #include "barrier/topology.h"
 #include "cases/observers/chart.h"
 #include "cases/observers/series_writer.h"
+#include "cases/runner/probes.h"
+#include "cases/runner/sections.h"
 #include "cases/scene/scene.h"
 #include "coupling/coupled_step.h"
 
@@ -31,6 +33,8 @@ class Measurements {
   Measurements(const scene::Scene& scene, coupling::CoupledStep<Real>& step, const barrier::Net* net,
                SeriesWriter& series);
 
+  /// To be called after every step: sums what only lasts for a step.
+  void after_step() { probes_->after_step(); }
   /// Takes a row of all series at the present time.
   void sample();
   /// Closes the books: everything that the run has found.
@@ -47,7 +51,6 @@ class Measurements {
   void sample_fluid(std::vector<double>& row, double interval);
   void sample_grains(std::vector<double>& row, double interval);
   void sample_barrier(std::vector<double>& row);
-  void sample_probes(std::vector<double>& row);
   [[nodiscard]] double retention_limit() const;
   void note_arrivals(const FlowFigures& f);
   void note_inflow(const FlowFigures& f);
@@ -64,6 +67,8 @@ class Measurements {
   double grain_front_ = 0, grain_energy_ = 0;
   std::map<std::string, double> found_;  // metrics as they become known
   std::optional<barrier::Topology> topology_;
+  std::optional<Probes<Real>> probes_;
+  std::optional<Sections<Real>> sections_;
   std::vector<double> times_;
   std::array<std::vector<double>, 6> force_sums_;
 };

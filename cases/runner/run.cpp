@@ -126,6 +126,7 @@ RunResult run_with(const scene::Scene& scene, const RunOptions& options, RunMoni
     result.interrupted = interrupted();
     if (k == steps || result.interrupted) break;
     step.advance();
+    measurements.after_step();
     remove_leavers(scene, step);
     monitor.progress.update(step.time());
   }

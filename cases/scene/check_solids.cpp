@@ -201,13 +201,6 @@ void check_uses(const Scene& scene, Findings& findings) {
   if (!scene.fluid.enabled && !scene.has_solids() && findings.sound({"fluid", "grains", "barrier"}))
     findings.mistake("scene", "the scene is empty, expected a fluid, grains or a barrier");
   check_section(scene, findings);
-  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
-    const std::string path = fmt::format("probe[{}]", i);
-    if (!findings.sound({path, "domain", "fluid"})) continue;
-    if (!scene.fluid.enabled) findings.mistake(path, path + " without a fluid, expected fluid.enabled = true");
-    if (!scene.domain.contains(scene.probes[i].position))
-      findings.mistake(path + ".position_m", path + ".position_m lies outside the domain, expected it inside [domain]");
-  }
 }
 
 }  // namespace lahar::scene

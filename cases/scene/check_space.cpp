@@ -36,8 +36,16 @@ void check_wall(const WallSettings& w, const std::string& path, Findings& findin
 void check_region(const Scene& scene, std::size_t i, Findings& findings) {
   const FluidRegion& r = scene.fluid.regions[i];
   const std::string path = fmt::format("fluid.region[{}]", i);
-  if (!check_box(r.lower, r.upper, path, findings) || !findings.sound({"domain"})) return;
+  if (!findings.sound({path, "domain"})) return;
+  if (r.shape == RegionShape::cylinder && (r.end - r.start).norm() == 0)
+    return findings.mistake(path + ".end_m", path + ".end_m equals start_m, expected an axis with a length");
+  if (r.shape == RegionShape::box && !check_box(r.lower, r.upper, path, findings)) return;
   const double slack = 1e-9 * (scene.domain.upper - scene.domain.lower).norm();
+  if (r.shape != RegionShape::box) {
+    if (!scene.domain.contains(r.lower, slack) || !scene.domain.contains(r.upper, slack))
+      findings.mistake(path + ".shape", path + " reaches outside the domain, expected it inside [domain]");
+    return;
+  }
   for (const auto& [corner, key] : {std::pair{r.lower, ".lower_m"}, std::pair{r.upper, ".upper_m"}})
     if (!scene.domain.contains(corner, slack))
       findings.mistake(path + key, fmt::format("{}{} lies outside the domain, expected it inside [domain]", path, key));

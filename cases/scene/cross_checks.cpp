@@ -54,12 +54,14 @@ void check_names(const Scene& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.fluid.inflows.size(); ++i)
     check_plain(scene.fluid.inflows[i].name, fmt::format("fluid.inflow[{}].name", i), findings);
   std::set<std::string> seen;
-  for (std::size_t i = 0; i < scene.probes.size(); ++i) {
-    const std::string path = fmt::format("probe[{}].name", i);
-    check_plain(scene.probes[i].name, path, findings);
-    if (findings.sound({path}) && !seen.insert(scene.probes[i].name).second)
-      findings.mistake(path, fmt::format("{} is \"{}\" again, expected a name of its own", path, scene.probes[i].name));
-  }
+  const auto check_own = [&](const std::string& name, const std::string& path) {
+    check_plain(name, path, findings);
+    if (findings.sound({path}) && !seen.insert(name).second)
+      findings.mistake(path, fmt::format("{} is \"{}\" again, expected a name of its own", path, name));
+  };
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) check_own(scene.probes[i].name, fmt::format("probe[{}].name", i));
+  for (std::size_t i = 0; i < scene.sections.size(); ++i)
+    check_own(scene.sections[i].name, fmt::format("section[{}].name", i));
 }
 
 void check_materials(const Scene& scene, Findings& findings) {
@@ -87,6 +89,7 @@ void check_together(const Scene& scene, Findings& findings) {
   check_grains(scene, findings);
   check_barrier(scene, findings);
   check_uses(scene, findings);
+  check_probes(scene, findings);
   check_net_can_be_built(scene, findings);
 }
 

@@ -24,7 +24,9 @@ void check_barrier(const Scene& scene, Findings& findings);
 /// Rings of this size and pitch interlock and fill the frame: found out by building the net, and only when nothing else
 /// is wrong.
 void check_net_can_be_built(const Scene& scene, Findings& findings);
-/// Coupling, sections and probes have what they refer to.
+/// Coupling and the measured section have what they refer to.
 void check_uses(const Scene& scene, Findings& findings);
+/// Probes and sections lie in the domain and refer to walls that exist.
+void check_probes(const Scene& scene, Findings& findings);
 
 }  // namespace lahar::scene

@@ -1,5 +1,7 @@
 #include "cases/scene/geometry.h"
 
+#include "core/check.h"
+
 namespace lahar::scene {
 namespace {
 
@@ -11,6 +13,10 @@ Shape make_shape(const WallSettings& s) {
       return SolidCylinder{s.start, s.end, s.radius};
     case WallShape::sphere:
       return SolidSphere{s.centre, s.radius};
+    case WallShape::mesh:
+    case WallShape::heightmap:
+      require(s.file.sampled.grid != nullptr, "make_shape: the file was not loaded");
+      return SampledDistance{s.file.sampled.grid};
     case WallShape::plane:
       break;
   }
@@ -18,6 +24,21 @@ Shape make_shape(const WallSettings& s) {
 }
 
 }  // namespace
+
+std::optional<Shape> make_body(const FluidRegion& r) {
+  switch (r.shape) {
+    case RegionShape::cylinder:
+      return SolidCylinder{r.start, r.end, r.radius};
+    case RegionShape::sphere:
+      return SolidSphere{r.centre, r.radius};
+    case RegionShape::mesh:
+      require(r.file.sampled.grid != nullptr, "make_body: the file was not loaded");
+      return SampledDistance{r.file.sampled.grid};
+    case RegionShape::box:
+      break;
+  }
+  return std::nullopt;
+}
 
 Wall make_wall(const WallSettings& settings, int material) {
   return {settings.name, make_shape(settings), settings.slip, material, settings.velocity, settings.roughness};

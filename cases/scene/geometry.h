@@ -1,5 +1,7 @@
 #pragma once
 // The core objects that a scene describes: walls and materials.
+#include <optional>
+
 #include "cases/scene/scene.h"
 #include "core/geometry.h"
 #include "dem/material.h"
@@ -8,6 +10,9 @@ namespace lahar::scene {
 
 /// One wall; `material` is -1 where the scene names none.
 Wall make_wall(const WallSettings& settings, int material);
+
+/// The body that a region of liquid fills, none for a box.
+std::optional<Shape> make_body(const FluidRegion& region);
 
 /// All walls, in the order of the scene.
 Walls make_walls(const Scene& scene);

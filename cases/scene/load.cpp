@@ -1,6 +1,7 @@
 #include "cases/scene/load.h"
 
 #include "cases/scene/cross_checks.h"
+#include "cases/scene/load_shapes.h"
 #include "cases/scene/reader.h"
 
 namespace lahar::scene {
@@ -26,6 +27,7 @@ Scene load(const std::filesystem::path& file, const std::vector<std::string>& ov
   Reader reader(root, "", findings);
   describe(reader, scene);
   reader.refuse_unknown();
+  load_shapes(scene, findings);
   check_together(scene, findings);
   if (const auto mistakes = findings.mistakes(); !mistakes.empty()) throw InputError(mistakes);
   normalise(scene);

@@ -27,10 +27,18 @@ constexpr auto names_of(Face) {
 }
 constexpr auto names_of(Axis) { return NameTable<Axis, 3>{{{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}}}; }
 constexpr auto names_of(WallShape) {
-  return NameTable<WallShape, 4>{{{"plane", WallShape::plane},
+  return NameTable<WallShape, 6>{{{"plane", WallShape::plane},
                                   {"box", WallShape::box},
                                   {"cylinder", WallShape::cylinder},
-                                  {"sphere", WallShape::sphere}}};
+                                  {"sphere", WallShape::sphere},
+                                  {"mesh", WallShape::mesh},
+                                  {"heightmap", WallShape::heightmap}}};
+}
+constexpr auto names_of(RegionShape) {
+  return NameTable<RegionShape, 4>{{{"box", RegionShape::box},
+                                    {"cylinder", RegionShape::cylinder},
+                                    {"sphere", RegionShape::sphere},
+                                    {"mesh", RegionShape::mesh}}};
 }
 constexpr auto names_of(WallSlip) {
   return NameTable<WallSlip, 3>{{{"no_slip", WallSlip::no_slip},
@@ -55,7 +63,8 @@ constexpr auto names_of(BodyWeighting) {
       {{"solid_fraction", BodyWeighting::solid_fraction}, {"noble_torczynski", BodyWeighting::noble_torczynski}, {"seepage", BodyWeighting::seepage}}};
 }
 constexpr auto names_of(ProbeKind) {
-  return NameTable<ProbeKind, 2>{{{"height", ProbeKind::height}, {"pressure", ProbeKind::pressure}}};
+  return NameTable<ProbeKind, 3>{
+      {{"height", ProbeKind::height}, {"pressure", ProbeKind::pressure}, {"force", ProbeKind::force}}};
 }
 
 /// The word for an option.

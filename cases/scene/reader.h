@@ -77,9 +77,9 @@ class Reader {
 
   template <class Body>
   void for_shape(bool holds, std::string_view note, const Body& body) {
-    // With an unknown shape nobody can tell which keys belong here.
+    // With an unknown shape (or kind) nobody can tell which keys belong here.
     const Demand before = demand_;
-    if (!findings_.sound({path_of("shape")}))
+    if (!findings_.sound({path_of("shape"), path_of("kind")}))
       demand_ = Demand::none;
     else if (!holds)
       demand_ = Demand::out_of_place;

@@ -2,6 +2,7 @@
 // A scene as plain typed data in SI units: what the user's file says after defaults, includes and overrides. Every
 // parameter's key, range and meaning is described once, in cases/scene/schema.h.
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,12 +15,13 @@ namespace lahar::scene {
 enum class Precision { float32, float64 };
 enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
 enum class Axis { x, y, z };
-enum class WallShape { plane, box, cylinder, sphere };
+enum class WallShape { plane, box, cylinder, sphere, mesh, heightmap };
+enum class RegionShape { box, cylinder, sphere, mesh };
 enum class Collision { central_moments, bgk, trt };
 enum class BodyWeighting { solid_fraction, noble_torczynski, seepage };
 enum class WallPlacement { half_way, interpolated };
 enum class FlowLaw { newtonian, bingham, herschel_bulkley };
-enum class ProbeKind { height, pressure };
+enum class ProbeKind { height, pressure, force };
 
 struct Identity {
   std::optional<std::string> base;  ///< only in the file: unset in a loaded scene
@@ -55,8 +57,25 @@ struct Domain {
   bool operator==(const Domain&) const = default;
 };
 
+/// The distance that was sampled from a file when the scene was loaded. The file's name stands for it in comparisons.
+struct SampledShape {
+  std::shared_ptr<const DistanceGrid> grid;
+  bool operator==(const SampledShape&) const { return true; }
+};
+
+/// A shape that comes from a file.
+struct ShapeFile {
+  std::string file;  ///< absolute in a loaded scene
+  double scale = 1;
+  Vec3 translate = Vec3::Zero();  ///< m
+  double spacing = 0;             ///< m, between the points of a plain matrix of heights
+  double resolution = 0;          ///< m, 0 = automatic
+  SampledShape sampled;           ///< set by load_shapes
+  bool operator==(const ShapeFile&) const = default;
+};
+
 /// Only the members of its shape are used: plane (point, normal), box (lower, upper), cylinder (start, end, radius),
-/// sphere (centre, radius).
+/// sphere (centre, radius), mesh and heightmap (file).
 struct WallSettings {
   std::string name;
   WallShape shape = WallShape::plane;
@@ -64,6 +83,7 @@ struct WallSettings {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
   Vec3 start = Vec3::Zero(), end = Vec3::Zero(), centre = Vec3::Zero();
   double radius = 0;
+  ShapeFile file;
   WallSlip slip = WallSlip::no_slip;
   double roughness = 0;  ///< m, of the wall model
   std::string material;  ///< empty where nothing solid can touch it
@@ -71,8 +91,14 @@ struct WallSettings {
   bool operator==(const WallSettings&) const = default;
 };
 
+/// As WallSettings; `lower` and `upper` bound every shape in a loaded scene.
 struct FluidRegion {
-  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero(), velocity = Vec3::Zero();
+  RegionShape shape = RegionShape::box;
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
+  Vec3 start = Vec3::Zero(), end = Vec3::Zero(), centre = Vec3::Zero();
+  double radius = 0;
+  ShapeFile file;
+  Vec3 velocity = Vec3::Zero();
   bool operator==(const FluidRegion&) const = default;
 };
 
@@ -219,8 +245,17 @@ struct Measure {
 struct Probe {
   std::string name;
   ProbeKind kind = ProbeKind::height;
-  Vec3 position = Vec3::Zero();  ///< m
+  Vec3 position = Vec3::Zero();  ///< m; of a force: the point that its moment is taken about
+  std::string wall;              ///< of a force: name of the wall
   bool operator==(const Probe&) const = default;
+};
+
+/// A rectangle through which discharge and energy are measured; see frame_of() in cases/runner/sections.h.
+struct FluxSection {
+  std::string name;
+  Vec3 point = Vec3::Zero(), normal = Vec3::Zero();  ///< m, centre of the rectangle; any length but zero
+  double width = 0, height = 0;                      ///< m, 0 = as far as the domain
+  bool operator==(const FluxSection&) const = default;
 };
 
 struct Scene {
@@ -238,6 +273,7 @@ struct Scene {
   Coupling coupling;
   Measure measure;
   std::vector<Probe> probes;
+  std::vector<FluxSection> sections;
   bool operator==(const Scene&) const = default;
 
   [[nodiscard]] bool has_solids() const {

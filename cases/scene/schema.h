@@ -52,6 +52,17 @@ void describe(V& v, Domain& s) {
   v.value("periodic_axes", s.periodic_axes, {}, "Axes along which the fluid repeats; only without grains and barrier.");
 }
 
+/// Keys of a shape from a file; they stand in the table of the wall or region.
+template <class V>
+void describe_file(V& v, ShapeFile& s, std::string_view what) {
+  v.value("file", s.file, required(), what);
+  v.value("scale", s.scale, {positive()}, "Factor on all coordinates of the file, which then are metres.");
+  v.value("translate_m", s.translate, {}, "Shift after scaling.");
+  v.value("resolution_m", s.resolution, {non_negative()},
+          "Distance between the points where the distance to the surface is stored; 0 = half a cell of the fluid, or "
+          "an eighth of the smallest grain without one.");
+}
+
 template <class V>
 void describe(V& v, WallSettings& s) {
   v.value("name", s.name, {}, "Name in results.");
@@ -72,6 +83,15 @@ void describe(V& v, WallSettings& s) {
               [&] { v.value("centre_m", s.centre, required(), "Centre."); });
   v.for_shape(s.shape == WallShape::cylinder || s.shape == WallShape::sphere, "shape = \"cylinder\" or \"sphere\"",
               [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
+  v.for_shape(s.shape == WallShape::mesh || s.shape == WallShape::heightmap, "shape = \"mesh\" or \"heightmap\"", [&] {
+    describe_file(v, s.file,
+                  "File beside the scene: a closed surface (.stl, .ply or .obj), solid inside; or heights, solid below: "
+                  "an ESRI ASCII grid, or rows of numbers of which the first has the largest y.");
+  });
+  v.for_shape(s.shape == WallShape::heightmap, "shape = \"heightmap\"", [&] {
+    v.value("spacing_m", s.file.spacing, {non_negative()},
+            "Distance between the heights of a plain matrix, before scaling; its last row begins at (0, 0).");
+  });
   v.value("slip", s.slip, {},
           "How water slides along the wall: not at all, freely, or with the wall stress of a turbulent layer thinner than "
           "the cells.");
@@ -85,8 +105,22 @@ void describe(V& v, WallSettings& s) {
 
 template <class V>
 void describe(V& v, FluidRegion& s) {
-  v.value("lower_m", s.lower, required(), "Lower corner of a box that is full of liquid at the start.");
-  v.value("upper_m", s.upper, required(), "Upper corner.");
+  v.value("shape", s.shape, {}, "Shape of what is full of liquid at the start.");
+  v.for_shape(s.shape == RegionShape::box, "shape = \"box\"", [&] {
+    v.value("lower_m", s.lower, required(), "Lower corner.");
+    v.value("upper_m", s.upper, required(), "Upper corner.");
+  });
+  v.for_shape(s.shape == RegionShape::cylinder, "shape = \"cylinder\"", [&] {
+    v.value("start_m", s.start, required(), "One end of the axis.");
+    v.value("end_m", s.end, required(), "Other end of the axis.");
+  });
+  v.for_shape(s.shape == RegionShape::sphere, "shape = \"sphere\"",
+              [&] { v.value("centre_m", s.centre, required(), "Centre."); });
+  v.for_shape(s.shape == RegionShape::cylinder || s.shape == RegionShape::sphere,
+              "shape = \"cylinder\" or \"sphere\"",
+              [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
+  v.for_shape(s.shape == RegionShape::mesh, "shape = \"mesh\"",
+              [&] { describe_file(v, s.file, "File beside the scene: a closed surface (.stl, .ply or .obj)."); });
   v.value("velocity_m_s", s.velocity, {}, "Velocity at the start.");
 }
 
@@ -274,8 +308,20 @@ void describe(V& v, Measure& s) {
 template <class V>
 void describe(V& v, Probe& s) {
   v.value("name", s.name, required(), "Name in results: letters, digits, `_` and `-`.");
-  v.value("kind", s.kind, required(), "Depth of liquid above the point, or pressure in it.");
-  v.value("position_m", s.position, required(), "Where.");
+  v.value("kind", s.kind, required(), "Depth of liquid above the point, pressure in it, or force on a wall.");
+  v.value("position_m", s.position, required(), "Where; of a force: the point that its moment is taken about.");
+  v.for_shape(s.kind == ProbeKind::force, "kind = \"force\"",
+              [&] { v.value("wall", s.wall, required(), "Name of a [[wall]]."); });
+}
+
+template <class V>
+void describe(V& v, FluxSection& s) {
+  v.value("name", s.name, required(), "Name in results: letters, digits, `_` and `-`.");
+  v.value("point_m", s.point, required(), "Centre of the rectangle.");
+  v.value("normal", s.normal, required(), "Normal of its plane, the direction that counts as positive.");
+  v.value("width_m", s.width, {non_negative()},
+          "Extent along z x normal (along x where the normal is z); 0 = as far as the domain.");
+  v.value("height_m", s.height, {non_negative()}, "Extent along normal x width direction; 0 = as far as the domain.");
 }
 
 /// The whole file.
@@ -294,7 +340,8 @@ void describe(V& v, Scene& s) {
   v.table("barrier", s.barrier, Presence::optional, "The flexible ring net. Off when left out.");
   v.table("coupling", s.coupling, Presence::optional, "Fluid and particles together. Off when left out.");
   v.table("measure", s.measure, Presence::optional, "Where arrival, inflow and outflow are measured.");
-  v.array("probe", s.probes, "Points where a time series is taken.");
+  v.array("probe", s.probes, "Points and walls of which a time series is taken.");
+  v.array("section", s.sections, "Rectangles through which discharge and energy are measured.");
 }
 
 }  // namespace lahar::scene

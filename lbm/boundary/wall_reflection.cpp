@@ -82,38 +82,81 @@ void interpolate_links(FluidGrid<Real>& grid, CellPlace place, const WallCell& w
   block.walls.gains[entry] = gained;
 }
 
+bool stands_still(const WallCell& wall) {
+  return wall.slip == WallSlip::no_slip && wall.wall_velocity == std::array<float, 3>{0, 0, 0};
+}
+
+/// Half-way, off a wall at rest.
+template <class Real>
+void bounce_back(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* links, int count, Parity parity) {
+  for (int k = 0; k < count; ++k) {
+    const int i = links[k], a = i % 2 == 1 ? i : i - 1;
+    const auto pair = grid.access(place, a, parity);
+    if (i == a) *pair.incoming_b = *pair.outgoing_a;
+    else *pair.incoming_a = *pair.outgoing_b;
+  }
+}
+
+/// Half-way, off a wall that moves, or seems to: free slip and wall model.
+template <class Real>
+void bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* links, const WallCell& wall, Parity parity,
+                const WallPhysics& physics) {
+  Real rho;
+  const auto v = reflection_velocity(grid, place, wall, parity, physics, rho);
+  const Real mean_push = mean_wall_push(links, wall.links, v);
+  for (int k = 0; k < wall.links; ++k) {
+    const int i = links[k], a = i % 2 == 1 ? i : i - 1;
+    const auto pair = grid.access(place, a, parity);
+    const Real push = static_cast<Real>(6 * D3Q19::w(i)) * rho * (along(i, v) - mean_push);
+    if (i == a) *pair.incoming_b = *pair.outgoing_a - push;
+    else *pair.incoming_a = *pair.outgoing_b - push;
+  }
+}
+
+/// What went into the wall over the links of a cell and what came back.
+template <class Real>
+void add_load(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, const std::uint8_t* links, Parity parity,
+              BlockWallLoads& loads) {
+  const auto p = cell_position(place.cell);
+  const Vec3i cell = grid.lowest_cell(place.block) + Vec3i(p[0], p[1], p[2]);
+  const Vec3 centre = cell.cast<double>() + Vec3::Constant(0.5);
+  for (int k = 0; k < wall.links; ++k) {
+    const int i = links[k], a = i % 2 == 1 ? i : i - 1;
+    const auto pair = grid.access(place, a, parity);
+    const double sent = static_cast<double>(i == a ? *pair.outgoing_a : *pair.outgoing_b);
+    const double back = static_cast<double>(i == a ? *pair.incoming_b : *pair.incoming_a);
+    const Vec3 c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+    loads.add(wall.wall, centre + 0.5 * c, (sent + back) * c);
+  }
+}
+
 }  // namespace
 
 template <class Real>
-void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const WallPhysics& physics) {
+void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const WallPhysics& physics,
+                      BlockWallLoads* loads) {
   Block<Real>& block = grid.block(b);
   block.walls.gained = 0, block.walls.takers = 0;
   if (!block.walls.hits.empty()) block.walls.gains.resize(block.walls.cells.size(), 0);
   for (const WallCell& wall : block.walls.cells) {
     const CellPlace place{b, wall.cell};
+    const std::uint8_t* const links = block.walls.directions.data() + wall.first_link;
     if (!is_wet(block.type[wall.cell])) {
       if (!block.walls.gains.empty()) block.walls.gains[static_cast<std::size_t>(&wall - block.walls.cells.data())] = 0;
       continue;
     }
     if (wall.slip == WallSlip::no_slip && !block.walls.hits.empty()) {
       interpolate_links(grid, place, wall, parity, physics);
-      continue;
+    } else if (stands_still(wall)) {
+      bounce_back(grid, place, links, wall.links, parity);
+    } else {
+      bounce_off(grid, place, links, wall, parity, physics);
     }
-    Real rho;
-    const auto v = reflection_velocity(grid, place, wall, parity, physics, rho);
-    const auto* links = block.walls.directions.data() + wall.first_link;
-    const Real mean_push = mean_wall_push(links, wall.links, v);
-    for (int k = 0; k < wall.links; ++k) {
-      const int i = links[k], a = i % 2 == 1 ? i : i - 1;
-      const auto pair = grid.access(place, a, parity);
-      const Real push = static_cast<Real>(6 * D3Q19::w(i)) * rho * (along(i, v) - mean_push);
-      if (i == a) *pair.incoming_b = *pair.outgoing_a - push;
-      else *pair.incoming_a = *pair.outgoing_b - push;
-    }
+    if (loads) add_load(grid, place, wall, links, parity, *loads);
   }
 }
 
-template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity, const WallPhysics&);
-template void reflect_at_walls<double>(FluidGrid<double>&, BlockIndex, Parity, const WallPhysics&);
+template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity, const WallPhysics&, BlockWallLoads*);
+template void reflect_at_walls<double>(FluidGrid<double>&, BlockIndex, Parity, const WallPhysics&, BlockWallLoads*);
 
 }  // namespace lahar::lbm

@@ -21,6 +21,7 @@
 // the stress nu u / y the wall then stands still. Free slip and wall model are half-way.
 #include <array>
 
+#include "lbm/boundary/wall_load.h"
 #include "lbm/fluid_grid.h"
 
 namespace lahar::lbm {
@@ -31,11 +32,14 @@ struct WallPhysics {
   std::array<double, 3> acceleration{0, 0, 0};  ///< body force per mass
 };
 
-/// Reflects at all wall cells of one block; `parity` is that of the coming step.
+/// Reflects at all wall cells of one block; `parity` is that of the coming step. What the walls get is added to `loads`
+/// if that is given; results are the same with and without.
 template <class Real>
-void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const WallPhysics& physics);
+void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const WallPhysics& physics,
+                      BlockWallLoads* loads = nullptr);
 
-extern template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity, const WallPhysics&);
-extern template void reflect_at_walls<double>(FluidGrid<double>&, BlockIndex, Parity, const WallPhysics&);
+extern template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity, const WallPhysics&, BlockWallLoads*);
+extern template void reflect_at_walls<double>(FluidGrid<double>&, BlockIndex, Parity, const WallPhysics&,
+                                              BlockWallLoads*);
 
 }  // namespace lahar::lbm

@@ -82,6 +82,18 @@ TEST_F(Cli, MalformedFilesExitWithTwoAndLeaveNothing) {
     }
 }
 
+TEST_F(Cli, AFileThatIsNoMeshIsAMistakeOfItsKey) {
+  folder_.write("scene.toml", small_scene + "[[wall]]\nshape = \"mesh\"\nfile = \"scrap.stl\"\nmaterial = \"rock\"\n");
+  folder_.write("scrap.stl", "solid scrap\nvertex 0 0\n");
+  for (const char* command : {"check ", "run "}) {
+    const Outcome o = run(command + std::string("scene.toml --out out"));
+    EXPECT_EQ(o.code, 2);
+    EXPECT_TRUE(o.err.starts_with("scene.toml:18:8: wall[0].file: \"")) << o.err;
+    EXPECT_NE(o.err.find("scrap.stl\" line 2: expected \"vertex x y z\"\n"), std::string::npos) << o.err;
+    EXPECT_EQ(files(), 2u);
+  }
+}
+
 TEST_F(Cli, BadCommandLinesExitWithTwo) {
   for (const char* arguments : {"", "fly", "run", "check a.toml b.toml", "run --threads 0 a.toml", "run --set"}) {
     const Outcome o = run(arguments);
