@@ -35,7 +35,7 @@ Flow make_flow(const Channel& c, int cells) {
   Flow f{cells / 2.0, c.plug_share * cells / 2.0, c.exponent, 1, 1};
   const double mean_shear = kPeak / (f.half - f.plug);
   f.consistency = kViscosity * std::pow(mean_shear, 1 - c.exponent);
-  f.push = f.consistency * std::pow(kPeak / f.speed(0), c.exponent);  // the speed goes with push^(1/n)
+  f.push = std::pow(kPeak / f.speed(0), c.exponent);  // the speed goes with push^(1/n)
   return f;
 }
 
@@ -90,7 +90,7 @@ double plug_shear(const std::map<double, double>& profile, const Flow& f) {
 std::vector<Row> run_channel(const Channel& c, const Context& context) {
   const int cells = context.quick ? 32 : 64;
   const Flow f = make_flow(c, cells);
-  const double steps = 3 * f.half * f.half / kViscosity;
+  const double steps = 6 * f.half * f.half / kViscosity;
   const auto profile = context.precision == Precision::float32 ? settled_profile<float>(c, f, cells, steps)
                                                                : settled_profile<double>(c, f, cells, steps);
   double square = 0, largest = 0;
