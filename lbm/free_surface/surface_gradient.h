@@ -27,8 +27,9 @@ void solve_symmetric(const Real (&m)[6], const Real (&b)[3], Real (&x)[3]) {
 
 /// grad p / rho, lu, by weighted least squares over the wet cells two links away (one where the second is not wet):
 ///   sum_i w_i c_i (c_i . a - (rho_far - rho_here) / (3 n_i)) = 0,  n_i = 1 or 2,
-/// exact where the pressure is linear. Two links, because a sound wave of two cells, which differences over one link see
-/// best, is then not seen at all: the surface fed such waves until they drowned a gravity wave (docs/decisions/0007).
+/// exact where the pressure is linear. Two links, because a sound wave of two cells, which differences over one link
+/// see best, is then not seen at all: the surface fed such waves until they drowned a gravity wave
+/// (docs/decisions/0007).
 template <class Real>
 void pressure_gradient(FluidGrid<Real>& grid, CellPlace place, Parity parity, Real (&a)[3]) {
   constexpr Real kNoSlope = Real(1e-6);  // in directions without wet cells the gradient is 0
