@@ -7,14 +7,19 @@
 namespace lahar::lbm {
 namespace {
 
-/// Liquid of a given density field in 16 cells under a surface at z = 10.
-Fluid<double> filled() {
-  FluidOptions o = tank_options(Vec3(16, 16, 16), 1, 1, 1);
-  o.gravity = Vec3::Zero();
-  Fluid<double> fluid(o);
-  fluid.fill({{Vec3::Zero(), Vec3(16, 16, 10)}});
-  return fluid;
-}
+/// A box of 16 cells with liquid under a surface at z = 10.
+struct Filled {
+  Fluid<double> fluid;
+  Filled() : fluid(options()) {
+    fluid.fill({{Vec3::Zero(), Vec3(16, 16, 10)}});
+    for (const BlockIndex b : std::vector<BlockIndex>(fluid.grid().active())) fluid.grid().require_surface(b);
+  }
+  static FluidOptions options() {
+    FluidOptions o = tank_options(Vec3(16, 16, 16), 1, 1, 1);
+    o.gravity = Vec3::Zero();
+    return o;
+  }
+};
 
 template <class Field>
 void set_density(Fluid<double>& fluid, const Field& drho) {
@@ -26,9 +31,9 @@ void set_density(Fluid<double>& fluid, const Field& drho) {
 
 /// Exact for a linear pressure in every interface cell, at walls and in corners too.
 TEST(SurfaceGradient, IsExactForLinearPressure) {
-  Fluid<double> fluid = filled();
+  Filled filled;
+  Fluid<double>& fluid = filled.fluid;
   auto& grid = fluid.grid();
-  for (const BlockIndex b : std::vector<BlockIndex>(grid.active())) grid.require_surface(b);
   set_density(fluid, [](const Vec3& p) { return 3 * Vec3(1e-3, 2e-3, -5e-3).dot(p); });
   int cells = 0;
   for (const BlockIndex b : grid.active())
@@ -46,9 +51,9 @@ TEST(SurfaceGradient, IsExactForLinearPressure) {
 
 /// A sound wave of two cells along z is not seen.
 TEST(SurfaceGradient, IsBlindForTheShortestWave) {
-  Fluid<double> fluid = filled();
+  Filled filled;
+  Fluid<double>& fluid = filled.fluid;
   auto& grid = fluid.grid();
-  for (const BlockIndex b : std::vector<BlockIndex>(grid.active())) grid.require_surface(b);
   set_density(fluid, [](const Vec3& p) { return 0.01 * (static_cast<int>(p.z()) % 2); });
   const Vec3i cell = grid.domain().cell_at(Vec3(8.5, 8.5, 9.5));
   const CellPlace place{grid.topology().find(block_of(cell)), cell_index(cell.x() & 7, cell.y() & 7, cell.z() & 7)};
