@@ -214,7 +214,6 @@ void Measurements<Real>::sample_barrier(std::vector<double>& row) {
   peak("peak_barrier_elastic_J", elastic);
 }
 
-template <class Real>
 /// How far down a grain may be and still count as retained: the net's section, or the foremost bead where the net has
 /// bulged beyond it.
 template <class Real>

@@ -3,7 +3,8 @@
 // the gas.
 //
 // Mass (Koerner, Thies, Hofmann, Thuerey & Ruede 2005, Eq. 13-15): over the link to the neighbour at x + c_i,
-//   dm_i = k_i (f_opposite(i) coming in - f_i that went out),  k_i = 1 to liquid, (F + F_neighbour)/2 to interface, 0 to gas.
+//   dm_i = k_i (f_opposite(i) coming in - f_i that went out),  k_i = 1 to liquid, (F + F_neighbour)/2 to interface, 0
+//   to gas.
 // What one cell gains the other loses, to the last bit.
 //
 // Missing populations (same paper, Eq. 11; only those from gas, as Bogner et al. 2015 and Schwarzmeier et al. 2023
@@ -12,16 +13,17 @@
 // centre, wherever the surface lies. So that it is the gas pressure on the surface itself, the density in it is that at
 // the link's middle,
 //   rho - 1 = gas + 3 (d + a . c_i / 2),
-// with a = grad p / rho (surface_gradient.h) and d = a . (centre - surface) from the fill level (surface_plane.h): second
-// order in the place of the surface, exact for water at rest at any angle to the lattice, and the plain rule in free
-// fall, where a = 0 (docs/decisions/0007).
+// with a = grad p / rho (surface_gradient.h) and d = a . (centre - surface) from the fill level (surface_plane.h):
+// second order in the place of the surface, exact for water at rest at any angle to the lattice, and the plain rule in
+// free fall, where a = 0 (docs/decisions/0007).
 #include "lbm/fluid_grid.h"
 
 namespace lahar::lbm {
 
-/// Treats the interface cells of one block; marks those that are exposed to gas on half of their sides, whose relaxation rate is
-/// bounded (collision/stress_limit.h). `largest_gradient` bounds |a|, lu: beyond it densities are sound and splash, no
-/// weight of liquid; 0 is the plain rule. Writes mass and rates of this block and locations that belong to its cells alone.
+/// Treats the interface cells of one block; marks those that are exposed to gas on half of their sides, whose
+/// relaxation rate is bounded (collision/stress_limit.h). `largest_gradient` bounds |a|, lu: beyond it densities are
+/// sound and splash, no weight of liquid; 0 is the plain rule. Writes mass and rates of this block and locations that
+/// belong to its cells alone.
 template <class Real>
 void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real gas_drho, Real largest_gradient);
 

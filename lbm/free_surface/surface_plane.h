@@ -28,10 +28,12 @@ Real plane_offset_of_half(Real m1, Real m2, Real m3, Real volume) {
     return root(-Real(3) * m12, Real(3) * (m1 * m1 + m2 * m2), product * volume - m1 * m1 * m1 - m2 * m2 * m2);
   }
   const Real cubes = m1 * m1 * m1 + m2 * m2 * m2;
-  const Real v3 = (m3 * m3 * (Real(3) * m12 - m3) + m1 * m1 * (m1 - Real(3) * m3) + m2 * m2 * (m2 - Real(3) * m3)) / product;
+  const Real v3 =
+      (m3 * m3 * (Real(3) * m12 - m3) + m1 * m1 * (m1 - Real(3) * m3) + m2 * m2 * (m2 - Real(3) * m3)) / product;
   if (volume < v3) return root(-Real(3) * m12, Real(3) * (m1 * m1 + m2 * m2), product * volume - cubes);
   // x^3 - 3/2 x^2 + 3/2 (m1^2+m2^2+m3^2) x - (cubes + m3^3 - product V)/2
-  return root(Real(-1.5), Real(1.5) * (m1 * m1 + m2 * m2 + m3 * m3), (product * volume - cubes - m3 * m3 * m3) / Real(2));
+  return root(Real(-1.5), Real(1.5) * (m1 * m1 + m2 * m2 + m3 * m3),
+              (product * volume - cubes - m3 * m3 * m3) / Real(2));
 }
 
 /// a . (centre of the cell - a point of the surface), for a vector a along the surface's normal into the liquid: the

@@ -26,9 +26,9 @@ TEST(FreeSurface, HydrostaticRest) {
       fluid.step();
       pressure += fluid.cell_at(Vec3(0.085, 0.085, 0.005))->pressure / 200;
     }
-    // The surface rule places the level within half a cell (lbm/free_surface/surface_exchange.h); water is compressed by
-    // 0.4 % here.
-    EXPECT_NEAR(pressure, 9810 * (depth - 0.005), 9810 * 0.0065) << "depth " << depth;
+    // The gas pressure acts on the surface (lbm/free_surface/surface_exchange.h); water is compressed by 0.4 % at the
+    // bottom, 0.08 cells of the whole column, and may still swing a little.
+    EXPECT_NEAR(pressure, 9810 * (depth - 0.005), 9810 * 0.0015) << "depth " << depth;
     EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
   }
 }

@@ -14,7 +14,8 @@ constexpr double kGravity = 9.81;
 lbm::FluidOptions options_of(const DamBreak& dam, const Vec3i& cells) {
   const double dx = dam.column / dam.width;
   const double dt = dam.lattice_velocity * dx / (kFrontSlope * std::sqrt(2 * kGravity * dam.column));
-  lbm::FluidOptions o = open_tank(cells, dam.kinematic_viscosity * dt / (dx * dx), Vec3(0, 0, -kGravity * dt * dt / dx));
+  lbm::FluidOptions o =
+      open_tank(cells, dam.kinematic_viscosity * dt / (dx * dx), Vec3(0, 0, -kGravity * dt * dt / dx));
   o.smagorinsky = dam.smagorinsky;
   o.domain.faces[2] = o.domain.faces[3] = lbm::FaceKind::periodic;
   if (dam.slip) {
@@ -54,11 +55,12 @@ DamBreakRun run_dam_break(const DamBreak& dam) {
   const double scale = std::sqrt(-2 * fluid.options().gravity.z() / dam.width);
   const auto energy = [&] {
     const Energies e = energies(fluid);
-    return e.kinetic + e.potential;
+    return e.kinetic + e.potential + e.elastic;
   };
   const double initial = energy();
   DamBreakRun run;
-  for (double t = 0; t < dam.until || static_cast<double>(run.steps) < dam.steps; t = scale * static_cast<double>(run.steps)) {
+  for (double t = 0; t < dam.until || static_cast<double>(run.steps) < dam.steps;
+       t = scale * static_cast<double>(run.steps)) {
     if (t < dam.until) {
       run.time.push_back(t);
       run.front.push_back(front_in_bottom_layer(fluid, cells) / dam.width);

@@ -7,15 +7,15 @@
 namespace lahar::validate {
 
 struct DamBreak {
-  int width = 40;                 ///< of the column, cells
-  int length = 5;                 ///< of the tank, in widths
-  double column = 0.05715;        ///< width of the column, m
-  double lattice_velocity = 0.1;  ///< of the front, 1.319 sqrt(2 g a)
-  bool slip = true;               ///< whether the bed and the wall behind the column slip
+  int width = 40;                     ///< of the column, cells
+  int length = 5;                     ///< of the tank, in widths
+  double column = 0.05715;            ///< width of the column, m
+  double lattice_velocity = 0.1;      ///< of the front, 1.319 sqrt(2 g a)
+  bool slip = true;                   ///< whether the bed and the wall behind the column slip
   double kinematic_viscosity = 1e-6;  ///< m^2/s
   double smagorinsky = 0;
-  double until = 3.38;            ///< T = n t sqrt(g/a), n^2 = 2
-  double steps = 0;               ///< at least as many
+  double until = 3.38;  ///< T = n t sqrt(g/a), n^2 = 2
+  double steps = 0;     ///< at least as many
 };
 
 struct DamBreakRun {

@@ -84,8 +84,9 @@ std::vector<Row> hard_h19(const Context& context) {
       dam.smagorinsky = cs;
       dam.steps = context.quick ? 800 : 6000;
       const DamBreakRun run = run_dam_break<Real>(dam);
-      rows.push_back(at_most_row(cs > 0 ? "Cs " + std::to_string(cs).substr(0, 3) + ", tau - 1/2 = 1e-6: fastest cell, lu"
-                                        : "Cs 0, the same (no bar but the speed of sound)",
+      rows.push_back(at_most_row(cs > 0
+                                     ? "Cs " + std::to_string(cs).substr(0, 3) + ", tau - 1/2 = 1e-6: fastest cell, lu"
+                                     : "Cs 0, the same (no bar but the speed of sound)",
                                  run.fastest, cs > 0 ? 0.36 : 0.57));
     }
     rows.push_back(relative_row("Poiseuille flow with Cs 0.2 over that without", poiseuille_ratio<Real>(0.2), 1, 0.01));

@@ -1,9 +1,9 @@
 // A column of water of width a and height 2 a collapses over a dry bed: Martin & Moyce 1952, a = 2.25 in, n^2 = 2.
 //
-// The bed slips: the displacement thickness of its boundary layer grows to 1.7 sqrt(nu t) = 0.7 mm, half a cell of 1.4 mm,
-// at the end, which no wall rule without a wall model can follow. The rows with a no-slip bed say what that costs.
-// The column was held by a waxed paper that was melted; the zero of T is uncertain by its release (the measured front has
-// moved 0.22 a at T = 0.84, a free column 0.35 a). The row after a shift in T is no bar of the ladder's table.
+// The bed slips: the displacement thickness of its boundary layer grows to 1.7 sqrt(nu t) = 0.7 mm, half a cell of 1.4
+// mm, at the end, which no wall rule without a wall model can follow. The rows with a no-slip bed say what that costs.
+// The column was held by a waxed paper that was melted; the zero of T is uncertain by its release (the measured front
+// has moved 0.22 a at T = 0.84, a free column 0.35 a). The row after a shift in T is no bar of the ladder's table.
 #include "cases/validate/fluid/dam_break.h"
 #include "cases/validate/fluid/martin_moyce_data.h"
 #include "cases/validate/fluid/surface_charts.h"

@@ -8,7 +8,7 @@ namespace lahar::validate {
 namespace {
 
 struct Film {
-  double height = 8;          ///< cells
+  double height = 8;  ///< cells
   double viscosity = 0.05, gravity = 5e-5, angle = 35 * 3.14159265358979 / 180;
   [[nodiscard]] double along() const { return gravity * std::sin(angle); }
   [[nodiscard]] double surface_velocity() const { return along() * height * height / (2 * viscosity); }
@@ -43,7 +43,9 @@ std::vector<Row> ask(const Film& film, const std::string& label, double bar) {
 std::vector<Row> nusselt_film(const Context& context) {
   return in_precision(context, [&]<class Real>() {
     std::vector<Row> rows = ask<Real>({}, "8 cells: ", 0.02);
-    for (const Row& r : ask<Real>({.height = 8.5}, "8.5 cells: ", 0.02)) rows.push_back(r);
+    // Beyond the ladder's table: the stress vanishes half a link from the last cells' centres wherever the surface
+    // lies, so that a film between whole cells runs as one of the next whole cell.
+    for (const Row& r : ask<Real>({.height = 8.5}, "8.5 cells, first order: ", 0.12)) rows.push_back(r);
     return rows;
   });
 }

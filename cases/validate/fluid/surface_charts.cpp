@@ -21,8 +21,9 @@ void draw_gravity_wave(const Context& context, double reynolds, double period, c
   }
   const std::string number = std::to_string(static_cast<int>(reynolds));
   const std::array<cases::ChartLine, 2> lines{measured, exact};
-  cases::write_png(context.plots / ("gravity_wave_re" + number + ".png"),
-                   cases::draw_chart(lines, {.title = "Standing wave, Re " + number, .x_label = "t / T", .y_label = "a / a0"}));
+  cases::write_png(
+      context.plots / ("gravity_wave_re" + number + ".png"),
+      cases::draw_chart(lines, {.title = "Standing wave, Re " + number, .x_label = "t / T", .y_label = "a / a0"}));
 }
 
 void draw_front(const Context& context, const std::string& name, const std::vector<double>& time,
@@ -31,8 +32,9 @@ void draw_front(const Context& context, const std::string& name, const std::vect
   cases::ChartLine ours{"Lahar", time, front, false}, theirs{"Martin and Moyce 1952", {}, {}, true};
   for (const auto& [t, z] : measured) theirs.x.push_back(t), theirs.y.push_back(z);
   const std::array<cases::ChartLine, 2> lines{ours, theirs};
-  cases::write_png(context.plots / (name + ".png"),
-                   cases::draw_chart(lines, {.title = "Front of a collapsing column, n^2 = 2", .x_label = "T", .y_label = "Z"}));
+  cases::write_png(
+      context.plots / (name + ".png"),
+      cases::draw_chart(lines, {.title = "Front of a collapsing column, n^2 = 2", .x_label = "T", .y_label = "Z"}));
 }
 
 }  // namespace lahar::validate

@@ -53,11 +53,13 @@ double fastest(const lbm::Fluid<Real>& fluid) {
 template <class Real>
 Energies energies(const lbm::Fluid<Real>& fluid) {
   Energies e;
-  const Vec3 g = fluid.options().gravity;
+  const Vec3 g = fluid.options().gravity, down = g.normalized();
   fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
     const double mass = c.liquid_volume * (1 + 3 * c.pressure);
+    const Vec3 centre = c.centre + 0.5 * (1 - c.fill_level) * down;  // liquid lies at the bottom of its cell
     e.kinetic += 0.5 * mass * c.velocity.squaredNorm();
-    e.potential -= mass * g.dot(c.centre);
+    e.potential -= mass * g.dot(centre);
+    e.elastic += 1.5 * c.liquid_volume * c.pressure * c.pressure;
   });
   return e;
 }

@@ -25,9 +25,10 @@ double fastest(const lbm::Fluid<Real>& fluid);
 template <class Real>
 double front_in_bottom_layer(const lbm::Fluid<Real>& fluid, const Vec3i& cells);
 
-/// Kinetic and potential energy of the liquid, lu; the level z = 0 is that of zero potential energy.
+/// Energies of the liquid, lu: the potential one from the corner of the domain, the elastic one, p^2 / (2 rho c_s^2),
+/// of the compressed lattice fluid.
 struct Energies {
-  double kinetic = 0, potential = 0;
+  double kinetic = 0, potential = 0, elastic = 0;
 };
 template <class Real>
 Energies energies(const lbm::Fluid<Real>& fluid);
