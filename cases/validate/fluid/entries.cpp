@@ -3,7 +3,13 @@
 namespace lahar::validate {
 
 std::vector<Entry> fluid_entries() {
-  return {};
+  return {
+      order_taylor_green(),
+      order_poiseuille(),
+      order_duct(),
+      order_couette(),
+      taylor_green_re1600(),
+  };
 }
 
 }  // namespace lahar::validate

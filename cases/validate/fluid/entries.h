@@ -6,4 +6,11 @@ namespace lahar::validate {
 
 std::vector<Entry> fluid_entries();
 
+// Flows without a surface.
+Entry order_taylor_green();
+Entry order_poiseuille();
+Entry order_duct();
+Entry order_couette();
+Entry taylor_green_re1600();
+
 }  // namespace lahar::validate
