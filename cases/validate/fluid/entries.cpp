@@ -9,6 +9,7 @@ std::vector<Entry> fluid_entries() {
       order_duct(),
       order_couette(),
       taylor_green_re1600(),
+      cavity_re1000(),
   };
 }
 

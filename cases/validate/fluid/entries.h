@@ -12,5 +12,6 @@ Entry order_poiseuille();
 Entry order_duct();
 Entry order_couette();
 Entry taylor_green_re1600();
+Entry cavity_re1000();
 
 }  // namespace lahar::validate
