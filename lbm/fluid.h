@@ -26,6 +26,12 @@ struct FluidOptions {
   double smagorinsky = 0;                ///< Cs; 0 is off
 };
 
+/// How the populations of a flow without a surface start.
+enum class Start {
+  equilibrium,  ///< no stress: it builds up in a few tau; at small viscosity it rings from step to step until it has
+  with_stress,  ///< with the viscous stress of the velocity's gradient; for smooth velocities
+};
+
 /// A box of liquid at the start.
 struct LiquidRegion {
   Vec3 lower, upper;              ///< m
@@ -52,7 +58,7 @@ class Fluid {
   /// Fills every free cell of the domain and initializes it from a function of the cell centre that gives velocity
   /// (lu) and rho - 1: for flows without a surface.
   void fill_everything(const std::function<Vec3(const Vec3&)>& velocity_lu,
-                       const std::function<double(const Vec3&)>& drho);
+                       const std::function<double(const Vec3&)>& drho, Start start = Start::equilibrium);
 
   /// The liquid of now is the start of the mass ledger. Done by fill; to be called again after bodies were put in.
   void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass(); }
@@ -103,7 +109,8 @@ class Fluid {
   void exchange();
   void reflect();
   void classify_filled(std::vector<BlockIndex>& touched);
-  void initialize(CellPlace place, double drho, const Vec3& velocity_lu);
+  void initialize(CellPlace place, double drho, const Vec3& velocity_lu, const Mat3& stress = Mat3::Zero());
+  [[nodiscard]] Mat3 flow_stress(const std::function<Vec3(const Vec3&)>& velocity_lu, const Vec3& centre) const;
   [[nodiscard]] WetCell describe(CellPlace place) const;
 
   FluidOptions options_;

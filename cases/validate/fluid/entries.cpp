@@ -10,6 +10,9 @@ std::vector<Entry> fluid_entries() {
       order_couette(),
       taylor_green_re1600(),
       cavity_re1000(),
+      determinism(),
+      hard_h19(),
+      shear_layer(),
   };
 }
 

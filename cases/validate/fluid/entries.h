@@ -13,5 +13,8 @@ Entry order_duct();
 Entry order_couette();
 Entry taylor_green_re1600();
 Entry cavity_re1000();
+Entry determinism();
+Entry hard_h19();
+Entry shear_layer();
 
 }  // namespace lahar::validate

@@ -48,7 +48,8 @@ Curve dissipation_curve(int cells, double duration) {
       },
       [&](const Vec3& p) {
         return 3 * kSpeed * kSpeed / 16 * (std::cos(2 * k * p.x()) + std::cos(2 * k * p.y())) * (std::cos(2 * k * p.z()) + 2);
-      });
+      },
+      lbm::Start::with_stress);
   const int interval = static_cast<int>(std::lround(kSampling * length / kSpeed));
   const double dt = interval * kSpeed / length, volume = std::pow(cells, 3) * kSpeed * kSpeed;
   Curve curve;
