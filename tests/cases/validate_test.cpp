@@ -47,7 +47,8 @@ TEST(ValidateOutcome, NeedsRowsThatAllPassAndNoFailure) {
   EXPECT_TRUE(run_entry(kSome[0], {}).pass());
   EXPECT_FALSE(run_entry(kSome[1], {}).pass());  // no rows: nothing was asked
   EXPECT_FALSE(run_entry(kSome[2], {}).pass());
-  const Entry broken{"fluid.broken", "here", [](const Context&) -> std::vector<Row> { throw std::runtime_error("why"); }};
+  const Entry broken{"fluid.broken", "here",
+                     [](const Context&) -> std::vector<Row> { throw std::runtime_error("why"); }};
   const Outcome outcome = run_entry(broken, {});
   EXPECT_EQ(outcome.failure, "why");
   EXPECT_FALSE(outcome.pass());

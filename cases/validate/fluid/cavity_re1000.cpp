@@ -1,6 +1,6 @@
-// Steady flow in a cube whose lid slides, Re = 1000, against the spectral solution of Albensoeder & Kuhlmann 2005. Their
-// cube is [-1/2, 1/2]^3 with the lid at x = -1/2 moving along +y. Started at rest on coarse grids, each one until it is
-// steady and then the start of the next.
+// Steady flow in a cube whose lid slides, Re = 1000, against the spectral solution of Albensoeder & Kuhlmann 2005.
+// Their cube is [-1/2, 1/2]^3 with the lid at x = -1/2 moving along +y. Started at rest on coarse grids, each one until
+// it is steady and then the start of the next.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr int kMostPassages = 100;
 /// One grid of the way to the steady state.
 struct Stage {
   int cells;
-  double lid_speed;   ///< lu; 0.1 and 0.05 differ by up to 1 % in the profiles, hence the slow lid in the end
+  double lid_speed;     ///< lu; 0.1 and 0.05 differ by up to 1 % in the profiles, hence the slow lid in the end
   double small_change;  ///< steady: largest change of the profiles in one passage of the lid (H / U), in lid speeds
 };
 constexpr std::array<Stage, 4> kStages = {{{24, 0.1, 2e-3}, {48, 0.1, 1e-3}, {96, 0.1, 5e-4}, {96, 0.05, 3e-4}}};
@@ -33,16 +33,42 @@ struct Point {
 
 // Albensoeder & Kuhlmann 2005 (J. Comput. Phys. 206), tables 5 and 6, transcribed in tum-pbs/PICT
 // (tests/validations.py). Trust: high (spectral); the transcription was checked for the end values only.
-constexpr std::array<Point, 17> kSpeedY = {{  // v(x, 0, 0)
-    {0.5, 0.0},          {0.4453, -0.20623},  {0.4375, -0.22283},  {0.4297, -0.23696},  {0.3984, -0.27293},
-    {0.3281, -0.2516},   {0.2187, -0.10999},  {0.0469, -0.00612},  {0.0, 0.00802},      {-0.1172, 0.03905},
-    {-0.2344, 0.07334},  {-0.3516, 0.12183},  {-0.4531, 0.33171},  {-0.4609, 0.39821},  {-0.4688, 0.48443},
-    {-0.4766, 0.58964},  {-0.5, 1.0}}};
-constexpr std::array<Point, 17> kSpeedX = {{  // u(0, y, 0)
-    {-0.5, 0.0},         {-0.4375, -0.21738}, {-0.4297, -0.22746}, {-0.4219, -0.23503}, {-0.4062, -0.24407},
-    {-0.3437, -0.22924}, {-0.2734, -0.1758},  {-0.2656, -0.16987}, {0.0, -0.03674},     {0.3047, 0.15223},
-    {0.3594, 0.31117},   {0.4063, 0.43423},   {0.4453, 0.33511},   {0.4531, 0.29032},   {0.4609, 0.24095},
-    {0.4688, 0.18864},   {0.5, 0.0}}};
+constexpr std::array<Point, 17> kSpeedY = {{// v(x, 0, 0)
+                                            {0.5, 0.0},
+                                            {0.4453, -0.20623},
+                                            {0.4375, -0.22283},
+                                            {0.4297, -0.23696},
+                                            {0.3984, -0.27293},
+                                            {0.3281, -0.2516},
+                                            {0.2187, -0.10999},
+                                            {0.0469, -0.00612},
+                                            {0.0, 0.00802},
+                                            {-0.1172, 0.03905},
+                                            {-0.2344, 0.07334},
+                                            {-0.3516, 0.12183},
+                                            {-0.4531, 0.33171},
+                                            {-0.4609, 0.39821},
+                                            {-0.4688, 0.48443},
+                                            {-0.4766, 0.58964},
+                                            {-0.5, 1.0}}};
+constexpr std::array<Point, 17> kSpeedX = {{// u(0, y, 0)
+                                            {-0.5, 0.0},
+                                            {-0.4375, -0.21738},
+                                            {-0.4297, -0.22746},
+                                            {-0.4219, -0.23503},
+                                            {-0.4062, -0.24407},
+                                            {-0.3437, -0.22924},
+                                            {-0.2734, -0.1758},
+                                            {-0.2656, -0.16987},
+                                            {0.0, -0.03674},
+                                            {0.3047, 0.15223},
+                                            {0.3594, 0.31117},
+                                            {0.4063, 0.43423},
+                                            {0.4453, 0.33511},
+                                            {0.4531, 0.29032},
+                                            {0.4609, 0.24095},
+                                            {0.4688, 0.18864},
+                                            {0.5, 0.0}}};
 
 /// Velocity and density of the cell centres of a cube.
 class CubeField {
@@ -147,7 +173,7 @@ double largest_change(const Profiles& a, const Profiles& b) {
 
 struct Steady {
   CubeField field;
-  double change;    ///< largest change of the profiles in the last passage of the lid, lid speeds
+  double change;  ///< largest change of the profiles in the last passage of the lid, lid speeds
   int passages;
 };
 
@@ -200,9 +226,12 @@ std::vector<Row> compare(const Context& context) {
   const Profiles profiles(steady.field);
   const int cells = stages.back().cells;
   if (!context.plots.empty()) draw(profiles, cells, context.plots);
-  return {at_most_row(fmt::format("RMS of v(x, 0, 0) / lid speed, {}^3", cells), rms_difference(profiles.v, kSpeedY), tolerance),
-          at_most_row(fmt::format("RMS of u(0, y, 0) / lid speed, {}^3", cells), rms_difference(profiles.u, kSpeedX), tolerance),
-          at_most_row(fmt::format("change in passage {} of the lid", steady.passages), steady.change, stages.back().small_change)};
+  return {at_most_row(fmt::format("RMS of v(x, 0, 0) / lid speed, {}^3", cells), rms_difference(profiles.v, kSpeedY),
+                      tolerance),
+          at_most_row(fmt::format("RMS of u(0, y, 0) / lid speed, {}^3", cells), rms_difference(profiles.u, kSpeedX),
+                      tolerance),
+          at_most_row(fmt::format("change in passage {} of the lid", steady.passages), steady.change,
+                      stages.back().small_change)};
 }
 
 }  // namespace

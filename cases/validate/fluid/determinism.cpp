@@ -71,11 +71,12 @@ void compare(std::vector<Row>& rows, const std::string& name, const Scene& scene
     for (const int time : {1, 2}) {
       const ThreadLimit limit(threads);
       const auto bits = scene();
-      if (first.empty()) first = bits;
+      if (first.empty())
+        first = bits;
       else
-        rows.push_back(at_most_row(name + ": numbers that differ, " + std::to_string(thread_count()) + " threads, run " +
-                                       std::to_string(time),
-                                   differing(first, bits), 0));
+        rows.push_back(at_most_row(
+            name + ": numbers that differ, " + std::to_string(thread_count()) + " threads, run " + std::to_string(time),
+            differing(first, bits), 0));
     }
   rows.push_back(at_least_row(name + ": numbers compared", static_cast<double>(first.size()), 1000));
 }

@@ -34,7 +34,8 @@ const char* operator_name(lbm::CollisionOperator collision) {
 double lowest_order(std::span<const int> cells, std::span<const double> errors) {
   double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 1; k < errors.size(); ++k)
-    lowest = std::min(lowest, std::log(errors[k - 1] / errors[k]) / std::log(static_cast<double>(cells[k]) / cells[k - 1]));
+    lowest =
+        std::min(lowest, std::log(errors[k - 1] / errors[k]) / std::log(static_cast<double>(cells[k]) / cells[k - 1]));
   return lowest;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// What the entries without a surface share: boxes in lattice units (cell size, time step and density 1), errors, orders.
+// What the entries without a surface share: boxes in lattice units (cell size, time step and density 1), errors,
+// orders.
 #include <array>
 #include <cmath>
 #include <functional>

@@ -71,9 +71,8 @@ StartUp start_up(const Gap& gap) {
   lbm::Fluid<double> fluid(o);
   fluid.fill_everything([&](const Vec3&) { return frame; }, no_pressure);
   const auto exact = [&](double time) {
-    return [&, time](const Vec3& p) {
-      return Vec3(frame + belt * exact_speed(p[gap.across] / height, time) * gap.along);
-    };
+    return
+        [&, time](const Vec3& p) { return Vec3(frame + belt * exact_speed(p[gap.across] / height, time) * gap.along); };
   };
   StartUp result{};
   const int early = diffusive_steps(kEarly, gap.cells, kViscosity);
@@ -108,8 +107,8 @@ void add_frames(std::vector<Row>& rows, CollisionOperator collision, int cells) 
   }
   rows.push_back(at_most_row(name + ": spread of the speed half-way over 9 directions", spread, 1e-7));
   const StartUp moving = start_up({.cells = cells, .collision = collision, .frame = 1});
-  rows.push_back(relative_row(name + ": speed half-way in a frame as fast as the belt", moving.middle,
-                              straight, 0.005));
+  rows.push_back(
+      relative_row(name + ": speed half-way in a frame as fast as the belt", moving.middle, straight, 0.005));
 }
 
 std::vector<Row> run(const Context& context) {
@@ -127,7 +126,8 @@ std::vector<Row> run(const Context& context) {
     rows.push_back(relative_row(fmt::format("{}: viscosity / nu, {} cells", name, cells.back()), finest.viscosity, 1,
                                 context.quick ? 0.03 : 0.005));
     // The walls' velocities are stored in float.
-    rows.push_back(at_most_row(fmt::format("{}: steady velocity error, {} cells", name, cells.back()), finest.late_error, 1e-6));
+    rows.push_back(
+        at_most_row(fmt::format("{}: steady velocity error, {} cells", name, cells.back()), finest.late_error, 1e-6));
     if (!context.quick || collision == kOperators.front()) add_frames(rows, collision, 8);
   }
   return rows;

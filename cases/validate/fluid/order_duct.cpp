@@ -1,5 +1,6 @@
 // Flow in a square duct, driven by a body force from rest (White, Viscous Fluid Flow, eq. 3-48):
-//   u = g / (2 nu) [ y (H - y) - 8 H^2 / pi^3 sum_{n odd} sin(n pi y / H) cosh(n pi (z / H - 1/2)) / (n^3 cosh(n pi / 2)) ]
+//   u = g / (2 nu) [ y (H - y) - 8 H^2 / pi^3 sum_{n odd} sin(n pi y / H) cosh(n pi (z / H - 1/2)) / (n^3 cosh(n pi /
+//   2)) ]
 #include <fmt/format.h>
 
 #include <numbers>
@@ -13,11 +14,11 @@ namespace {
 
 using lbm::CollisionOperator;
 
-constexpr double kViscosity = 0.06;   // lu
-constexpr double kDuration = 1;       // t nu / H^2: what is left of the start is exp(-2 pi^2) = 3e-9
-constexpr double kPeakSpeed = 0.08;   // lu, on 8 cells; falls with the cell size
-constexpr double kPeakFactor = 0.07367;     // u_max nu / (g H^2), from the series
-constexpr double kDischarge = 0.035144;     // Q nu / (g H^4)
+constexpr double kViscosity = 0.06;      // lu
+constexpr double kDuration = 1;          // t nu / H^2: what is left of the start is exp(-2 pi^2) = 3e-9
+constexpr double kPeakSpeed = 0.08;      // lu, on 8 cells; falls with the cell size
+constexpr double kPeakFactor = 0.07367;  // u_max nu / (g H^2), from the series
+constexpr double kDischarge = 0.035144;  // Q nu / (g H^4)
 constexpr double kPeakOverMean = 2.0963;
 
 /// u nu / (g H^2) at y, z in 0..1.

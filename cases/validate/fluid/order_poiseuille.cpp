@@ -17,8 +17,8 @@ constexpr double kPeakSpeed = 0.08;  // lu, on 8 cells; falls with the cell size
 struct Channel {
   int cells = 16;
   CollisionOperator collision = CollisionOperator::central_moments;
-  int across = 2;                     ///< axis from wall to wall
-  Vec3 along = Vec3::UnitX();         ///< unit vector of the flow
+  int across = 2;              ///< axis from wall to wall
+  Vec3 along = Vec3::UnitX();  ///< unit vector of the flow
 };
 
 struct Profile {
@@ -54,7 +54,8 @@ Profile profile_of(const Channel& channel) {
   return {velocity_error(fluid, exact), exact_discharge / discharge, sideways / peak, highest / exact_highest};
 }
 
-void add_convergence(std::vector<Row>& rows, CollisionOperator collision, std::span<const int> cells, double tolerance) {
+void add_convergence(std::vector<Row>& rows, CollisionOperator collision, std::span<const int> cells,
+                     double tolerance) {
   const std::string name = operator_name(collision);
   std::vector<double> errors;
   Profile finest{};
@@ -67,7 +68,8 @@ void add_convergence(std::vector<Row>& rows, CollisionOperator collision, std::s
     rows.push_back(at_most_row(fmt::format("{}: velocity error, {} cells", name, cells.back()), finest.error, 1e-7));
   else
     rows.push_back(at_least_row(order_label(name, cells), lowest_order(cells, errors), 1.9));
-  rows.push_back(relative_row(fmt::format("{}: viscosity / nu, {} cells", name, cells.back()), finest.viscosity, 1, tolerance));
+  rows.push_back(
+      relative_row(fmt::format("{}: viscosity / nu, {} cells", name, cells.back()), finest.viscosity, 1, tolerance));
 }
 
 /// The same flow along every lattice axis and every diagonal between two of them, walls across each axis.

@@ -20,10 +20,10 @@ constexpr int kDepth = 8;            // cells along the axis of the vortex
 struct Vortex {
   int cells = 32;
   CollisionOperator collision = CollisionOperator::central_moments;
-  double speed = 0.04;          ///< u0 on 16 cells, lu; falls with the cell size
-  Vec3 drift = Vec3::Zero();    ///< velocity of the frame on 16 cells, lu; falls with the cell size
-  int axis = 2;                 ///< normal of the plane of the flow
-  bool turned = false;          ///< by 45 degrees about the axis
+  double speed = 0.04;        ///< u0 on 16 cells, lu; falls with the cell size
+  Vec3 drift = Vec3::Zero();  ///< velocity of the frame on 16 cells, lu; falls with the cell size
+  int axis = 2;               ///< normal of the plane of the flow
+  bool turned = false;        ///< by 45 degrees about the axis
 };
 
 struct Decay {
@@ -56,9 +56,9 @@ Decay decay_of(const Vortex& v) {
   const auto pressure = [&](const Vec3& p) {
     return -0.75 * u0 * u0 * (std::cos(2 * k * along.dot(p)) + std::cos(2 * k * across.dot(p)));
   };
-  fluid.fill_everything(exact(0), pressure, lbm::Start::with_stress);
+  fluid.fill_everything(exact(0), pressure);
   const int steps = diffusive_steps(kDuration, v.cells, kViscosity), early = steps / 4;
-  advance(fluid, early);  // sound of the start has time to die out
+  advance(fluid, early);  // the start is an equilibrium: the stress has to build up first
   const double start = kinetic_energy(fluid, drift);
   advance(fluid, steps - early);
   const double rate = -std::log(kinetic_energy(fluid, drift) / start) / (steps - early);
@@ -77,7 +77,8 @@ void add_convergence(std::vector<Row>& rows, const Vortex& vortex, const std::st
     errors.push_back(finest.error);
   }
   rows.push_back(at_least_row(order_label(name, cells), lowest_order(cells, errors), 1.9));
-  rows.push_back(relative_row(fmt::format("{}: viscosity / nu, {} cells", name, cells.back()), finest.viscosity, 1, tolerance));
+  rows.push_back(
+      relative_row(fmt::format("{}: viscosity / nu, {} cells", name, cells.back()), finest.viscosity, 1, tolerance));
 }
 
 std::vector<Row> run(const Context& context) {
@@ -88,17 +89,20 @@ std::vector<Row> run(const Context& context) {
     const std::string name = operator_name(collision);
     Vortex v{.cells = cells.back(), .collision = collision};
     add_convergence(rows, v, name, cells, tolerance);
-    v.drift = Vec3(0.2, 0, 0);
-    add_convergence(rows, v, name + " moving", cells, tolerance);
-    v.drift = Vec3(0.12, 0.16, 0);
-    add_convergence(rows, v, name + " moving askew", cells, tolerance);
+    if (!context.quick) {
+      v.drift = Vec3(0.2, 0, 0);
+      add_convergence(rows, v, name + " moving", cells, tolerance);
+      v.drift = Vec3(0.12, 0.16, 0);
+      add_convergence(rows, v, name + " moving askew", cells, tolerance);
+    }
     v.drift = Vec3::Zero();
     const double upright = decay_of(v).viscosity;
     double spread = 0;
     for (v.axis = 0; v.axis < 2; ++v.axis) spread = std::max(spread, std::abs(decay_of(v).viscosity / upright - 1));
     rows.push_back(at_most_row(name + ": spread of the decay over 3 planes", spread, 1e-9));
     v.axis = 2, v.turned = true;
-    rows.push_back(relative_row(fmt::format("{} turned by 45 degrees: viscosity / nu, {} cells", name, v.cells), decay_of(v).viscosity, 1, tolerance));
+    rows.push_back(relative_row(fmt::format("{} turned by 45 degrees: viscosity / nu, {} cells", name, v.cells),
+                                decay_of(v).viscosity, 1, tolerance));
   }
   return rows;
 }
@@ -106,8 +110,8 @@ std::vector<Row> run(const Context& context) {
 }  // namespace
 
 Entry order_taylor_green() {
-  return {"fluid.order_taylor_green", "exact solution of the Navier-Stokes equations (Taylor & Green 1937, in two dimensions)",
-          run};
+  return {"fluid.order_taylor_green",
+          "exact solution of the Navier-Stokes equations (Taylor & Green 1937, in two dimensions)", run};
 }
 
 }  // namespace lahar::validate

@@ -16,17 +16,17 @@ namespace lahar::validate {
 namespace {
 
 constexpr double kReynolds = 1600;
-constexpr double kSpeed = 0.05;       // V0, lu: Ma = 0.087, and what compressibility does is of the order of Ma^2 = 0.75 %
-constexpr double kDuration = 10;      // L / V0
-constexpr double kSampling = 0.1;     // L / V0 between two looks at the energy
+constexpr double kSpeed = 0.05;    // V0, lu: Ma = 0.087, and what compressibility does is of the order of Ma^2 = 0.75 %
+constexpr double kDuration = 10;   // L / V0
+constexpr double kSampling = 0.1;  // L / V0 between two looks at the energy
 constexpr double kPeak = 0.01279, kPeakTime = 8.90;
 
 // -dE/dt of a spectral simulation: wang_2013.dat, read in chaos-polymtl/lethe (examples/incompressible-flow/
 // 3d-taylor-green-vortex/reference), digitised, every first to second point kept. Trust: peak within 1 %.
-const std::vector<double> kReferenceTime = {
-    0.0546, 0.5872, 1.0158, 1.7293, 2.2917, 2.7707, 3.219,  3.5612, 3.8916,  4.1513,  4.3558,  4.5722, 4.8004,
-    5.1072, 5.3865, 5.8507, 6.2441, 6.5352, 6.9482, 7.2512, 7.44,   7.8375,  8.0658,  8.2988,  8.5021, 8.6558,
-    8.74,   8.9035, 9.0225, 9.1067, 9.3048, 9.5524, 10.0429};
+const std::vector<double> kReferenceTime = {0.0546, 0.5872, 1.0158, 1.7293, 2.2917, 2.7707, 3.219,  3.5612, 3.8916,
+                                            4.1513, 4.3558, 4.5722, 4.8004, 5.1072, 5.3865, 5.8507, 6.2441, 6.5352,
+                                            6.9482, 7.2512, 7.44,   7.8375, 8.0658, 8.2988, 8.5021, 8.6558, 8.74,
+                                            8.9035, 9.0225, 9.1067, 9.3048, 9.5524, 10.0429};
 const std::vector<double> kReferenceDissipation = {
     0.0004967, 0.0005146, 0.0005347, 0.0006551, 0.0008333, 0.0010347, 0.0012999, 0.0015722, 0.001986,
     0.002428,  0.0028594, 0.0033403, 0.0038071, 0.0043977, 0.0047972, 0.0053913, 0.0061057, 0.0068093,
@@ -47,7 +47,8 @@ Curve dissipation_curve(int cells, double duration) {
                     -kSpeed * std::cos(k * p.x()) * std::sin(k * p.y()) * std::cos(k * p.z()), 0);
       },
       [&](const Vec3& p) {
-        return 3 * kSpeed * kSpeed / 16 * (std::cos(2 * k * p.x()) + std::cos(2 * k * p.y())) * (std::cos(2 * k * p.z()) + 2);
+        return 3 * kSpeed * kSpeed / 16 * (std::cos(2 * k * p.x()) + std::cos(2 * k * p.y())) *
+               (std::cos(2 * k * p.z()) + 2);
       },
       lbm::Start::with_stress);
   const int interval = static_cast<int>(std::lround(kSampling * length / kSpeed));
@@ -68,10 +69,10 @@ void draw(const Curve& curve, int cells, const std::filesystem::path& folder) {
   const std::vector<cases::ChartLine> lines = {
       {fmt::format("{}^3, central moments", cells), curve.time, curve.dissipation},
       {"spectral (Wang et al. 2013)", kReferenceTime, kReferenceDissipation, true}};
-  cases::write_png(folder / "taylor_green_re1600.png",
-                   cases::draw_chart(lines, {.title = "Taylor-Green vortex, Re = 1600",
-                                             .x_label = "t V0 / L",
-                                             .y_label = "-dE/dt L / V0^3"}));
+  cases::write_png(
+      folder / "taylor_green_re1600.png",
+      cases::draw_chart(
+          lines, {.title = "Taylor-Green vortex, Re = 1600", .x_label = "t V0 / L", .y_label = "-dE/dt L / V0^3"}));
 }
 
 std::vector<Row> run(const Context& context) {
