@@ -15,11 +15,11 @@ namespace lahar::lbm {
 
 namespace {
 
-constexpr std::size_t kBlocksPerTask = 8;     // a group of the population layout
-constexpr std::int64_t kWatchEvery = 32;      // steps between looks at every cell
-constexpr std::int64_t kReleaseEvery = 16;    // steps between rounds of giving blocks back
-constexpr double kLargestGradient = 2;        // of pressure at the surface, in rho g
-constexpr double kSpeedLimit = 0.57735;       // lu, the speed of sound: nothing beyond it is physical
+constexpr std::size_t kBlocksPerTask = 8;   // a group of the population layout
+constexpr std::int64_t kWatchEvery = 32;    // steps between looks at every cell
+constexpr std::int64_t kReleaseEvery = 16;  // steps between rounds of giving blocks back
+constexpr double kLargestGradient = 2;      // of pressure at the surface, in rho g
+constexpr double kSpeedLimit = 0.57735;     // lu, the speed of sound: nothing beyond it is physical
 
 LatticeUnits units_of(const FluidOptions& o) { return {o.domain.cell_size, o.time_step, o.density}; }
 
@@ -57,15 +57,26 @@ Fluid<Real>::Fluid(FluidOptions options)
   for (const InflowOptions& inflow : options_.inflows) inflows_.emplace_back(inflow, grid_.domain(), units_);
 }
 
+namespace {
+
+/// The part of population i that carries a stress (second moments less their equilibrium): w_i 9/2 (c c - 1/3) : S.
+double stress_part(int i, const Mat3& stress) {
+  const Vec3 c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+  return 4.5 * D3Q19::w(i) * (c.dot(stress * c) - stress.trace() / 3);
+}
+
+}  // namespace
+
 template <class Real>
-void Fluid<Real>::initialize(CellPlace place, double drho, const Vec3& u) {
+void Fluid<Real>::initialize(CellPlace place, double drho, const Vec3& u, const Mat3& stress) {
   grid_.require_neighbours(place);
   const auto r = static_cast<Real>(drho), x = static_cast<Real>(u.x()), y = static_cast<Real>(u.y()),
              z = static_cast<Real>(u.z());
-  grid_.block(place.block).f(0)[place.cell] = equilibrium(0, r, x, y, z);
+  const auto population = [&](int i) { return equilibrium(i, r, x, y, z) + static_cast<Real>(stress_part(i, stress)); };
+  grid_.block(place.block).f(0)[place.cell] = population(0);
   for (int a = 1; a < D3Q19::q; a += 2) {
     const auto pair = grid_.access(place, a, parameters_.parity);
-    const Real fa = equilibrium(a, r, x, y, z), fb = equilibrium(a + 1, r, x, y, z);
+    const Real fa = population(a), fb = population(a + 1);
     // What the cell sends out is what its neighbours receive; from neighbours that send nothing it receives its own.
     *pair.outgoing_a = fa;
     *pair.outgoing_b = fb;
@@ -112,7 +123,8 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
   std::vector<BlockIndex> touched;
   std::vector<std::pair<CellPlace, const LiquidRegion*>> wet;
   for (const auto& region : regions) {
-    const Vec3i low = block_of(grid_.domain().cell_at(region.lower)), high = block_of(grid_.domain().cell_at(region.upper));
+    const Vec3i low = block_of(grid_.domain().cell_at(region.lower)),
+                high = block_of(grid_.domain().cell_at(region.upper));
     for (int x = low.x(); x <= high.x(); ++x)
       for (int y = low.y(); y <= high.y(); ++y)
         for (int z = low.z(); z <= high.z(); ++z) {
@@ -128,8 +140,9 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
             if (type == CellType::gas) wet.push_back({{b, n}, &region});
             type = CellType::interface;
             surface.fill_level[n] = std::min(Real(1), surface.fill_level[n] + static_cast<Real>(fraction));
-            surface.mass[n] = surface.fill_level[n] *
-                              static_cast<Real>(1 + resting_density(grid_.centre(b, n).z(), region, options_.gravity.z(), units_));
+            surface.mass[n] =
+                surface.fill_level[n] *
+                static_cast<Real>(1 + resting_density(grid_.centre(b, n).z(), region, options_.gravity.z(), units_));
           }
         }
   }
@@ -168,9 +181,22 @@ void Fluid<Real>::classify_filled(std::vector<BlockIndex>& touched) {
   for (const BlockIndex b : touched) grid_.relist(b);
 }
 
+/// Stress after a collision that a velocity field keeps up: (1 - 1/tau) S with S = -2/3 tau D (Chapman-Enskog) and D
+/// the deviator of the strain rate, from differences over one cell.
+template <class Real>
+Mat3 Fluid<Real>::flow_stress(const std::function<Vec3(const Vec3&)>& velocity_lu, const Vec3& centre) const {
+  Mat3 gradient;
+  for (int a = 0; a < 3; ++a) {
+    const Vec3 half = 0.5 * units_.cell_size * Vec3::Unit(a);
+    gradient.col(a) = velocity_lu(centre + half) - velocity_lu(centre - half);
+  }
+  const Mat3 strain = 0.5 * (gradient + gradient.transpose());
+  return -2.0 / 3.0 * (parameters_.tau - 1) * (strain - strain.trace() / 3 * Mat3::Identity());
+}
+
 template <class Real>
 void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& velocity_lu,
-                                  const std::function<double(const Vec3&)>& drho) {
+                                  const std::function<double(const Vec3&)>& drho, Start start) {
   const Vec3i first = grid_.domain().first(), last = first + grid_.domain().cells() - Vec3i::Ones();
   const Vec3i low = block_of(first), high = block_of(last);
   std::vector<CellPlace> wet;
@@ -189,7 +215,8 @@ void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& veloci
       }
   for (const CellPlace& p : wet) {
     const Vec3 centre = grid_.centre(p.block, p.cell);
-    initialize(p, drho(centre), velocity_lu(centre));
+    initialize(p, drho(centre), velocity_lu(centre),
+               start == Start::with_stress ? flow_stress(velocity_lu, centre) : Mat3(Mat3::Zero()));
   }
   for (const BlockIndex b : touched) grid_.relist(b);
   reflect();

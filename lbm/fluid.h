@@ -18,33 +18,39 @@ namespace lahar::lbm {
 
 struct FluidOptions {
   DomainSpec domain;
-  double time_step = 0;                  ///< s
-  double density = 1000;                 ///< kg/m^3
-  double kinematic_viscosity = 1e-6;     ///< m^2/s
-  Vec3 gravity = Vec3::Zero();           ///< m/s^2
+  double time_step = 0;               ///< s
+  double density = 1000;              ///< kg/m^3
+  double kinematic_viscosity = 1e-6;  ///< m^2/s
+  Vec3 gravity = Vec3::Zero();        ///< m/s^2
   CollisionOperator collision = CollisionOperator::central_moments;
   BodyWeighting weighting = BodyWeighting::solid_fraction;
-  double seepage_constant = 0;           ///< in place of tau - 1/2 for BodyWeighting::seepage
-  double smagorinsky = 0;                ///< Cs; 0 is off; only with a Newtonian fluid
-  RheologyOptions rheology;              ///< flow law of mud and slurry
-  std::vector<InflowOptions> inflows;    ///< boxes through which liquid enters
+  double seepage_constant = 0;  ///< in place of tau - 1/2 for BodyWeighting::seepage
+  double smagorinsky = 0;       ///< Cs; 0 is off; only with a Newtonian fluid
+  RheologyOptions rheology;            ///< flow law of mud and slurry
+  std::vector<InflowOptions> inflows;  ///< boxes through which liquid enters
+};
+
+/// How the populations of a flow without a surface start.
+enum class Start {
+  equilibrium,  ///< no stress: it builds up in a few tau; at small viscosity it rings from step to step until it has
+  with_stress,  ///< with the viscous stress of the velocity's gradient; for smooth velocities
 };
 
 /// Liquid at the start: a box, or a body within it.
 struct LiquidRegion {
-  Vec3 lower, upper;              ///< m
-  Vec3 velocity = Vec3::Zero();   ///< m/s
+  Vec3 lower, upper;             ///< m
+  Vec3 velocity = Vec3::Zero();  ///< m/s
   std::optional<Shape> body = std::nullopt;  ///< liquid where its distance is below 0
 };
 
 /// One wet cell as observers see it, SI.
 struct WetCell {
-  Vec3 centre;             ///< m
-  Vec3 velocity;           ///< m/s
-  double fill_level;       ///< 0..1, bodies in the cell included
-  double solid_fraction;   ///< 0..1
-  double liquid_volume;    ///< m^3
-  double pressure;         ///< Pa above ambient
+  Vec3 centre;            ///< m
+  Vec3 velocity;          ///< m/s
+  double fill_level;      ///< 0..1, bodies in the cell included
+  double solid_fraction;  ///< 0..1
+  double liquid_volume;   ///< m^3
+  double pressure;        ///< Pa above ambient
 };
 
 template <class Real>
@@ -52,12 +58,13 @@ class Fluid {
  public:
   explicit Fluid(FluidOptions options);
 
-  /// Fills boxes with liquid under the pressure of its own depth along z; call before the first step. Cells in walls stay dry.
+  /// Fills boxes with liquid under the pressure of its own depth along z; call before the first step. Cells in walls
+  /// stay dry.
   void fill(const std::vector<LiquidRegion>& regions);
   /// Fills every free cell of the domain and initializes it from a function of the cell centre that gives velocity
   /// (lu) and rho - 1: for flows without a surface.
   void fill_everything(const std::function<Vec3(const Vec3&)>& velocity_lu,
-                       const std::function<double(const Vec3&)>& drho);
+                       const std::function<double(const Vec3&)>& drho, Start start = Start::equilibrium);
 
   /// The liquid of now is the start of the mass ledger. Done by fill; to be called again after bodies were put in.
   void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass() - inflow_mass(); }
@@ -120,7 +127,8 @@ class Fluid {
   void reflect();
   void book_wall_loads();
   void classify_filled(std::vector<BlockIndex>& touched);
-  void initialize(CellPlace place, double drho, const Vec3& velocity_lu);
+  void initialize(CellPlace place, double drho, const Vec3& velocity_lu, const Mat3& stress = Mat3::Zero());
+  [[nodiscard]] Mat3 flow_stress(const std::function<Vec3(const Vec3&)>& velocity_lu, const Vec3& centre) const;
   [[nodiscard]] WetCell describe(CellPlace place) const;
 
   FluidOptions options_;
