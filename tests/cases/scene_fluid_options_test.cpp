@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 1], [1, -1]]")}, "fluid.inflow[0].discharge_m3_s", "at least 0"},
         Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 1], [0, 1]]")}, "fluid.inflow[0].discharge_m3_s", "rising"},
         Rejection{{inflow("[0.2, 0.3, 0.01]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].upper_m", "thinner than a cell"},
-        Rejection{{inflow("[0.2, 0.3, 9.0]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].lower_m", "outside the domain"},
+        Rejection{{inflow("[0.2, 0.3, 9.0]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0] lies", "outside the domain"},
         Rejection{{inflow("[0.2, 0.0, 0.2]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].upper_m", "is not above"}));
 
 TEST(FluidOptions, ReachTheSolverAndTheResolvedScene) {
