@@ -14,10 +14,10 @@ namespace lahar::lbm {
 
 namespace {
 
-constexpr std::size_t kBlocksPerTask = 8;   // a group of the population layout
-constexpr std::int64_t kWatchEvery = 32;    // steps between looks at every cell
-constexpr std::int64_t kReleaseEvery = 16;  // steps between rounds of giving blocks back
-constexpr double kSpeedLimit = 0.57735;     // lu, the speed of sound: nothing beyond it is physical
+constexpr std::size_t kBlocksPerTask = 8;     // a group of the population layout
+constexpr std::int64_t kWatchEvery = 32;      // steps between looks at every cell
+constexpr std::int64_t kReleaseEvery = 16;    // steps between rounds of giving blocks back
+constexpr double kSpeedLimit = 0.57735;       // lu, the speed of sound: nothing beyond it is physical
 
 LatticeUnits units_of(const FluidOptions& o) { return {o.domain.cell_size, o.time_step, o.density}; }
 
@@ -101,8 +101,7 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
   std::vector<BlockIndex> touched;
   std::vector<std::pair<CellPlace, const LiquidRegion*>> wet;
   for (const auto& region : regions) {
-    const Vec3i low = block_of(grid_.domain().cell_at(region.lower)),
-                high = block_of(grid_.domain().cell_at(region.upper));
+    const Vec3i low = block_of(grid_.domain().cell_at(region.lower)), high = block_of(grid_.domain().cell_at(region.upper));
     for (int x = low.x(); x <= high.x(); ++x)
       for (int y = low.y(); y <= high.y(); ++y)
         for (int z = low.z(); z <= high.z(); ++z) {
@@ -117,9 +116,8 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
             if (type == CellType::gas) wet.push_back({{b, n}, &region});
             type = CellType::interface;
             surface.fill_level[n] = std::min(Real(1), surface.fill_level[n] + static_cast<Real>(fraction));
-            surface.mass[n] =
-                surface.fill_level[n] *
-                static_cast<Real>(1 + resting_density(grid_.centre(b, n).z(), region, options_.gravity.z(), units_));
+            surface.mass[n] = surface.fill_level[n] *
+                              static_cast<Real>(1 + resting_density(grid_.centre(b, n).z(), region, options_.gravity.z(), units_));
           }
         }
   }
@@ -157,8 +155,8 @@ void Fluid<Real>::classify_filled(std::vector<BlockIndex>& touched) {
   for (const BlockIndex b : touched) grid_.relist(b);
 }
 
-/// Stress after a collision that a velocity field keeps up: (1 - 1/tau) S with S = -2/3 tau D (Chapman-Enskog) and D
-/// the deviator of the strain rate, from differences over one cell.
+/// Stress after a collision that a velocity field keeps up: (1 - 1/tau) S with S = -2/3 tau D (Chapman-Enskog) and D the
+/// deviator of the strain rate, from differences over one cell.
 template <class Real>
 Mat3 Fluid<Real>::flow_stress(const std::function<Vec3(const Vec3&)>& velocity_lu, const Vec3& centre) const {
   Mat3 gradient;

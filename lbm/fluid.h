@@ -16,14 +16,14 @@ namespace lahar::lbm {
 
 struct FluidOptions {
   DomainSpec domain;
-  double time_step = 0;               ///< s
-  double density = 1000;              ///< kg/m^3
-  double kinematic_viscosity = 1e-6;  ///< m^2/s
-  Vec3 gravity = Vec3::Zero();        ///< m/s^2
+  double time_step = 0;                  ///< s
+  double density = 1000;                 ///< kg/m^3
+  double kinematic_viscosity = 1e-6;     ///< m^2/s
+  Vec3 gravity = Vec3::Zero();           ///< m/s^2
   CollisionOperator collision = CollisionOperator::central_moments;
   BodyWeighting weighting = BodyWeighting::solid_fraction;
-  double seepage_constant = 0;  ///< in place of tau - 1/2 for BodyWeighting::seepage
-  double smagorinsky = 0;       ///< Cs; 0 is off
+  double seepage_constant = 0;           ///< in place of tau - 1/2 for BodyWeighting::seepage
+  double smagorinsky = 0;                ///< Cs; 0 is off
 };
 
 /// How the populations of a flow without a surface start.
@@ -34,18 +34,18 @@ enum class Start {
 
 /// A box of liquid at the start.
 struct LiquidRegion {
-  Vec3 lower, upper;             ///< m
-  Vec3 velocity = Vec3::Zero();  ///< m/s
+  Vec3 lower, upper;              ///< m
+  Vec3 velocity = Vec3::Zero();   ///< m/s
 };
 
 /// One wet cell as observers see it, SI.
 struct WetCell {
-  Vec3 centre;            ///< m
-  Vec3 velocity;          ///< m/s
-  double fill_level;      ///< 0..1, bodies in the cell included
-  double solid_fraction;  ///< 0..1
-  double liquid_volume;   ///< m^3
-  double pressure;        ///< Pa above ambient
+  Vec3 centre;             ///< m
+  Vec3 velocity;           ///< m/s
+  double fill_level;       ///< 0..1, bodies in the cell included
+  double solid_fraction;   ///< 0..1
+  double liquid_volume;    ///< m^3
+  double pressure;         ///< Pa above ambient
 };
 
 template <class Real>
@@ -53,8 +53,7 @@ class Fluid {
  public:
   explicit Fluid(FluidOptions options);
 
-  /// Fills boxes with liquid under the pressure of its own depth along z; call before the first step. Cells in walls
-  /// stay dry.
+  /// Fills boxes with liquid under the pressure of its own depth along z; call before the first step. Cells in walls stay dry.
   void fill(const std::vector<LiquidRegion>& regions);
   /// Fills every free cell of the domain and initializes it from a function of the cell centre that gives velocity
   /// (lu) and rho - 1: for flows without a surface.
