@@ -52,7 +52,7 @@ TEST(Reader, MissingKeysPointToTheirTable) {
   ASSERT_EQ(all.size(), 3u) << testing::PrintToString(all);
   EXPECT_EQ(all[0], "scene.toml:4:1: run.duration_s is missing, expected a number above 0");
   EXPECT_EQ(all[1], "scene.toml:8:1: fluid.cell_size_m is missing, expected a number above 0");
-  EXPECT_EQ(all[2], "scene.toml:8:1: fluid has no liquid, expected at least one [[fluid.region]]");
+  EXPECT_EQ(all[2], "scene.toml:8:1: fluid has no liquid, expected at least one [[fluid.region]] or [[fluid.inflow]]");
 }
 
 TEST(Reader, TellsWhereAMisplacedKeyBelongs) {

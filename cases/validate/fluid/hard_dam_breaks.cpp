@@ -75,7 +75,7 @@ std::vector<Row> hard_h2(const Context& context) {
   });
 }
 
-std::vector<Row> hard_h19(const Context& context) {
+std::vector<Row> hard_h19_splash(const Context& context) {
   return in_precision(context, [&]<class Real>() {
     std::vector<Row> rows;
     for (const double cs : {0.0, 0.1, 0.2}) {

@@ -19,7 +19,7 @@ std::vector<Entry> surface_entries() {
       {"fluid.hard_h13", "overtopping, draining, wetting again", hard_h13},
       {"fluid.hard_h14", "water into a closed corner at 10 m/s", hard_h14},
       {"fluid.hard_h18", "an almost empty box", hard_h18},
-      {"fluid.hard_h19", "eddy viscosity on and off, tau - 1/2 = 1e-6", hard_h19},
+      {"fluid.hard_h19_splash", "case H19 of the hard cases in a dam break", hard_h19_splash},
       {"fluid.hard_h20", "slope of 35 degrees, gravity or lattice tilted", hard_h20},
   };
 }

@@ -19,7 +19,7 @@ std::vector<Row> hard_h8(const Context& context);
 std::vector<Row> hard_h13(const Context& context);
 std::vector<Row> hard_h14(const Context& context);
 std::vector<Row> hard_h18(const Context& context);
-std::vector<Row> hard_h19(const Context& context);
+std::vector<Row> hard_h19_splash(const Context& context);
 std::vector<Row> hard_h20(const Context& context);
 
 /// All of them, in the order of the ladder.
