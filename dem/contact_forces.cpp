@@ -138,7 +138,7 @@ void ContactForces::compute(Particles& particles, ContactDetection& contacts, co
 
 void ContactForces::pack(const Particles& p, double dt) {
   bodies_.resize(p.size());
-  parallel_for(0, p.size(), 1024, [&](std::size_t i) {
+  const auto pack_one = [&](std::size_t i) {
     ContactBody& b = bodies_[i];
     b.position = triple(p.position, i);
     if (p.state[i] == ParticleState::removed) b.position.x = std::numeric_limits<double>::quiet_NaN();  // never touches
@@ -150,6 +150,9 @@ void ContactForces::pack(const Particles& p, double dt) {
     b.spin_end = b.spin + (0.5 * dt * 2.5 * b.inverse_mass / (b.radius * b.radius)) * triple(p.torque, i);
     b.material = p.material[i];
     b.body = p.body[i];
+  };
+  parallel_for_even_chunks(p.size(), 512, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) pack_one(i);
   });
 }
 

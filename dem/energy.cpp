@@ -28,12 +28,15 @@ double motion_energy(const Particles& particles, std::size_t i, const Vec3& grav
 }
 
 double external_work(const Particles& p, double dt) {
-  double sum = 0;
-  for (std::size_t i = 0; i < p.size(); ++i)
-    sum += p.external_force.x[i] * p.velocity.x[i] + p.external_force.y[i] * p.velocity.y[i] +
-           p.external_force.z[i] * p.velocity.z[i] + p.external_torque.x[i] * p.angular_velocity.x[i] +
-           p.external_torque.y[i] * p.angular_velocity.y[i] + p.external_torque.z[i] * p.angular_velocity.z[i];
-  return dt * sum;
+  return dt * ordered_sum<double>(
+                  p.size(),
+                  [&](std::size_t i) {
+                    return p.external_force.x[i] * p.velocity.x[i] + p.external_force.y[i] * p.velocity.y[i] +
+                           p.external_force.z[i] * p.velocity.z[i] + p.external_torque.x[i] * p.angular_velocity.x[i] +
+                           p.external_torque.y[i] * p.angular_velocity.y[i] +
+                           p.external_torque.z[i] * p.angular_velocity.z[i];
+                  },
+                  4096);
 }
 
 Vec3 momentum(const Particles& p) {

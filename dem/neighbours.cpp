@@ -1,6 +1,7 @@
 #include "dem/neighbours.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/parallel.h"
@@ -49,12 +50,16 @@ bool NeighbourList::outdated(const Particles& particles) const {
   const std::size_t n = particles.size();
   if (builds_ == 0 || n != built_x_.size()) return true;
   const double *x = particles.position.x.data(), *y = particles.position.y.data(), *z = particles.position.z.data();
-  int moved = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double dx = x[i] - built_x_[i], dy = y[i] - built_y_[i], dz = z[i] - built_z_[i];
-    moved |= !(dx * dx + dy * dy + dz * dz <= move_limit2_[i]);  // also true for a position that is not a number
-  }
-  return moved != 0;
+  std::atomic<bool> moved{false};
+  parallel_for_even_chunks(n, 2048, [&](std::size_t first, std::size_t last) {
+    int any = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const double dx = x[i] - built_x_[i], dy = y[i] - built_y_[i], dz = z[i] - built_z_[i];
+      any |= !(dx * dx + dy * dy + dz * dz <= move_limit2_[i]);  // also true for a position that is not a number
+    }
+    if (any != 0) moved = true;
+  });
+  return moved;
 }
 
 void NeighbourList::build(const Particles& particles, const PairSet& excluded) {

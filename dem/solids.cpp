@@ -39,8 +39,7 @@ void Solids::substep(bool first, bool last) {
   const double dt = options_.time_step;
   {
     const ScopedTimer timer(*section_integrate_);
-    kick(particles_, first ? 0.5 * dt : dt);
-    drift(particles_, dt);
+    kick_and_drift(particles_, first ? 0.5 * dt : dt, dt);
     if (external_acts_) external_work_ += external_work(particles_, dt);
   }
   detect();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -123,12 +124,14 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
   std::vector<BlockIndex> touched;
   std::vector<std::pair<CellPlace, const LiquidRegion*>> wet;
   for (const auto& region : regions) {
+    std::set<BlockIndex> filled;  // along a periodic axis the block beyond the end is the first one again
     const Vec3i low = block_of(grid_.domain().cell_at(region.lower)),
                 high = block_of(grid_.domain().cell_at(region.upper));
     for (int x = low.x(); x <= high.x(); ++x)
       for (int y = low.y(); y <= high.y(); ++y)
         for (int z = low.z(); z <= high.z(); ++z) {
           const BlockIndex b = grid_.require_block({x, y, z});
+          if (!filled.insert(b).second) continue;
           touched.push_back(b);
           for (int n = 0; n < kBlockCells; ++n) {
             Block<Real>& block = grid_.block(b);

@@ -13,6 +13,15 @@ FluidOptions dam(double cell_size) {
 }
 
 /// Water in a tank stays at rest, with the pressure of its depth, wherever the level stands in a cell.
+/// A region that reaches the upper end of a periodic axis is filled once.
+TEST(FreeSurface, RegionUpToThePeriodicEndIsFilledOnce) {
+  FluidOptions o = tank_options(Vec3(0.8, 0.8, 0.8), 0.1, 4);
+  o.domain.faces[0] = o.domain.faces[1] = FaceKind::periodic;
+  Fluid<double> fluid(o);
+  fluid.fill({{Vec3::Zero(), Vec3(0.8, 0.8, 0.35)}});
+  EXPECT_NEAR(fluid.liquid_mass() / (1000 * 0.8 * 0.8 * 0.35), 1, 0.01);  // compressed by its own weight
+}
+
 TEST(FreeSurface, HydrostaticRest) {
   for (const double depth : {0.2, 0.205}) {
     FluidOptions o = tank_options(Vec3(0.16, 0.16, 0.4), 0.01, 2.0);
