@@ -59,8 +59,7 @@ double SolidCylinder::distance(const Vec3& p) const {
 Vec3 SolidCylinder::gradient(const Vec3& p) const {
   const auto f = cylinder_frame(*this, p);
   if (hollow) return -f.radial;
-  if (f.q_radial > 0 && f.q_axial > 0)
-    return normalized_or_up(f.q_radial * f.radial + f.q_axial * f.side * f.axis);
+  if (f.q_radial > 0 && f.q_axial > 0) return normalized_or_up(f.q_radial * f.radial + f.q_axial * f.side * f.axis);
   return f.q_radial > f.q_axial ? f.radial : Vec3(f.side * f.axis);
 }
 

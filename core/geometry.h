@@ -64,12 +64,12 @@ struct Wall {
   std::string name;
   Shape shape;
   WallSlip slip = WallSlip::no_slip;
-  int material = 0;               ///< index into the DEM's materials
-  Vec3 velocity = Vec3::Zero();   ///< m/s, tangential motion of the wall surface
-  double roughness = 0;           ///< m, equivalent sand roughness k_s of WallSlip::wall_model
+  int material = 0;              ///< index into the DEM's materials
+  Vec3 velocity = Vec3::Zero();  ///< m/s, tangential motion of the wall surface
+  double roughness = 0;          ///< m, equivalent sand roughness k_s of WallSlip::wall_model
   /// rad/s, rotation of the surface about an axis through `centre`, in addition to `velocity`; felt by the fluid alone.
   Vec3 angular_velocity = Vec3::Zero();
-  Vec3 centre = Vec3::Zero();     ///< m
+  Vec3 centre = Vec3::Zero();  ///< m
 
   /// Velocity of the surface at a point, m/s.
   [[nodiscard]] Vec3 surface_velocity(const Vec3& p) const { return velocity + angular_velocity.cross(p - centre); }

@@ -46,8 +46,8 @@ void parallel_for_chunks(std::size_t n, std::size_t chunk, const Body& body) {
   parallel_for(0, chunks, 1, [&](std::size_t c) { body(c * chunk, std::min(n, (c + 1) * chunk)); });
 }
 
-/// The same for loops whose chunks all take the same time: each thread gets one run of chunks, the same in every call, so
-/// that it finds in its cache what it left there, and nothing is spent on balance.
+/// The same for loops whose chunks all take the same time: each thread gets one run of chunks, the same in every call,
+/// so that it finds in its cache what it left there, and nothing is spent on balance.
 template <class Body>
 void parallel_for_even_chunks(std::size_t n, std::size_t chunk, const Body& body) {
   const std::size_t chunks = (n + chunk - 1) / chunk;

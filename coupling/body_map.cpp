@@ -50,13 +50,15 @@ double wet_volume_in(const GridSphere<Real>& s, const Block<Real>& block, const 
   return sum;
 }
 
-/// The inertia of the liquid in the body's place is known one step late; beyond the body's own mass that would feed back
-/// on itself. Bodies lighter than about 1.4 times the liquid keep part of that inertia and are too sluggish for it. The
-/// torque is limited alike: on a body of one or two cells the liquid in the partly covered cells turns with more inertia
-/// than a light body has.
+/// The inertia of the liquid in the body's place is known one step late; beyond the body's own mass that would feed
+/// back on itself. Bodies lighter than about 1.4 times the liquid keep part of that inertia and are too sluggish for
+/// it. The torque is limited alike: on a body of one or two cells the liquid in the partly covered cells turns with
+/// more inertia than a light body has.
 constexpr double kInertiaLimit = 0.7;
 
-double limited_share(double body, double liquid) { return std::min(1.0, kInertiaLimit * body / std::max(liquid, 1e-300)); }
+double limited_share(double body, double liquid) {
+  return std::min(1.0, kInertiaLimit * body / std::max(liquid, 1e-300));
+}
 
 [[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
   const Vec3 p = particles.position[i];
@@ -138,7 +140,8 @@ void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& parti
     const Vec3 place = (particles.position[i] - fluid.grid().domain().origin()) / units.cell_size;
     const double r = particles.radius[i] / units.cell_size;
     GridSphere<Real> s;
-    const Vec3 v = particles.velocity[i] * units.velocity_to_lu(1.0), w = particles.angular_velocity[i] * units.time_step;
+    const Vec3 v = particles.velocity[i] * units.velocity_to_lu(1.0),
+               w = particles.angular_velocity[i] * units.time_step;
     for (int a = 0; a < 3; ++a) {
       s.centre[a] = static_cast<Real>(place[a]);
       s.velocity[a] = static_cast<Real>(v[a]);
@@ -180,8 +183,10 @@ void BodyMap<Real>::add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body)
     for (int y = low.y(); y <= high.y(); ++y)
       for (int z = low.z(); z <= high.z(); ++z) {
         const BlockIndex block = fluid.grid().topology().find({x, y, z});
-        if (block == kNoBlock) b.all_blocks = false;
-        else pairs_.push_back({block, body, fluid.grid().block(block).birth});
+        if (block == kNoBlock)
+          b.all_blocks = false;
+        else
+          pairs_.push_back({block, body, fluid.grid().block(block).birth});
       }
   b.pairs = pairs_.size() - b.first_pair;
 }
@@ -270,8 +275,10 @@ void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
     }
     const double change = now - b.old_wet_volume;
     if (change == 0) continue;
-    if (weight > std::abs(change)) displaced_[k] = change / weight;
-    else fluid.account().pool += change;
+    if (weight > std::abs(change))
+      displaced_[k] = change / weight;
+    else
+      fluid.account().pool += change;
   }
   for_each_block([&](BlockIndex index) {
     Block<Real>& block = fluid.grid().block(index);
@@ -306,10 +313,12 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
       for (int c = 0; c < lbm::kBlockWidth; ++c) {
         if (eps[c] == 0 || f.solid_fraction[row + c] == 0) continue;
         const double share = static_cast<double>(eps[c]) / static_cast<double>(f.solid_fraction[row + c]);
-        const Vec3 force = share * Vec3(static_cast<double>(f.exchange_x[row + c]), static_cast<double>(f.exchange_y[row + c]),
-                                        static_cast<double>(f.exchange_z[row + c]));
-        const Vec3 arm = (lowest + Vec3i(c, y, z)).cast<double>() + Vec3::Constant(0.5) -
-                         Vec3(static_cast<double>(s.centre[0]), static_cast<double>(s.centre[1]), static_cast<double>(s.centre[2]));
+        const Vec3 force =
+            share * Vec3(static_cast<double>(f.exchange_x[row + c]), static_cast<double>(f.exchange_y[row + c]),
+                         static_cast<double>(f.exchange_z[row + c]));
+        const Vec3 arm =
+            (lowest + Vec3i(c, y, z)).cast<double>() + Vec3::Constant(0.5) -
+            Vec3(static_cast<double>(s.centre[0]), static_cast<double>(s.centre[1]), static_cast<double>(s.centre[2]));
         pair.force += force;
         pair.torque += arm.cross(force);
         if (!lbm::is_wet(block.type[static_cast<std::size_t>(row + c)])) continue;

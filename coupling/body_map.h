@@ -1,10 +1,10 @@
 #pragma once
 // Where the grains are in the fluid's blocks, and whose momentum is whose.
 //
-// Liquid and bodies share the cells ("total fill": the mass of a wet cell includes the body's share). Populations of wet
-// cells carry the mixture, so that a body that moves inside the liquid pushes it by itself. A body that moves between a
-// gas cell and a wet cell is not carried by any population; its change of volume in wet cells is added to the interface
-// cells that it covers. So a body entering the water raises the level by its volume, and
+// Liquid and bodies share the cells ("total fill": the mass of a wet cell includes the body's share). Populations of
+// wet cells carry the mixture, so that a body that moves inside the liquid pushes it by itself. A body that moves
+// between a gas cell and a wet cell is not carried by any population; its change of volume in wet cells is added to the
+// interface cells that it covers. So a body entering the water raises the level by its volume, and
 //   liquid = sum of wet masses - sum over bodies of their volume in wet cells
 // is conserved exactly (docs/coupling.md, docs/decisions/0003).
 #include <vector>
@@ -22,8 +22,8 @@ class BodyMap {
   /// and books displaced volume.
   void update(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
 
-  /// Before the first step: maps grains into liquid that was filled around them. The fill is the total of both, so nothing
-  /// is displaced; restart the fluid's mass ledger afterwards (Fluid::open_ledger).
+  /// Before the first step: maps grains into liquid that was filled around them. The fill is the total of both, so
+  /// nothing is displaced; restart the fluid's mass ledger afterwards (Fluid::open_ledger).
   void embed(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
 
   /// After the fluid step: adds force and torque (SI) of the fluid on each grain. Returns the sum of the forces in lu
@@ -38,10 +38,10 @@ class BodyMap {
   /// A body and one block that it reaches.
   struct Pair {
     lbm::BlockIndex block;
-    std::uint32_t body;      ///< index into bodies_
-    std::uint64_t birth;     ///< of the block
-    double volume = 0;       ///< cells, over all cells of the block
-    double wet_volume = 0;   ///< cells, over wet cells
+    std::uint32_t body;         ///< index into bodies_
+    std::uint64_t birth;        ///< of the block
+    double volume = 0;          ///< cells, over all cells of the block
+    double wet_volume = 0;      ///< cells, over wet cells
     double surface_weight = 0;  ///< sum of eps over interface cells
     double locked = 0;          ///< sum of the coverage weight over wet cells: liquid that moves with the body
     double locked_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
@@ -72,10 +72,10 @@ class BodyMap {
 
   std::vector<Body> bodies_, former_;
   std::vector<GridSphere<Real>> spheres_;
-  std::vector<Pair> pairs_;                 // by body, then block
-  std::vector<std::uint32_t> by_block_;     // pair indices sorted by block
-  std::vector<std::uint32_t> block_start_;  // per block index, into by_block_
-  std::vector<std::uint32_t> next_;         // scratch of the sort
+  std::vector<Pair> pairs_;                  // by body, then block
+  std::vector<std::uint32_t> by_block_;      // pair indices sorted by block
+  std::vector<std::uint32_t> block_start_;   // per block index, into by_block_
+  std::vector<std::uint32_t> next_;          // scratch of the sort
   std::vector<double> old_wet_, displaced_;  // per particle; per body
   std::vector<Vec3> last_velocity_;          // per particle
   std::vector<std::uint8_t> known_;          // per particle: last_velocity_ is set

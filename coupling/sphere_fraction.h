@@ -3,8 +3,8 @@
 //
 // Near the surface the covered fraction of a cell is taken as linear in the distance d of the cell's centre from a
 // sphere of radius r':  eps = clamp(1/2 - d, 0, 1). Averaged over all offsets of the sphere to the grid this gives the
-// volume 4/3 pi (r'^3 + r'/4) for r' >= 1/2 (the sphere convolved with a box of width 1), so r' is chosen to give the true
-// volume; what is left for a particular offset is removed by a factor (see BodyMap).
+// volume 4/3 pi (r'^3 + r'/4) for r' >= 1/2 (the sphere convolved with a box of width 1), so r' is chosen to give the
+// true volume; what is left for a particular offset is removed by a factor (see BodyMap).
 #include <algorithm>
 #include <cmath>
 
@@ -24,10 +24,10 @@ inline double mapping_radius(double r) {
 template <class Real>
 struct GridSphere {
   Real centre[3];
-  Real radius;        ///< mapping radius
-  Real factor = 1;    ///< scales eps to the exact volume
-  Real velocity[3];   ///< lu
-  Real spin[3];       ///< rad per step
+  Real radius;       ///< mapping radius
+  Real factor = 1;   ///< scales eps to the exact volume
+  Real velocity[3];  ///< lu
+  Real spin[3];      ///< rad per step
 };
 
 /// eps of the sphere in the row of 8 cells at (x0..x0+7, y, z). Never inlined: contraction of products and sums differs

@@ -82,9 +82,8 @@ WireDrag<Real>::WireDrag(const dem::Particles& particles, const dem::Bonds& bond
 template <class Real>
 Vec3 WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
   allocate_fields(fluid, particles);
-  parallel_for(0, beads_.size(), 128, [&](std::size_t k) {
-    samples_[k] = beads_[k].near ? sample(fluid, particles, beads_[k]) : Sample{};
-  });
+  parallel_for(0, beads_.size(), 128,
+               [&](std::size_t k) { samples_[k] = beads_[k].near ? sample(fluid, particles, beads_[k]) : Sample{}; });
   auto& grid = fluid.grid();
   Vec3 total = Vec3::Zero();
   given_ = Vec3::Zero();
@@ -125,7 +124,8 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particl
   auto& grid = fluid.grid();
   for (Bead& bead : beads_) {
     bead.near = false;
-    const Vec3i base = lowest_kernel_cell((particles.position[bead.particle] - grid.domain().origin()) / fluid.units().cell_size);
+    const Vec3i base =
+        lowest_kernel_cell((particles.position[bead.particle] - grid.domain().origin()) / fluid.units().cell_size);
     bead.lowest = lbm::block_of(base);
     const Vec3i more = lbm::block_of(base + Vec3i::Constant(2)) - bead.lowest;
     bead.blocks.fill(kNoBlock);
@@ -143,30 +143,32 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particl
 
 template <class Real>
 typename WireDrag<Real>::Sample WireDrag<Real>::sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
-                                                      const Bead& bead) const {
+                                                       const Bead& bead) const {
   const auto& grid = fluid.grid();
   const auto& units = fluid.units();
   const dem::ParticleIndex i = bead.particle;
   Sample s;
   Vec3 velocity = Vec3::Zero();
-  for_kernel_cells((particles.position[i] - grid.domain().origin()) / units.cell_size, [&](const Vec3i& cell, double w) {
-    const BlockIndex b = block_at(bead, cell);
-    if (b == kNoBlock) return;
-    const int n = cell_in_block(cell);
-    const Block<Real>& block = grid.block(b);
-    if (!lbm::is_wet(block.type[static_cast<std::size_t>(n)])) return;
-    const double share = w * liquid_share(block, n);
-    s.weight += share;
-    velocity += share * Vec3(static_cast<double>(block.body->velocity_x[n]), static_cast<double>(block.body->velocity_y[n]),
-                             static_cast<double>(block.body->velocity_z[n]));
-  });
+  for_kernel_cells(
+      (particles.position[i] - grid.domain().origin()) / units.cell_size, [&](const Vec3i& cell, double w) {
+        const BlockIndex b = block_at(bead, cell);
+        if (b == kNoBlock) return;
+        const int n = cell_in_block(cell);
+        const Block<Real>& block = grid.block(b);
+        if (!lbm::is_wet(block.type[static_cast<std::size_t>(n)])) return;
+        const double share = w * liquid_share(block, n);
+        s.weight += share;
+        velocity +=
+            share * Vec3(static_cast<double>(block.body->velocity_x[n]), static_cast<double>(block.body->velocity_y[n]),
+                         static_cast<double>(block.body->velocity_z[n]));
+      });
   if (s.weight < 1e-6) return {};
   const Vec3 relative = units.velocity_to_si(1.0) * (velocity / s.weight) - particles.velocity[i];
   const Vec3 chord = particles.position[bead.after] - particles.position[bead.before];
   const Vec3 tangent = chord.squaredNorm() > 0 ? Vec3(chord.normalized()) : Vec3(Vec3::UnitX());
   const double d = 2 * particles.radius[i], rho = fluid.options().density;
-  const Vec3 drag = wire_force(relative, tangent, d, bead.length, rho, fluid.options().kinematic_viscosity,
-                               d / units.cell_size);
+  const Vec3 drag =
+      wire_force(relative, tangent, d, bead.length, rho, fluid.options().kinematic_viscosity, d / units.cell_size);
   const Vec3 buoyancy = -rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
   s.force = std::min(1.0, s.weight) * (drag + buoyancy) * units.force_to_lu(1.0);
   return s;

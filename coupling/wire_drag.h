@@ -1,7 +1,7 @@
 #pragma once
-// Rings and cables thinner than a cell: each bead is a piece of a slender cylinder that feels the drag of the local flow
-// and gives the opposite force to the cells around it. (Immersed boundaries are blind to such wires: as tau -> 1/2 the
-// weighting of Noble & Torczynski lets the water through, B = eps overdrags; DESIGN figures in docs/coupling.md.)
+// Rings and cables thinner than a cell: each bead is a piece of a slender cylinder that feels the drag of the local
+// flow and gives the opposite force to the cells around it. (Immersed boundaries are blind to such wires: as tau -> 1/2
+// the weighting of Noble & Torczynski lets the water through, B = eps overdrags; DESIGN figures in docs/coupling.md.)
 #include <array>
 #include <vector>
 
@@ -17,8 +17,8 @@ class WireDrag {
   /// Reads from the bonds which beads are neighbours along a wire and how long a piece each bead stands for.
   WireDrag(const dem::Particles& particles, const dem::Bonds& bonds);
 
-  /// Before the fluid step, after BodyMap::update: drag and buoyancy on every wet bead (added to its external force, SI)
-  /// and the opposite momentum into the cells' exchange fields. Returns the sum of the forces on beads, lu.
+  /// Before the fluid step, after BodyMap::update: drag and buoyancy on every wet bead (added to its external force,
+  /// SI) and the opposite momentum into the cells' exchange fields. Returns the sum of the forces on beads, lu.
   Vec3 apply(lbm::Fluid<Real>& fluid, dem::Particles& particles);
 
   /// Momentum that the last `apply` put into cells, lu; the audit compares it with the forces on the beads.
@@ -28,10 +28,10 @@ class WireDrag {
  private:
   struct Bead {
     dem::ParticleIndex particle;
-    dem::ParticleIndex before, after;  ///< neighbours along the wire; itself where there is none
-    double length;                     ///< m, of wire that the bead stands for
-    bool near = false;                 ///< a wet block is in reach in this step
-    Vec3i lowest = Vec3i::Zero();      ///< block coordinate of the lowest cell in reach
+    dem::ParticleIndex before, after;         ///< neighbours along the wire; itself where there is none
+    double length;                            ///< m, of wire that the bead stands for
+    bool near = false;                        ///< a wet block is in reach in this step
+    Vec3i lowest = Vec3i::Zero();             ///< block coordinate of the lowest cell in reach
     std::array<lbm::BlockIndex, 8> blocks{};  ///< wet blocks in reach, from `lowest` on, (x, y, z) at 4x + 2y + z
   };
   /// What a bead samples and gives, filled in parallel.

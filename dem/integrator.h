@@ -8,7 +8,8 @@ namespace lahar::dem {
 /// Velocities advance by `dt` (s) under the present forces and torques. Fixed and removed particles keep theirs.
 void kick(Particles& particles, double dt);
 
-/// A kick by `kick_dt` (s), then positions advance by `drift_dt` (s) with the new velocities; one pass over the particles.
+/// A kick by `kick_dt` (s), then positions advance by `drift_dt` (s) with the new velocities; one pass over the
+/// particles.
 void kick_and_drift(Particles& particles, double kick_dt, double drift_dt);
 
 }  // namespace lahar::dem

@@ -68,9 +68,9 @@ struct WallLinks {
   std::vector<WallCell> cells;
   std::vector<std::uint8_t> directions;  ///< velocity index pointing into the wall
   std::vector<WallHit> hits;             ///< one per direction, or empty
-  std::vector<double> gains;             ///< per cell: mass that its interpolated links will add in the coming sweep, lu
-  double gained = 0;                     ///< sum of what liquid cells got in the last sweep, lu
-  int takers = 0;                        ///< entries of liquid cells at interpolated walls
+  std::vector<double> gains;  ///< per cell: mass that its interpolated links will add in the coming sweep, lu
+  double gained = 0;          ///< sum of what liquid cells got in the last sweep, lu
+  int takers = 0;             ///< entries of liquid cells at interpolated walls
   void clear() { cells.clear(), directions.clear(), hits.clear(), gains.clear(), gained = 0, takers = 0; }
 };
 
@@ -86,8 +86,8 @@ struct Block {
   WallLinks walls;
   int wet_cells = 0;
   std::uint64_t wet_rows = 0;  ///< rows of 8 cells along x with wet cells, by bit y + 8 z
-  int limited_cells = 0;    ///< cells whose stress was limited in the last sweep
-  std::uint64_t birth = 0;  ///< unique per created block, so that a reused index is not taken for the old block
+  int limited_cells = 0;       ///< cells whose stress was limited in the last sweep
+  std::uint64_t birth = 0;     ///< unique per created block, so that a reused index is not taken for the old block
 
   [[nodiscard]] Real* f(int i) const { return populations + static_cast<std::size_t>(i) * stride; }
 };

@@ -1,13 +1,14 @@
 #pragma once
-// Density and velocity of a cell between steps, from what it sent out in the last one (post-collision, forces included).
+// Density and velocity of a cell between steps, from what it sent out in the last one (post-collision, forces
+// included).
 #include "lbm/fluid_grid.h"
 
 namespace lahar::lbm {
 
 template <class Real>
 struct CellMoments {
-  Real drho = 0;             ///< rho - 1
-  Real u[3] = {0, 0, 0};     ///< lu
+  Real drho = 0;          ///< rho - 1
+  Real u[3] = {0, 0, 0};  ///< lu
 };
 
 /// The cell's neighbours must exist (they do for wet cells).

@@ -1,7 +1,7 @@
 #pragma once
 // Cells of an 8 x 8 x 8 block: types, indices, and where a cell's neighbours lie. Cell (x, y, z) is at x + 8 y + 64 z:
-// rows of 8 cells run along x, so that a layer of liquid on a bed, thin along z, fills whole rows and leaves the others empty
-// (docs/decisions/0008).
+// rows of 8 cells run along x, so that a layer of liquid on a bed, thin along z, fills whole rows and leaves the others
+// empty (docs/decisions/0008).
 #include <array>
 #include <cstdint>
 

@@ -21,6 +21,9 @@ constexpr std::int64_t kWatchEvery = 32;    // steps between looks at every cell
 constexpr std::int64_t kReleaseEvery = 16;  // steps between rounds of giving blocks back
 constexpr double kLargestGradient = 2;      // of pressure at the surface, in rho g
 constexpr double kSpeedLimit = 0.57735;     // lu, the speed of sound: nothing beyond it is physical
+// A splash may hold a few cells at kLargestSpeed; more than that, and the limit would hide a time step that is too
+// long.
+constexpr double kLimitedCells = 100, kLimitedShare = 0.02;  // the latter of all wet cells
 
 LatticeUnits units_of(const FluidOptions& o) { return {o.domain.cell_size, o.time_step, o.density}; }
 
@@ -31,10 +34,13 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   if (o.weighting == BodyWeighting::noble_torczynski) p.coverage_resistance = 1 / (p.tau - 0.5);
   if (o.weighting == BodyWeighting::seepage) p.coverage_resistance = 1 / o.seepage_constant;
   p.smagorinsky = o.smagorinsky;
-  // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield stress.
-  require(o.rheology.law == FlowLaw::newtonian || o.smagorinsky == 0, "Fluid: Smagorinsky is for Newtonian fluids alone");
+  // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield
+  // stress.
+  require(o.rheology.law == FlowLaw::newtonian || o.smagorinsky == 0,
+          "Fluid: Smagorinsky is for Newtonian fluids alone");
   const auto& walls = o.domain.walls.all();
-  const bool modelled = std::any_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip == WallSlip::wall_model; });
+  const bool modelled =
+      std::any_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip == WallSlip::wall_model; });
   require(o.rheology.law == FlowLaw::newtonian || !modelled, "Fluid: the wall model is for Newtonian fluids alone");
   p.rheology = rheology_to_lu(o.rheology, o.kinematic_viscosity, units);
   for (int a = 0; a < 3; ++a) p.gravity[static_cast<std::size_t>(a)] = units.acceleration_to_lu(o.gravity[a]);
@@ -104,8 +110,8 @@ double overlap_fraction(const Vec3& centre, double dx, const LiquidRegion& r) {
   return fraction;
 }
 
-/// The same of a body, from its signed distance in eight parts of the cell: exact where the surface is flat and lies along
-/// the lattice.
+/// The same of a body, from its signed distance in eight parts of the cell: exact where the surface is flat and lies
+/// along the lattice.
 double body_fraction(const Vec3& centre, double dx, const Shape& body) {
   double fraction = 0;
   for (int k = 0; k < 8; ++k) {
@@ -301,8 +307,8 @@ void Fluid<Real>::book_wall_loads() {
     for (const auto& [wall, load] : block_loads_[k].entries()) {
       WallLoad& sum = wall_loads_[static_cast<std::size_t>(wall)];
       sum.impulse += impulse * load.impulse;
-      sum.angular_impulse += impulse * (units_.cell_size * load.angular_impulse +
-                                        grid_.domain().origin().cross(load.impulse));
+      sum.angular_impulse +=
+          impulse * (units_.cell_size * load.angular_impulse + grid_.domain().origin().cross(load.impulse));
     }
 }
 
@@ -363,13 +369,18 @@ void Fluid<Real>::watch() {
   }
   limited_cells_ = std::max(limited_cells_, all.limited);
   max_speed_lu_ = all.speed;
-  if (all.speed < kSpeedLimit) return;
+  const double bearable = std::max(kLimitedCells, kLimitedShare * static_cast<double>(wet_cells()));
+  const bool held_back = static_cast<double>(all.limited) > bearable;
+  if (all.speed < kSpeedLimit && !held_back) return;
   const auto m = outgoing_moments(grid_, all.place, parameters_.parity);
-  char cause[160];
+  char cause[240];
   std::snprintf(cause, sizeof cause, "velocity (%.4g, %.4g, %.4g) and density %.4g in lattice units: %s",
                 static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]),
                 1.0 + static_cast<double>(m.drho),
-                all.speed > 1e29 ? "not a number" : "faster than sound; use a smaller lattice_velocity");
+                all.speed > 1e29 ? "not a number"
+                : held_back ? "one of many cells at the largest speed of the lattice; the time step is too long: raise "
+                              "max_speed or lower lattice_velocity"
+                            : "faster than sound; use a smaller lattice_velocity");
   throw NumericalFailure(describe_place(grid_.centre(all.place.block, all.place.cell)), steps_, cause);
 }
 

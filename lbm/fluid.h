@@ -24,8 +24,8 @@ struct FluidOptions {
   Vec3 gravity = Vec3::Zero();        ///< m/s^2
   CollisionOperator collision = CollisionOperator::central_moments;
   BodyWeighting weighting = BodyWeighting::solid_fraction;
-  double seepage_constant = 0;  ///< in place of tau - 1/2 for BodyWeighting::seepage
-  double smagorinsky = 0;       ///< Cs; 0 is off; only with a Newtonian fluid
+  double seepage_constant = 0;         ///< in place of tau - 1/2 for BodyWeighting::seepage
+  double smagorinsky = 0;              ///< Cs; 0 is off; only with a Newtonian fluid
   RheologyOptions rheology;            ///< flow law of mud and slurry
   std::vector<InflowOptions> inflows;  ///< boxes through which liquid enters
 };
@@ -38,8 +38,8 @@ enum class Start {
 
 /// Liquid at the start: a box, or a body within it.
 struct LiquidRegion {
-  Vec3 lower, upper;             ///< m
-  Vec3 velocity = Vec3::Zero();  ///< m/s
+  Vec3 lower, upper;                         ///< m
+  Vec3 velocity = Vec3::Zero();              ///< m/s
   std::optional<Shape> body = std::nullopt;  ///< liquid where its distance is below 0
 };
 

@@ -102,8 +102,9 @@ void FluidGrid<Real>::add_wall_links(Block<Real>& fresh, int cell, const Vec3i& 
   std::array<int, D3Q19::q> wall_of{};
   for (int i = 1; i < D3Q19::q; ++i) {
     const auto* c = D3Q19::c[i];
-    const bool solid = types[static_cast<std::size_t>(100 * (p[0] + 1 + c[0]) + 10 * (p[1] + 1 + c[1]) + p[2] + 1 +
-                                                      c[2])] == CellType::wall;
+    const bool solid =
+        types[static_cast<std::size_t>(100 * (p[0] + 1 + c[0]) + 10 * (p[1] + 1 + c[1]) + p[2] + 1 + c[2])] ==
+        CellType::wall;
     wall_of[static_cast<std::size_t>(i)] =
         solid ? domain_.walls().nearest(domain_.centre(place + Vec3i(c[0], c[1], c[2]))).wall : -1;
   }
@@ -112,12 +113,19 @@ void FluidGrid<Real>::add_wall_links(Block<Real>& fresh, int cell, const Vec3i& 
     const auto links = std::count(wall_of.begin(), wall_of.end(), wall);
     if (links == 0) continue;
     const Wall& w = domain_.walls().all()[static_cast<std::size_t>(wall)];
-    const Vec3 centre = domain_.centre(place), normal = domain_.walls().gradient(static_cast<std::size_t>(wall), centre);
+    const Vec3 centre = domain_.centre(place),
+               normal = domain_.walls().gradient(static_cast<std::size_t>(wall), centre);
     const Vec3 velocity = w.surface_velocity(centre) * velocity_to_lu_;
-    WallCell entry{static_cast<std::uint16_t>(cell), static_cast<std::uint16_t>(fresh.walls.directions.size()),
-                   static_cast<std::uint8_t>(links), w.slip, {}, {},
-                   static_cast<float>(domain_.walls().distance(static_cast<std::size_t>(wall), centre) / domain_.cell_size()),
-                   static_cast<float>(w.roughness / domain_.cell_size()), static_cast<std::int16_t>(wall)};
+    WallCell entry{
+        static_cast<std::uint16_t>(cell),
+        static_cast<std::uint16_t>(fresh.walls.directions.size()),
+        static_cast<std::uint8_t>(links),
+        w.slip,
+        {},
+        {},
+        static_cast<float>(domain_.walls().distance(static_cast<std::size_t>(wall), centre) / domain_.cell_size()),
+        static_cast<float>(w.roughness / domain_.cell_size()),
+        static_cast<std::int16_t>(wall)};
     for (int a = 0; a < 3; ++a) {
       entry.normal[static_cast<std::size_t>(a)] = static_cast<float>(normal[a]);
       entry.wall_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);

@@ -21,12 +21,15 @@ template <int CY, int CZ>
   return {y < 0 ? -1 : (y > 7 ? 1 : 0), z < 0 ? -1 : (z > 7 ? 1 : 0), cell_index(0, y & 7, z & 7)};
 }
 
-/// out[k] = number k + CX of the row `near`; the one beyond its end comes from `far`, the row of the next block along x.
-/// Missing rows (null) count as zeros: rest at density 1. Reads one number beyond the row, which the pool leaves room for.
+/// out[k] = number k + CX of the row `near`; the one beyond its end comes from `far`, the row of the next block along
+/// x. Missing rows (null) count as zeros: rest at density 1. Reads one number beyond the row, which the pool leaves
+/// room for.
 template <int CX, class Real>
 [[gnu::always_inline]] inline void load_row(const Real* near, const Real* far, Real* __restrict out) {
-  if (near) std::memcpy(out, near + CX, kBlockWidth * sizeof(Real));
-  else std::memset(out, 0, kBlockWidth * sizeof(Real));
+  if (near)
+    std::memcpy(out, near + CX, kBlockWidth * sizeof(Real));
+  else
+    std::memset(out, 0, kBlockWidth * sizeof(Real));
   if constexpr (CX > 0) out[7] = far ? far[0] : Real(0);
   if constexpr (CX < 0) out[0] = far ? far[7] : Real(0);
 }
@@ -73,10 +76,11 @@ void scatter_shifted(const std::array<Block<Real>*, 27>& around, int slot, std::
 template <class Visit>
 [[gnu::always_inline]] inline void for_each_pair(const Visit& visit) {
   [&]<std::size_t... P>(std::index_sequence<P...>) __attribute__((always_inline)) {
-    (visit.template operator()<static_cast<int>(P), D3Q19::c[2 * P + 1][0], D3Q19::c[2 * P + 1][1],
-                               D3Q19::c[2 * P + 1][2]>(),
+    (visit.template
+     operator()<static_cast<int>(P), D3Q19::c[2 * P + 1][0], D3Q19::c[2 * P + 1][1], D3Q19::c[2 * P + 1][2]>(),
      ...);
-  }(std::make_index_sequence<D3Q19::pairs>{});
+  }
+  (std::make_index_sequence<D3Q19::pairs>{});
 }
 
 }  // namespace lahar::lbm

@@ -7,8 +7,10 @@ namespace lahar::lbm {
 /// x as a V: converted to V's number type, then spread over its lanes.
 template <class V>
 constexpr V number(double x) {
-  if constexpr (std::is_arithmetic_v<V>) return static_cast<V>(x);
-  else return V(static_cast<typename V::value_type>(x));
+  if constexpr (std::is_arithmetic_v<V>)
+    return static_cast<V>(x);
+  else
+    return V(static_cast<typename V::value_type>(x));
 }
 
 }  // namespace lahar::lbm

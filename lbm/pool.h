@@ -32,8 +32,8 @@ class ObjectPool {
   std::vector<T*> free_;
 };
 
-/// Populations of blocks, structure of arrays: groups of 8 blocks, [19][8 x 512 + 16], so that each velocity is one long
-/// stream over 8 blocks and no two streams lie a power of two apart (docs/decisions/0001).
+/// Populations of blocks, structure of arrays: groups of 8 blocks, [19][8 x 512 + 16], so that each velocity is one
+/// long stream over 8 blocks and no two streams lie a power of two apart (docs/decisions/0001).
 template <class Real>
 class PopulationPool {
  public:

@@ -28,10 +28,13 @@ Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
   using Real = typename V::value_type;
   const auto real = [](double x) { return V(static_cast<Real>(x)); };
   double largest_stress;
-  if constexpr (Viscosity::flow_law) largest_stress = stress_limit(p.rheology);
-  else largest_stress = stress_limit(p.tau);
+  if constexpr (Viscosity::flow_law)
+    largest_stress = stress_limit(p.rheology);
+  else
+    largest_stress = stress_limit(p.tau);
   return {Viscosity::of(p),
-          {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])}, real(p.coverage_resistance),
+          {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])},
+          real(p.coverage_resistance),
           real(largest_stress)};
 }
 
@@ -54,7 +57,8 @@ class BlockKernel {
     for (int pair = 0; pair < D3Q19::pairs; ++pair) home[pair] = block.f(p.parity.home(D3Q19::forward(pair)));
     alignas(64) Real wet[kMixed ? kBlockCells : 1];
     if constexpr (kMixed)
-      for (int n = 0; n < kBlockCells; ++n) wet[n] = is_wet(block.type[static_cast<std::size_t>(n)]) ? Real(1) : Real(0);
+      for (int n = 0; n < kBlockCells; ++n)
+        wet[n] = is_wet(block.type[static_cast<std::size_t>(n)]) ? Real(1) : Real(0);
     block.limited_cells = 0;
     for (int n = 0; n < kBlockCells; n += width) {
       if constexpr (kMixed)
@@ -87,8 +91,10 @@ class BlockKernel {
       f[2 * pair + 2] = V(away[pair] + n, stdx::vector_aligned);
     }
     const auto dry = [&] {
-      if constexpr (kMixed) return V(wet + n, stdx::vector_aligned) == V(0);
-      else return typename V::mask_type(false);
+      if constexpr (kMixed)
+        return V(wet + n, stdx::vector_aligned) == V(0);
+      else
+        return typename V::mask_type(false);
     }();
     if constexpr (kMixed)
       for (V& population : f) stdx::where(dry, population) = V(0);
@@ -123,7 +129,8 @@ class BlockKernel {
     const Symmetric<V> s = stress(f, m);
     const V limit = largest * (V(1) + m.drho);
     const auto over = square(s) > limit * limit;
-    if (stdx::none_of(over)) [[likely]] return;
+    if (stdx::none_of(over)) [[likely]]
+      return;
     force.stress_share = limited_stress_share(s, m.inverse_density, largest);
     block.limited_cells += stdx::popcount(over);
   }

@@ -131,10 +131,10 @@ BuiltSolids build_solids(const scene::Scene& scene) {
   dem::SolidsOptions options;
   options.gravity = scene.gravity.vector();
   options.watchdog.speed_limit = 200;  // m/s: nothing in a debris flow is that fast
-  options.watchdog.overlap_limit = 1;   // beyond it a bead has gone through
+  options.watchdog.overlap_limit = 1;  // beyond it a bead has gone through
   options.watchdog.interval = 20;
-  // Beads are hit by boulders and move far in a step, for their size: a skin of half a wire between them would be used up
-  // in a few steps.
+  // Beads are hit by boulders and move far in a step, for their size: a skin of half a wire between them would be used
+  // up in a few steps.
   if (scene.barrier.enabled) options.neighbours.minimum_skin = scene.barrier.net.wire_diameter / 2;
   options.time_step = solids_time_step(scene);
   if (scene.fluid.enabled) options.time_step = fluid_time_step(scene) / substeps_of(scene);

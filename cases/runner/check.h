@@ -18,7 +18,8 @@ struct FluidFigures {
   double lattice_viscosity = 0, tau = 0, mach = 0;
   double compressibility_error = 0;           ///< 3 u_lattice^2, as a fraction
   double reynolds = 0, froude = 0, bond = 0;  ///< with expected speed and depth
-  /// Flow laws with a yield stress: Bm = yield / (K (u/h)^n), He = Bm Re, Re = rho u^2 / (K (u/h)^n); tau at the limit viscosity.
+  /// Flow laws with a yield stress: Bm = yield / (K (u/h)^n), He = Bm Re, Re = rho u^2 / (K (u/h)^n); tau at the limit
+  /// viscosity.
   double bingham = 0, hedstrom = 0, limit_tau = 0;
 };
 

@@ -97,8 +97,9 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
 double solids_time_step(const scene::Scene& scene) {
   if (scene.solids.time_step > 0 && scene.has_solids()) return scene.solids.time_step;
   const SolidsLimits limits = solids_limits(scene);
-  return std::min(scene.solids.contact_safety * limits.damped_share * std::min(limits.grain_rayleigh, limits.bead_rayleigh),
-                  scene.solids.bond_safety * std::min(limits.ring_bond, limits.cable_bond));
+  return std::min(
+      scene.solids.contact_safety * limits.damped_share * std::min(limits.grain_rayleigh, limits.bead_rayleigh),
+      scene.solids.bond_safety * std::min(limits.ring_bond, limits.cable_bond));
 }
 
 std::int64_t substeps(double fluid_step, double solids_step) {

@@ -25,7 +25,8 @@ std::string fluid_text(const scene::Scene& scene, const FluidFigures& f) {
             fmt::format("{:.3g}, {:.3g}, {:.3g} (surface tension is not modelled)", f.reynolds, f.froude, f.bond));
   if (scene.fluid.rheology.law != scene::FlowLaw::newtonian) {
     t += line("Bingham, Hedstrom", fmt::format("{:.3g}, {:.3g}", f.bingham, f.hedstrom));
-    t += line("limit viscosity", fmt::format("{:.3g} m^2/s, tau {:.3g}", scene.fluid.rheology.limit_viscosity, f.limit_tau));
+    t += line("limit viscosity",
+              fmt::format("{:.3g} m^2/s, tau {:.3g}", scene.fluid.rheology.limit_viscosity, f.limit_tau));
   }
   t += line("cells per depth", fmt::format("{:.3g}", f.depth / scene.fluid.cell_size));
   return t;

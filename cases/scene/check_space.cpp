@@ -63,31 +63,41 @@ void check_inflow(const Scene& scene, std::size_t i, Findings& findings) {
   if (!findings.sound({path + ".discharge_m3_s"})) return;
   for (std::size_t k = 0; k + 1 < in.discharge.size(); ++k)
     if (in.discharge[k + 1].time <= in.discharge[k].time)
-      return findings.mistake(path + ".discharge_m3_s",
-                              fmt::format("{}.discharge_m3_s: entry {} is not later than the one before, expected rising "
-                                          "times",
-                                          path, k + 2));
+      return findings.mistake(
+          path + ".discharge_m3_s",
+          fmt::format("{}.discharge_m3_s: entry {} is not later than the one before, expected rising "
+                      "times",
+                      path, k + 2));
 }
 
 void check_rheology(const Scene& scene, Findings& findings) {
   const Rheology& r = scene.fluid.rheology;
   const std::string path = "fluid.rheology";
   if (!findings.sound({path, "fluid.smagorinsky", "fluid.collision", "fluid.kinematic_viscosity_m2_s", "wall"})) return;
-  const auto wrong = [&](const std::string& key, const std::string& text) { findings.mistake(path + key, path + key + text); };
+  const auto wrong = [&](const std::string& key, const std::string& text) {
+    findings.mistake(path + key, path + key + text);
+  };
   if (r.law == FlowLaw::newtonian) {
-    if (r.yield_stress > 0 || r.consistency > 0) wrong(".law", " is \"newtonian\" with a yield stress or a consistency, expected another law");
+    if (r.yield_stress > 0 || r.consistency > 0)
+      wrong(".law", " is \"newtonian\" with a yield stress or a consistency, expected another law");
     return;
   }
-  if (r.law == FlowLaw::herschel_bulkley && r.consistency == 0) wrong(".consistency_Pa_s_n", " is 0, expected above 0 with this law");
+  if (r.law == FlowLaw::herschel_bulkley && r.consistency == 0)
+    wrong(".consistency_Pa_s_n", " is 0, expected above 0 with this law");
   if (r.law == FlowLaw::bingham && (r.consistency > 0 || r.exponent != 1))
     wrong(".law", " is \"bingham\" with a consistency or an exponent, expected \"herschel_bulkley\"");
   if (r.law == FlowLaw::bingham ? r.limit_viscosity <= scene.fluid.kinematic_viscosity : r.limit_viscosity == 0)
-    wrong(".limit_viscosity_m2_s", fmt::format(" is {:g}, expected the viscosity below the yield stress, above that of flow",
-                                               r.limit_viscosity));
-  if (scene.fluid.smagorinsky > 0) wrong(".law", " with fluid.smagorinsky above 0, expected one or the other: an eddy viscosity would hide the yield stress");
-  if (scene.fluid.collision == Collision::bgk) wrong(".law", " with collision = \"bgk\", expected another operator: its walls slip where the viscosity is large");
+    wrong(
+        ".limit_viscosity_m2_s",
+        fmt::format(" is {:g}, expected the viscosity below the yield stress, above that of flow", r.limit_viscosity));
+  if (scene.fluid.smagorinsky > 0)
+    wrong(".law",
+          " with fluid.smagorinsky above 0, expected one or the other: an eddy viscosity would hide the yield stress");
+  if (scene.fluid.collision == Collision::bgk)
+    wrong(".law", " with collision = \"bgk\", expected another operator: its walls slip where the viscosity is large");
   for (const WallSettings& w : scene.walls)
-    if (w.slip == WallSlip::wall_model) return wrong(".law", " with a wall of slip = \"wall_model\", expected walls without: its law is that of water");
+    if (w.slip == WallSlip::wall_model)
+      return wrong(".law", " with a wall of slip = \"wall_model\", expected walls without: its law is that of water");
 }
 
 void check_cells(const Scene& scene, Findings& findings) {

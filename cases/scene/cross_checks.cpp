@@ -59,7 +59,8 @@ void check_names(const Scene& scene, Findings& findings) {
     if (findings.sound({path}) && !seen.insert(name).second)
       findings.mistake(path, fmt::format("{} is \"{}\" again, expected a name of its own", path, name));
   };
-  for (std::size_t i = 0; i < scene.probes.size(); ++i) check_own(scene.probes[i].name, fmt::format("probe[{}].name", i));
+  for (std::size_t i = 0; i < scene.probes.size(); ++i)
+    check_own(scene.probes[i].name, fmt::format("probe[{}].name", i));
   for (std::size_t i = 0; i < scene.sections.size(); ++i)
     check_own(scene.sections[i].name, fmt::format("section[{}].name", i));
 }

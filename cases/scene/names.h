@@ -41,9 +41,8 @@ constexpr auto names_of(RegionShape) {
                                     {"mesh", RegionShape::mesh}}};
 }
 constexpr auto names_of(WallSlip) {
-  return NameTable<WallSlip, 3>{{{"no_slip", WallSlip::no_slip},
-                                 {"free_slip", WallSlip::free_slip},
-                                 {"wall_model", WallSlip::wall_model}}};
+  return NameTable<WallSlip, 3>{
+      {{"no_slip", WallSlip::no_slip}, {"free_slip", WallSlip::free_slip}, {"wall_model", WallSlip::wall_model}}};
 }
 constexpr auto names_of(WallPlacement) {
   return NameTable<WallPlacement, 2>{
@@ -59,8 +58,9 @@ constexpr auto names_of(Collision) {
       {{"central_moments", Collision::central_moments}, {"bgk", Collision::bgk}, {"trt", Collision::trt}}};
 }
 constexpr auto names_of(BodyWeighting) {
-  return NameTable<BodyWeighting, 3>{
-      {{"solid_fraction", BodyWeighting::solid_fraction}, {"noble_torczynski", BodyWeighting::noble_torczynski}, {"seepage", BodyWeighting::seepage}}};
+  return NameTable<BodyWeighting, 3>{{{"solid_fraction", BodyWeighting::solid_fraction},
+                                      {"noble_torczynski", BodyWeighting::noble_torczynski},
+                                      {"seepage", BodyWeighting::seepage}}};
 }
 constexpr auto names_of(ProbeKind) {
   return NameTable<ProbeKind, 3>{

@@ -104,8 +104,8 @@ struct FluidRegion {
 
 struct Rheology {
   FlowLaw law = FlowLaw::newtonian;
-  double yield_stress = 0;     ///< Pa
-  double consistency = 0;      ///< Pa s^n
+  double yield_stress = 0;  ///< Pa
+  double consistency = 0;   ///< Pa s^n
   double exponent = 1;
   double limit_viscosity = 0;  ///< m^2/s
   bool operator==(const Rheology&) const = default;

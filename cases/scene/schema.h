@@ -84,17 +84,19 @@ void describe(V& v, WallSettings& s) {
   v.for_shape(s.shape == WallShape::cylinder || s.shape == WallShape::sphere, "shape = \"cylinder\" or \"sphere\"",
               [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
   v.for_shape(s.shape == WallShape::mesh || s.shape == WallShape::heightmap, "shape = \"mesh\" or \"heightmap\"", [&] {
-    describe_file(v, s.file,
-                  "File beside the scene: a closed surface (.stl, .ply or .obj), solid inside; or heights, solid below: "
-                  "an ESRI ASCII grid, or rows of numbers of which the first has the largest y.");
+    describe_file(
+        v, s.file,
+        "File beside the scene: a closed surface (.stl, .ply or .obj), solid inside; or heights, solid below: "
+        "an ESRI ASCII grid, or rows of numbers of which the first has the largest y.");
   });
   v.for_shape(s.shape == WallShape::heightmap, "shape = \"heightmap\"", [&] {
     v.value("spacing_m", s.file.spacing, {non_negative()},
             "Distance between the heights of a plain matrix, before scaling; its last row begins at (0, 0).");
   });
-  v.value("slip", s.slip, {},
-          "How water slides along the wall: not at all, freely, or with the wall stress of a turbulent layer thinner than "
-          "the cells.");
+  v.value(
+      "slip", s.slip, {},
+      "How water slides along the wall: not at all, freely, or with the wall stress of a turbulent layer thinner than "
+      "the cells.");
   v.value("roughness_m", s.roughness, {non_negative()},
           "Equivalent sand roughness of a wall with slip = \"wall_model\"; 0 = smooth.");
   v.value("material", s.material, {}, "Name of a material; needed where the scene has grains or a barrier.");
@@ -116,8 +118,7 @@ void describe(V& v, FluidRegion& s) {
   });
   v.for_shape(s.shape == RegionShape::sphere, "shape = \"sphere\"",
               [&] { v.value("centre_m", s.centre, required(), "Centre."); });
-  v.for_shape(s.shape == RegionShape::cylinder || s.shape == RegionShape::sphere,
-              "shape = \"cylinder\" or \"sphere\"",
+  v.for_shape(s.shape == RegionShape::cylinder || s.shape == RegionShape::sphere, "shape = \"cylinder\" or \"sphere\"",
               [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
   v.for_shape(s.shape == RegionShape::mesh, "shape = \"mesh\"",
               [&] { describe_file(v, s.file, "File beside the scene: a closed surface (.stl, .ply or .obj)."); });
@@ -161,9 +162,10 @@ void describe(V& v, Fluid& s) {
         "square.");
     v.value("max_speed_m_s", s.max_speed, {non_negative()},
             "Largest expected speed; 0 = from the drop height, sqrt(v0^2 + 2 g h).");
-    v.value("wall_placement", s.wall_placement, {},
-            "Where no-slip walls are felt: half-way between cells, or at their own place between the cells (interpolated "
-            "bounce-back, second order).");
+    v.value(
+        "wall_placement", s.wall_placement, {},
+        "Where no-slip walls are felt: half-way between cells, or at their own place between the cells (interpolated "
+        "bounce-back, second order).");
     v.table("rheology", s.rheology, Presence::optional, "Flow law of mud and slurry. Newtonian when left out.");
     v.array("region", s.regions, "Where the liquid is at the start.");
     v.array("inflow", s.inflows, "Where liquid comes in during the run.");
@@ -191,7 +193,8 @@ void describe(V& v, Solids& s) {
       "Time step of the particles; 0 = the smaller of the two limits below. Shortened so that a whole number fits into "
       "a fluid step.");
   v.value("contact_safety", s.contact_safety, {above_up_to(0, 1)},
-          "Share of the smallest Rayleigh time of a particle that is used, after the share that damping leaves of it (0.35 at "
+          "Share of the smallest Rayleigh time of a particle that is used, after the share that damping leaves of it "
+          "(0.35 at "
           "a restitution of 0.1).");
   v.value("bond_safety", s.bond_safety, {above_up_to(0, 1)}, "Share of the smallest limit of a bond that is used.");
   v.value("contact_modulus_scale", s.contact_modulus_scale, {above_up_to(0, 1)},

@@ -112,7 +112,8 @@ std::string read(const toml::node& node, const Rule& rule, TimeValue& value) {
   if (list->size() != 2) return fmt::format("has {} entries", list->size());
   TimeValue pair;
   if (const std::string wrong = read((*list)[0], {}, pair.time); !wrong.empty()) return "has a time, which " + wrong;
-  if (const std::string wrong = read((*list)[1], rule, pair.value); !wrong.empty()) return "has a value, which " + wrong;
+  if (const std::string wrong = read((*list)[1], rule, pair.value); !wrong.empty())
+    return "has a value, which " + wrong;
   value = pair;
   return {};
 }

@@ -104,7 +104,9 @@ inline std::string toml_text(const std::string& v) { return string_text(v); }
 inline std::string toml_text(const Vec3& v) {
   return "[" + number_text(v.x()) + ", " + number_text(v.y()) + ", " + number_text(v.z()) + "]";
 }
-inline std::string toml_text(const TimeValue& v) { return "[" + number_text(v.time) + ", " + number_text(v.value) + "]"; }
+inline std::string toml_text(const TimeValue& v) {
+  return "[" + number_text(v.time) + ", " + number_text(v.value) + "]";
+}
 template <class E>
 requires std::is_enum_v<E> std::string toml_text(E v) { return string_text(name_of(v)); }
 template <class T>

@@ -49,8 +49,9 @@ std::string group_of(const std::string& name) { return name.substr(0, name.find(
     known.push_back(group_of(e.name));
   }
   const std::string nearest = scene::nearest_name(name, known);
-  throw std::invalid_argument(fmt::format("no entry or group is called '{}'{}", name,
-                                          nearest.empty() ? "; --list shows all" : ", did you mean '" + nearest + "'?"));
+  throw std::invalid_argument(
+      fmt::format("no entry or group is called '{}'{}", name,
+                  nearest.empty() ? "; --list shows all" : ", did you mean '" + nearest + "'?"));
 }
 
 nlohmann::json number(double x) { return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr); }
@@ -58,7 +59,9 @@ nlohmann::json number(double x) { return std::isfinite(x) ? nlohmann::json(x) : 
 }  // namespace
 
 std::vector<Entry> select_entries(const std::vector<Entry>& entries, const std::vector<std::string>& names) {
-  const auto asks_for = [](const std::string& name, const Entry& e) { return name == e.name || name == group_of(e.name); };
+  const auto asks_for = [](const std::string& name, const Entry& e) {
+    return name == e.name || name == group_of(e.name);
+  };
   for (const std::string& name : names)
     if (std::none_of(entries.begin(), entries.end(), [&](const Entry& e) { return asks_for(name, e); }))
       refuse(entries, name);
@@ -107,7 +110,8 @@ std::string outcomes_json(const std::vector<Outcome>& outcomes) {
     if (!o.failure.empty()) entry["failure"] = o.failure;
     entries.push_back(entry);
   }
-  return nlohmann::json({{"machine", cases::machine_name()}, {"commit", cases::commit()}, {"entries", entries}}).dump(2) +
+  return nlohmann::json({{"machine", cases::machine_name()}, {"commit", cases::commit()}, {"entries", entries}})
+             .dump(2) +
          "\n";
 }
 

@@ -7,7 +7,8 @@
 
 namespace lahar::validate {
 
-/// One figure held against its reference. `error` and `tolerance` are in one unit: a fraction unless the label names one.
+/// One figure held against its reference. `error` and `tolerance` are in one unit: a fraction unless the label names
+/// one.
 struct Row {
   std::string label;
   double value = 0, reference = 0, error = 0, tolerance = 0;
@@ -27,7 +28,7 @@ enum class Precision { float32, float64 };
 
 struct Context {
   Precision precision = Precision::float64;  ///< of entries that do not compare both
-  bool quick = false;           ///< coarser grids and fewer steps, for the test suite; bars that need the full size are left out
+  bool quick = false;  ///< coarser grids and fewer steps, for the test suite; bars that need the full size are left out
   std::filesystem::path plots;  ///< where to draw charts; empty for none
 };
 
@@ -49,8 +50,8 @@ struct Outcome {
 /// All entries, group by group in the order of the ladder.
 std::vector<Entry> all_entries();
 
-/// The entries that the names ask for: an entry's name, a group (fluid), or nothing for all. Throws std::invalid_argument
-/// for a name that is none, with the nearest known one.
+/// The entries that the names ask for: an entry's name, a group (fluid), or nothing for all. Throws
+/// std::invalid_argument for a name that is none, with the nearest known one.
 std::vector<Entry> select_entries(const std::vector<Entry>& entries, const std::vector<std::string>& names);
 
 /// Runs an entry; what it throws becomes its failure.

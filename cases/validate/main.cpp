@@ -27,7 +27,8 @@ struct Arguments {
 
 Context context_of(const Arguments& a) {
   if (!a.common.set.empty())
-    refuse("--set " + a.common.set.front() + ": the entries have no keys to set, expected names of entries (see --list)");
+    refuse("--set " + a.common.set.front() +
+           ": the entries have no keys to set, expected names of entries (see --list)");
   Context context;
   if (a.common.precision == "float") context.precision = Precision::float32;
   context.quick = a.quick;
@@ -50,7 +51,8 @@ int run(const Arguments& a) {
     for (const Entry& e : entries) fmt::print("{:<32} {}\n", e.name, e.source);
     return cases::exit_done;
   }
-  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads : static_cast<int>(std::thread::hardware_concurrency()));
+  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
+                                               : static_cast<int>(std::thread::hardware_concurrency()));
   cases::watch_for_interrupt();
   std::vector<Outcome> outcomes;
   for (const Entry& e : entries) {

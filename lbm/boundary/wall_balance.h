@@ -1,13 +1,14 @@
 #pragma once
 // The mass that interpolated walls gain or lose in liquid cells, and its return.
 //
-// Half-way bounce-back returns to each cell what it sent into the wall. Interpolation does not, and must not: in a flow along a
-// wall that cuts the links at unlike distances the liquid crosses the surface half-way between the cells, out of some cells
-// and into others, and only the sum along the wall is zero (up to second order). Forcing every cell to keep its mass
-// would bring back the error of first order. So the sum over all cells is taken each step, and given back in equal parts to
-// the rest populations of the same cells; the ledger of the liquid stays exact to rounding, and how much was moved is counted.
-// What a reflection adds is in a cell after the next sweep, and only then taken back: in between the cell may have turned
-// from liquid to interface. Interface cells are left out: their mass changes over links to wet cells alone.
+// Half-way bounce-back returns to each cell what it sent into the wall. Interpolation does not, and must not: in a flow
+// along a wall that cuts the links at unlike distances the liquid crosses the surface half-way between the cells, out
+// of some cells and into others, and only the sum along the wall is zero (up to second order). Forcing every cell to
+// keep its mass would bring back the error of first order. So the sum over all cells is taken each step, and given back
+// in equal parts to the rest populations of the same cells; the ledger of the liquid stays exact to rounding, and how
+// much was moved is counted. What a reflection adds is in a cell after the next sweep, and only then taken back: in
+// between the cell may have turned from liquid to interface. Interface cells are left out: their mass changes over
+// links to wet cells alone.
 #include "lbm/fluid_grid.h"
 
 namespace lahar::lbm {

@@ -12,8 +12,8 @@ double spalding_distance(double u_plus) {
 
 namespace {
 
-/// u+ with u+ y+(u+) = Re, the Reynolds number of speed and distance. The left side is convex, so Newton's method falls to
-/// the root from a point above it: u+^2 = Re is one (y+ >= u+), and so is what the logarithmic law gives at y+ = Re.
+/// u+ with u+ y+(u+) = Re, the Reynolds number of speed and distance. The left side is convex, so Newton's method falls
+/// to the root from a point above it: u+^2 = Re is one (y+ >= u+), and so is what the logarithmic law gives at y+ = Re.
 double smooth_speed(double reynolds) {
   double u = std::min(std::sqrt(reynolds), std::log(1 + reynolds) / kKarman + kSmoothConstant + 1);
   for (int step = 0; step < 20; ++step) {

@@ -33,8 +33,8 @@ Real along(int i, const std::array<Real, 3>& v) {
   return static_cast<Real>(c[0]) * v[0] + static_cast<Real>(c[1]) * v[1] + static_cast<Real>(c[2]) * v[2];
 }
 
-/// Weighted mean of c_i . v over the links: subtracted, so that the links together leave the mass as it is. It is zero on
-/// a flat wall.
+/// Weighted mean of c_i . v over the links: subtracted, so that the links together leave the mass as it is. It is zero
+/// on a flat wall.
 template <class Real>
 Real mean_wall_push(const std::uint8_t* links, int count, const std::array<Real, 3>& v) {
   Real sum = 0, weights = 0;
@@ -52,7 +52,8 @@ double interpolate(FluidGrid<Real>& grid, CellPlace place, int i, const WallHit&
                    const WallPhysics& physics) {
   const bool forward = i % 2 == 1;
   const auto pair = grid.access(place, forward ? i : i - 1, parity);
-  const Real out = forward ? *pair.outgoing_a : *pair.outgoing_b, out_opposite = forward ? *pair.outgoing_b : *pair.outgoing_a;
+  const Real out = forward ? *pair.outgoing_a : *pair.outgoing_b,
+             out_opposite = forward ? *pair.outgoing_b : *pair.outgoing_a;
   const Real arrived = forward ? *pair.incoming_a : *pair.incoming_b;
   Real& back = forward ? *pair.incoming_b : *pair.incoming_a;
   const auto w = static_cast<Real>(D3Q19::w(i)), push = 6 * w * static_cast<Real>(hit.push);
@@ -61,8 +62,10 @@ double interpolate(FluidGrid<Real>& grid, CellPlace place, int i, const WallHit&
   const auto* c = D3Q19::c[i];
   const auto& a = physics.acceleration;
   const Real weight = 3 * w * static_cast<Real>(c[0] * a[0] + c[1] * a[1] + c[2] * a[2]);
-  if (q < Real(0.5)) back = 2 * q * out + (1 - 2 * q) * (arrived + weight) - push;
-  else back = (out + (2 * q - 1) * (out_opposite + weight) - push) / (2 * q);
+  if (q < Real(0.5))
+    back = 2 * q * out + (1 - 2 * q) * (arrived + weight) - push;
+  else
+    back = (out + (2 * q - 1) * (out_opposite + weight) - push) / (2 * q);
   return static_cast<double>(back) - static_cast<double>(out);
 }
 
@@ -92,8 +95,10 @@ void bounce_back(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* lin
   for (int k = 0; k < count; ++k) {
     const int i = links[k], a = i % 2 == 1 ? i : i - 1;
     const auto pair = grid.access(place, a, parity);
-    if (i == a) *pair.incoming_b = *pair.outgoing_a;
-    else *pair.incoming_a = *pair.outgoing_b;
+    if (i == a)
+      *pair.incoming_b = *pair.outgoing_a;
+    else
+      *pair.incoming_a = *pair.outgoing_b;
   }
 }
 
@@ -108,8 +113,10 @@ void bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* link
     const int i = links[k], a = i % 2 == 1 ? i : i - 1;
     const auto pair = grid.access(place, a, parity);
     const Real push = static_cast<Real>(6 * D3Q19::w(i)) * rho * (along(i, v) - mean_push);
-    if (i == a) *pair.incoming_b = *pair.outgoing_a - push;
-    else *pair.incoming_a = *pair.outgoing_b - push;
+    if (i == a)
+      *pair.incoming_b = *pair.outgoing_a - push;
+    else
+      *pair.incoming_a = *pair.outgoing_b - push;
   }
 }
 

@@ -6,17 +6,19 @@
 // Interpolated (Bouzidi, Firdaouss & Lallemand 2001, linear), with the wall at the share q of the link:
 //   q < 1/2:   2q f_i*(x, t) + (1 - 2q) f_i*(x - c_i, t) - 6 w_i c_i . u_wall
 //   q >= 1/2:  [f_i*(x, t) + (2q - 1) f_opposite(i)*(x, t) - 6 w_i c_i . u_wall] / 2q
-// f_i*(x - c_i, t) has just arrived at x, so that all of it is the cell's own data in Esoteric Pull. Where nothing arrives, in
-// a gap or film of one cell, the link falls back to half-way. A body force a adds 3 w_i c_i . a times (1 - 2q), or (2q - 1)/2q:
-// both rules then give f_i* at hydrostatic rest, as half-way does, so that liquid at rest stays at rest and no wall leaks under hydrostatic pressure. Mass: wall_balance.h.
+// f_i*(x - c_i, t) has just arrived at x, so that all of it is the cell's own data in Esoteric Pull. Where nothing
+// arrives, in a gap or film of one cell, the link falls back to half-way. A body force a adds 3 w_i c_i . a times (1 -
+// 2q), or (2q - 1)/2q: both rules then give f_i* at hydrostatic rest, as half-way does, so that liquid at rest stays at
+// rest and no wall leaks under hydrostatic pressure. Mass: wall_balance.h.
 //
-// A free-slip wall is a wall that moves with the fluid's own tangential velocity, so that no shear reaches it; this works
-// for any wall normal. At edges and steps the motion of the wall would add or take mass; the mean of c_i . u_wall over the
-// cell's links is left out there, so that the links of a cell never change its mass.
+// A free-slip wall is a wall that moves with the fluid's own tangential velocity, so that no shear reaches it; this
+// works for any wall normal. At edges and steps the motion of the wall would add or take mass; the mean of c_i . u_wall
+// over the cell's links is left out there, so that the links of a cell never change its mass.
 //
-// A wall with a wall model moves so that the traction of its links is the stress of the law (wall_model.h). Over all links
-// through an area with the normal n, along the tangent t,
-//   traction = rho M (v - u) . t - P,  M = 6 sum w_i |c_i . n| (c_i . t)^2,  P = 9 sum w_i |c_i . n| (c_i . t) c_i . Pi . c_i,
+// A wall with a wall model moves so that the traction of its links is the stress of the law (wall_model.h). Over all
+// links through an area with the normal n, along the tangent t,
+//   traction = rho M (v - u) . t - P,  M = 6 sum w_i |c_i . n| (c_i . t)^2,  P = 9 sum w_i |c_i . n| (c_i . t) c_i . Pi
+//   . c_i,
 // sums over the velocities into the wall, Pi the outgoing second moments: solved for v. In a linear profile with
 // the stress nu u / y the wall then stands still. Free slip and wall model are half-way.
 #include <array>
@@ -38,7 +40,8 @@ template <class Real>
 void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const WallPhysics& physics,
                       BlockWallLoads* loads = nullptr);
 
-extern template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity, const WallPhysics&, BlockWallLoads*);
+extern template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity, const WallPhysics&,
+                                             BlockWallLoads*);
 extern template void reflect_at_walls<double>(FluidGrid<double>&, BlockIndex, Parity, const WallPhysics&,
                                               BlockWallLoads*);
 

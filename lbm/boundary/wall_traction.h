@@ -37,7 +37,8 @@ std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, 
   const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
   const Vec3 moving(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
   const Vec3 half_force = 0.5 * Vec3(physics.acceleration[0], physics.acceleration[1], physics.acceleration[2]);
-  const Vec3 outgoing = Vec3(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2])) - moving;
+  const Vec3 outgoing =
+      Vec3(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2])) - moving;
   const Vec3 slip = outgoing - outgoing.dot(n) * n, between = slip - (half_force - half_force.dot(n) * n);
   std::array<Real, 3> v{static_cast<Real>(moving.x()), static_cast<Real>(moving.y()), static_cast<Real>(moving.z())};
   const double speed = between.norm();

@@ -10,8 +10,10 @@ namespace lahar::lbm {
 /// The rate of the even (viscous) part: constant, or from the cell's stress.
 template <class Viscosity, class V>
 V viscous_rate(const V (&f)[D3Q19::q], const Moments<V>& m, const Viscosity& viscosity) {
-  if constexpr (Viscosity::constant) return viscosity.rate();
-  else return viscosity.rate(second_central_moments(f, m), m.inverse_density);
+  if constexpr (Viscosity::constant)
+    return viscosity.rate();
+  else
+    return viscosity.rate(second_central_moments(f, m), m.inverse_density);
 }
 
 struct Bgk {
@@ -25,8 +27,7 @@ struct Bgk {
     V v[3];
     velocity_after(m, force, v);
     for (int i = 0; i < D3Q19::q; ++i)
-      f[i] = equilibrium(i, m.drho, v[0], v[1], v[2]) +
-             keep * (f[i] - equilibrium(i, m.drho, m.u[0], m.u[1], m.u[2]));
+      f[i] = equilibrium(i, m.drho, v[0], v[1], v[2]) + keep * (f[i] - equilibrium(i, m.drho, m.u[0], m.u[1], m.u[2]));
   }
 };
 

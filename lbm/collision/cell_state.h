@@ -12,27 +12,27 @@ namespace lahar::lbm {
 /// Density and velocity of a cell's incoming populations.
 template <class V>
 struct Moments {
-  V drho;            ///< rho - 1
-  V inverse_density; ///< 1 / rho
-  V u[3];            ///< momentum / rho, before any force
+  V drho;             ///< rho - 1
+  V inverse_density;  ///< 1 / rho
+  V u[3];             ///< momentum / rho, before any force
 };
 
 /// What acts on a cell in a step. The velocity after collision is (1 - B) (u + acceleration) + B u_s + kick; B also
 /// fades the non-equilibrium part, so that a fully covered cell ends in the equilibrium of the body's velocity.
 template <class V>
 struct CellForcing {
-  V acceleration[3];   ///< lu, body force per mass
-  V coverage_weight;   ///< B, 0 where there is no body
-  V solid_velocity[3]; ///< u_s, lu
-  V kick[3];           ///< velocity change by forces of wires, lu
+  V acceleration[3];      ///< lu, body force per mass
+  V coverage_weight;      ///< B, 0 where there is no body
+  V solid_velocity[3];    ///< u_s, lu
+  V kick[3];              ///< velocity change by forces of wires, lu
   V largest_rate = V(2);  ///< the viscous moments relax no faster (collision/stress_limit.h)
   V stress_share = V(1);  ///< of the non-equilibrium part that is left after relaxation (same place)
 };
 
 template <class V>
 [[gnu::always_inline]] inline Moments<V> moments(const V (&f)[D3Q19::q]) {
-  const V s = ((f[7] + f[8]) + (f[9] + f[10])) + ((f[11] + f[12]) + (f[13] + f[14])) +
-              ((f[15] + f[16]) + (f[17] + f[18]));
+  const V s =
+      ((f[7] + f[8]) + (f[9] + f[10])) + ((f[11] + f[12]) + (f[13] + f[14])) + ((f[15] + f[16]) + (f[17] + f[18]));
   const V drho = f[0] + ((f[1] + f[2]) + (f[3] + f[4])) + (f[5] + f[6]) + s;
   const V jx = (f[1] - f[2]) + (f[7] - f[8]) + (f[9] - f[10]) + (f[13] - f[14]) + (f[15] - f[16]);
   const V jy = (f[3] - f[4]) + (f[7] - f[8]) + (f[11] - f[12]) - (f[13] - f[14]) + (f[17] - f[18]);

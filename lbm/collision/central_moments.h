@@ -8,12 +8,12 @@
 // after it are written directly from the raw moments
 //   m_aab  = rho v_a^2 v_b + 2 v_a S_ab + v_b (rho/3 + S_aa)
 //   m_aabb = rho v_a^2 v_b^2 + v_b^2 (rho/3 + S_aa) + v_a^2 (rho/3 + S_bb) + 4 v_a v_b S_ab + rho/9 + (S_aa + S_bb)/2
-// with v the velocity after the forces and S the relaxed deviator. The last term is what the lattice itself gives to the
-// fourth moments when S is carried by the second-order polynomials alone (sum_i w_i c_ia^4 c_ib^2 = 1/9 on D3Q19): the
-// fourth-order modes that are set to equilibrium are then orthogonal to the stress. Without it the fluid at rest is
-// linearly unstable at small viscosity (noise of 1e-6 grew to 5e-2 in 4000 steps at nu = 1e-6; with 1/3, the value of the
-// Maxwell distribution, it still grew five-fold in 6000; with 1/2 it decays). Forces shift the frame in which the central moments
-// are taken, which is exact up to the square of the force.
+// with v the velocity after the forces and S the relaxed deviator. The last term is what the lattice itself gives to
+// the fourth moments when S is carried by the second-order polynomials alone (sum_i w_i c_ia^4 c_ib^2 = 1/9 on D3Q19):
+// the fourth-order modes that are set to equilibrium are then orthogonal to the stress. Without it the fluid at rest is
+// linearly unstable at small viscosity (noise of 1e-6 grew to 5e-2 in 4000 steps at nu = 1e-6; with 1/3, the value of
+// the Maxwell distribution, it still grew five-fold in 6000; with 1/2 it decays). Forces shift the frame in which the
+// central moments are taken, which is exact up to the square of the force.
 #include "lbm/collision/cell_state.h"
 #include "lbm/collision/newtonian.h"
 
@@ -21,9 +21,11 @@ namespace lahar::lbm {
 
 /// Writes the populations with given density, velocity and deviatoric second central moments.
 template <class V>
-[[gnu::always_inline]] inline void from_central_moments(const V& drho, const V (&v)[3], const Symmetric<V>& s, V (&f)[D3Q19::q]) {
+[[gnu::always_inline]] inline void from_central_moments(const V& drho, const V (&v)[3], const Symmetric<V>& s,
+                                                        V (&f)[D3Q19::q]) {
   const V rho = V(1) + drho, half = number<V>(0.5), quarter = number<V>(0.25);
-  const V third = rho * number<V>(1.0 / 3.0), dthird = drho * number<V>(1.0 / 3.0), dninth = drho * number<V>(1.0 / 9.0);
+  const V third = rho * number<V>(1.0 / 3.0), dthird = drho * number<V>(1.0 / 3.0),
+          dninth = drho * number<V>(1.0 / 9.0);
   const V vx = v[0], vy = v[1], vz = v[2];
   const V jx = rho * vx, jy = rho * vy, jz = rho * vz;
   const V px = third + s.xx, py = third + s.yy, pz = third + s.zz;
@@ -58,12 +60,15 @@ struct CentralMoments {
   static constexpr bool bounds_stress = true;  ///< collision/stress_limit.h
 
   template <class Viscosity, class V>
-  [[gnu::always_inline]] static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const Viscosity& viscosity) {
+  [[gnu::always_inline]] static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,
+                                             const Viscosity& viscosity) {
     using std::min;
     Symmetric<V> s = stress(f, m);
     V omega;
-    if constexpr (Viscosity::constant) omega = viscosity.rate();
-    else omega = viscosity.rate(s, m.inverse_density);
+    if constexpr (Viscosity::constant)
+      omega = viscosity.rate();
+    else
+      omega = viscosity.rate(s, m.inverse_density);
     omega = min(omega, force.largest_rate);
     V v[3];
     const V limited = velocity_after(m, force, v);

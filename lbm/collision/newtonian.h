@@ -4,8 +4,8 @@
 //   flow_law              whether it takes SweepParameters::rheology
 //   rate(S, 1/rho)        the rate of a cell from its second central moments; rate() where it is constant
 //   of(parameters)        the model of a sweep (lbm/sweep.h)
-// Models: Newtonian, Smagorinsky (smagorinsky.h), Bingham and HerschelBulkley (lbm/rheology). The sweep is compiled once per
-// model, so that none pays for another.
+// Models: Newtonian, Smagorinsky (smagorinsky.h), Bingham and HerschelBulkley (lbm/rheology). The sweep is compiled
+// once per model, so that none pays for another.
 #include "lbm/collision/cell_state.h"
 
 namespace lahar::lbm {

@@ -18,8 +18,8 @@ struct Trt {
     const V keep_even = (V(1) - even_rate) * stay, keep_odd = (V(1) - odd_rate) * stay;
     V v[3];
     velocity_after(m, force, v);
-    f[0] = equilibrium(0, m.drho, v[0], v[1], v[2]) +
-           keep_even * (f[0] - equilibrium(0, m.drho, m.u[0], m.u[1], m.u[2]));
+    f[0] =
+        equilibrium(0, m.drho, v[0], v[1], v[2]) + keep_even * (f[0] - equilibrium(0, m.drho, m.u[0], m.u[1], m.u[2]));
     for (int a = 1; a < D3Q19::q; a += 2) {
       const int b = a + 1;
       const V na = f[a] - equilibrium(a, m.drho, m.u[0], m.u[1], m.u[2]);

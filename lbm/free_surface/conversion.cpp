@@ -47,7 +47,7 @@ Verdict judge(const FluidGrid<Real>& grid, CellPlace place, Real mass, Real rho,
   const Real liquid = mass - eps;
   if (liquid < Real(-kThreshold)) return Verdict::empty;
   if (!at_rim && mass > Real(1 + kThreshold) * rho) return Verdict::fill;
-  const bool thin = (draining || eps > 0) && liquid < Real(kThinFill) * room, thick = mass > Real(1 - kThinFill) * rho;
+  const bool thin = (draining || eps > 0) && liquid<Real(kThinFill) * room, thick = mass> Real(1 - kThinFill) * rho;
   if (!thin && !thick) return Verdict::stay;
   const Surroundings s = look_around(grid, place);
   if (thick && !s.gas && !at_rim) return Verdict::fill;
@@ -86,8 +86,7 @@ double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std:
     const Verdict v = judge(grid, {b, cell}, mass, rho, block.at_rim[cell], draining);
     if (v == Verdict::fill) flagged.filled.push_back(cell);
     if (v == Verdict::empty) flagged.emptied.push_back(cell);
-    if (v == Verdict::stay && surface.alone[cell])
-      flag_drop(grid, {b, cell}, parity, round, flagged.drops);
+    if (v == Verdict::stay && surface.alone[cell]) flag_drop(grid, {b, cell}, parity, round, flagged.drops);
   }
   return left;
 }
@@ -115,7 +114,8 @@ void CellConversion<Real>::relist_touched(FluidGrid<Real>& grid) {
 }
 
 template <class Real>
-void CellConversion<Real>::wet(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments) {
+void CellConversion<Real>::wet(FluidGrid<Real>& grid, CellPlace place, Parity parity,
+                               const CellMoments<Real>& moments) {
   set_interface(grid, place, parity, moments, Real(0));
   relist_touched(grid);
 }
@@ -258,8 +258,10 @@ void CellConversion<Real>::move_drops(FluidGrid<Real>& grid, Parity parity, Liqu
       if (block.type[drop.cell] != CellType::interface || !is_free_to_move(grid, place, drop.direction)) continue;
       const CellPlace next = grid.neighbour(place, drop.direction);
       const Real liquid = block.surface->mass[drop.cell] - body_share(block, drop.cell);
-      if (grid.type(next) == CellType::sink) account.outflow += static_cast<double>(liquid);
-      else set_interface(grid, next, parity, drop.moments, liquid);
+      if (grid.type(next) == CellType::sink)
+        account.outflow += static_cast<double>(liquid);
+      else
+        set_interface(grid, next, parity, drop.moments, liquid);
       block.type[drop.cell] = CellType::gas;
       block.surface->fill_level[drop.cell] = Real(0);
       block.surface->mass[drop.cell] = 0;

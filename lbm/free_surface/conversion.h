@@ -2,10 +2,11 @@
 // After a step: full interface cells become liquid, empty ones gas; the layer between liquid and gas stays closed; the
 // mass that is left over goes to neighbours. Nothing is lost: what finds no taker goes to a pool that is paid back.
 //
-// Koerner et al. 2005, section 2.3, with: thresholds 1.01 and -0.01; filling wins over emptying; new interface cells get
-// the equilibrium at the mean density and velocity of their wet neighbours (refilling by equilibrium was the most robust
-// of those compared by Schwarzmeier & Ruede 2022). Where a body covers part of a cell the mass of the cell includes the
-// body's share: empty means that only the body is left (docs/coupling.md). Spray moves on as a whole (drops.h).
+// Koerner et al. 2005, section 2.3, with: thresholds 1.01 and -0.01; filling wins over emptying; new interface cells
+// get the equilibrium at the mean density and velocity of their wet neighbours (refilling by equilibrium was the most
+// robust of those compared by Schwarzmeier & Ruede 2022). Where a body covers part of a cell the mass of the cell
+// includes the body's share: empty means that only the body is left (docs/coupling.md). Spray moves on as a whole
+// (drops.h).
 #include "lbm/boundary/wall_balance.h"
 #include "lbm/fluid_grid.h"
 #include "lbm/free_surface/drops.h"
@@ -14,10 +15,10 @@ namespace lahar::lbm {
 
 /// What left the tracked cells, in lattice mass units, and how often the rules for unresolved liquid were used.
 struct LiquidAccount {
-  double outflow = 0;       ///< left through open faces
-  double inflow = 0;        ///< came in through inflow boxes (inflow.h)
-  double pool = 0;          ///< waiting to be paid back to interface cells
-  double pooled_total = 0;  ///< sum of all that ever went through the pool (absolute)
+  double outflow = 0;           ///< left through open faces
+  double inflow = 0;            ///< came in through inflow boxes (inflow.h)
+  double pool = 0;              ///< waiting to be paid back to interface cells
+  double pooled_total = 0;      ///< sum of all that ever went through the pool (absolute)
   std::int64_t drop_moves = 0;  ///< moves of spray cells (drops.h)
   std::int64_t limited = 0;     ///< cell updates with a limited stress (collision/stress_limit.h)
   std::int64_t exposed = 0;     ///< cell updates with a bounded relaxation rate (same place)

@@ -25,14 +25,16 @@ Inflow<Real>::Inflow(InflowOptions options, const Domain& domain, const LatticeU
 template <class Real>
 void Inflow<Real>::feed(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity, double time,
                         std::int64_t step, LiquidAccount& account) {
-  const double volume = options_.discharge.volume_until(time + units_.time_step) - options_.discharge.volume_until(time);
+  const double volume =
+      options_.discharge.volume_until(time + units_.time_step) - options_.discharge.volume_until(time);
   owed_ += volume / std::pow(units_.cell_size, 3);
   if (std::abs(owed_) < 1e-12) return;
   collect(grid, conversion, parity);
   const double cells = (last_ - first_ + Vec3i::Ones()).cast<double>().prod();
   if (owed_ > std::max(cells, kLargestDose) || wet_.empty())
-    throw NumericalFailure("inflow " + options_.name, step,
-                           wet_.empty() ? "no free cell in its box" : "its box cannot take the discharge; make it larger");
+    throw NumericalFailure(
+        "inflow " + options_.name, step,
+        wet_.empty() ? "no free cell in its box" : "its box cannot take the discharge; make it larger");
   const double mass = std::min(kLargestDose, owed_ / static_cast<double>(wet_.size()));
   double arrived = 0;
   for (const CellPlace& place : wet_) arrived += dose(grid, place, parity, mass);
@@ -70,8 +72,8 @@ double Inflow<Real>::dose(FluidGrid<Real>& grid, CellPlace place, Parity parity,
   Real& store = liquid ? block.f(0)[place.cell] : block.surface->mass[place.cell];
   const Real before = store;
   store += static_cast<Real>(mass);
-  // In a liquid cell the added density is at rest and wants its own momentum; in an interface cell the populations stand for the
-  // mass there was, and take the velocity of the mixture.
+  // In a liquid cell the added density is at rest and wants its own momentum; in an interface cell the populations
+  // stand for the mass there was, and take the velocity of the mixture.
   const double density = 1 + static_cast<double>(m.drho), held = std::max(1e-3, static_cast<double>(before));
   const double weight = liquid ? mass : density * mass / (held + mass);
   BodyFields<Real>& body = grid.require_body(place.block);

@@ -2,10 +2,11 @@
 // Liquid that enters through a box of cells with a prescribed discharge.
 //
 // Each step the volume of the hydrograph over that step is put into the wet cells of the box in equal parts, with the
-// momentum of the entering velocity: liquid cells get it as density (their rest population) and push the rest out, interface cells as
-// mass. Where the box is dry the lowest free cell of each column (along z) is wetted first, so that the box fills from
-// below and works on a dry bed, under water and in between. What the cells cannot take in a step (kLargestDose each)
-// waits for the next. All that entered is booked in LiquidAccount::inflow, from the numbers as they were stored.
+// momentum of the entering velocity: liquid cells get it as density (their rest population) and push the rest out,
+// interface cells as mass. Where the box is dry the lowest free cell of each column (along z) is wetted first, so that
+// the box fills from below and works on a dry bed, under water and in between. What the cells cannot take in a step
+// (kLargestDose each) waits for the next. All that entered is booked in LiquidAccount::inflow, from the numbers as they
+// were stored.
 #include <string>
 
 #include "core/units.h"

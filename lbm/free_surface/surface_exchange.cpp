@@ -15,7 +15,6 @@ namespace lahar::lbm {
 
 namespace {
 
-
 /// Gas around a cell at which liquid no longer holds its stress: a cell at the edge of a cube has 9 of 18, at a flat
 /// surface or in a film on a wall 5.
 constexpr int kExposedSides = 9;
@@ -180,7 +179,8 @@ class RowExchange {
     rate.copy_to(s.largest_rate + 8 * row, stdx::element_aligned);
     s.exposed += stdx::popcount(exposed);
     const auto alone = fullest < V(1);
-    for (int k = 0; k < kBlockWidth; ++k) s.alone[static_cast<std::size_t>(8 * row + k)] = alone[static_cast<std::size_t>(k)];
+    for (int k = 0; k < kBlockWidth; ++k)
+      s.alone[static_cast<std::size_t>(8 * row + k)] = alone[static_cast<std::size_t>(k)];
   }
 
   const std::array<Block<Real>*, 27>& around_;

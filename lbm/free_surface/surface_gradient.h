@@ -22,9 +22,9 @@ void solve_symmetric(const V (&m)[6], const V (&b)[3], V (&x)[3]) {
 
 /// grad p / rho, lu, by weighted least squares over the wet cells two links away (one where the second is not wet):
 ///   sum_i w_i c_i (c_i . a - (rho_far - rho_here) / (3 n_i)) = 0,  n_i = 1 or 2,
-/// exact where the pressure is linear. Two links, because a sound wave of two cells, which differences over one link see
-/// best, is then not seen at all: the surface fed such waves until they drowned a gravity wave (docs/decisions/0007).
-/// `see(field, place)` reads the cells at a place of the surroundings as a V.
+/// exact where the pressure is linear. Two links, because a sound wave of two cells, which differences over one link
+/// see best, is then not seen at all: the surface fed such waves until they drowned a gravity wave
+/// (docs/decisions/0007). `see(field, place)` reads the cells at a place of the surroundings as a V.
 template <class V, class Real, class See>
 void pressure_gradient(const Surroundings<Real>& near, int place, const See& see, V (&a)[3]) {
   const V none = number<V>(1e-6);  // in directions without wet cells the gradient is 0
@@ -36,7 +36,8 @@ void pressure_gradient(const Surroundings<Real>& near, int place, const See& see
     const V once = see(near.wet, place + step), twice = once * see(near.wet, place + 2 * step);
     const V rise_once = see(near.density, place + step) - here, rise_twice = see(near.density, place + 2 * step) - here;
     const V w = number<V>(D3Q19::w(I)) * once;
-    const V slope = w * (rise_once * number<V>(1.0 / 3.0) + twice * (rise_twice * number<V>(1.0 / 6.0) - rise_once * number<V>(1.0 / 3.0)));
+    const V slope = w * (rise_once * number<V>(1.0 / 3.0) +
+                         twice * (rise_twice * number<V>(1.0 / 6.0) - rise_once * number<V>(1.0 / 3.0)));
     for (int k = 0; k < 3; ++k) {
       if (c[k] == 0) continue;
       b[k] += number<V>(c[k]) * slope;
@@ -48,7 +49,8 @@ void pressure_gradient(const Surroundings<Real>& near, int place, const See& see
   };
   [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
     (add.template operator()<static_cast<int>(I) + 1>(), ...);
-  }(std::make_index_sequence<D3Q19::q - 1>{});
+  }
+  (std::make_index_sequence<D3Q19::q - 1>{});
   solve_symmetric(m, b, a);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// What the interface cells of a block see around them: the block's cells and two cells beyond, laid out so that a row of
-// cells sees its neighbours in any direction at a constant offset.
+// What the interface cells of a block see around them: the block's cells and two cells beyond, laid out so that a row
+// of cells sees its neighbours in any direction at a constant offset.
 #include <experimental/simd>
 
 #include "lbm/cell_moments.h"
@@ -13,8 +13,8 @@ template <class Real>
 struct Surroundings {
   static constexpr int rim = 2, pitch_y = 16, pitch_z = 12 * pitch_y;
   static constexpr int size = 12 * pitch_z;
-  /// Share of a link's flux that is mass of an interface cell of fill level F: full + half F. Liquid 1 and 0, interface half
-  /// of its own fill level and 1/2, all else 0 and 0.
+  /// Share of a link's flux that is mass of an interface cell of fill level F: full + half F. Liquid 1 and 0, interface
+  /// half of its own fill level and 1/2, all else 0 and 0.
   alignas(64) Real full[size];
   alignas(64) Real half[size];
   alignas(64) Real empty[size];    ///< 1 in gas and sinks
@@ -98,7 +98,8 @@ class LookAround {
       const bool surface = block && block->surface;
       s.half[place + k] = type == CellType::interface ? Real(0.5) : Real(0);
       s.full[place + k] = type == CellType::liquid ? Real(1)
-                          : surface ? s.half[place + k] * block->surface->fill_level[first + k] : Real(0);
+                          : surface                ? s.half[place + k] * block->surface->fill_level[first + k]
+                                                   : Real(0);
       s.empty[place + k] = type == CellType::gas || type == CellType::sink ? Real(1) : Real(0);
       s.wet[place + k] = is_wet(type) ? Real(1) : Real(0);
       s.density[place + k] = surface && is_wet(type) ? block->surface->density[first + k] : Real(0);

@@ -5,8 +5,8 @@
 //   q = 3 |S| / (sqrt(2) rho) = tau g,   |S| = sqrt(S_ab S_ab), g = sqrt(2 D_ab D_ab),
 // is known before tau is. With tau = 1/2 + 3 (nu_p + yield / g) and g = q / tau,
 //   q = (1/2 + 3 nu_p) g + 3 yield   =>   1/tau = (1 - 3 yield / q) / tau_p,
-// exact, no iteration and no value of the last step. Below the yield stress (q < 3 yield) the rate of the limit viscosity
-// holds; the larger of the two rates is the right one everywhere.
+// exact, no iteration and no value of the last step. Below the yield stress (q < 3 yield) the rate of the limit
+// viscosity holds; the larger of the two rates is the right one everywhere.
 #include <algorithm>
 #include <cmath>
 

@@ -16,8 +16,10 @@ template <class V>
 struct BitLayout {
   template <class T>
   static auto value_of(T x) {
-    if constexpr (std::is_arithmetic_v<T>) return x;
-    else return typename T::value_type{};
+    if constexpr (std::is_arithmetic_v<T>)
+      return x;
+    else
+      return typename T::value_type{};
   }
   using Real = decltype(value_of(V{}));
   static constexpr bool single = sizeof(Real) == 4;
@@ -25,8 +27,10 @@ struct BitLayout {
   using SignedBits = std::conditional_t<single, std::int32_t, std::int64_t>;
   template <class T>
   static auto vector_of() {
-    if constexpr (std::is_arithmetic_v<V>) return T{};
-    else return std::experimental::rebind_simd_t<T, V>{};
+    if constexpr (std::is_arithmetic_v<V>)
+      return T{};
+    else
+      return std::experimental::rebind_simd_t<T, V>{};
   }
   using Unsigned = decltype(vector_of<Bits>());
   using Signed = decltype(vector_of<SignedBits>());
@@ -51,7 +55,8 @@ template <class V>
   using L = BitLayout<V>;
   using Unsigned = typename L::Unsigned;
   const auto bits = same_bits<Unsigned>(x);
-  const auto above = same_bits<typename L::Signed>(Unsigned(bits - same_bits<Unsigned>(number<V>(0.70710678118654752440))));
+  const auto above =
+      same_bits<typename L::Signed>(Unsigned(bits - same_bits<Unsigned>(number<V>(0.70710678118654752440))));
   const auto e = same_bits<Unsigned>(typename L::Signed(above >> L::mantissa));
   const V m = same_bits<V>(Unsigned(bits - (e << L::mantissa)));
   const V s = (m - V(1)) / (m + V(1)), s2 = s * s;

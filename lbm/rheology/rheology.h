@@ -1,7 +1,8 @@
 #pragma once
 // Flow laws of mud and slurry, as a user states them (SI) and as the sweep takes them (lattice units).
 //
-// Shear stress of a yield-stress fluid at the shear rate g = sqrt(2 D_ab D_ab) (Herschel & Bulkley 1926; Bingham for n = 1):
+// Shear stress of a yield-stress fluid at the shear rate g = sqrt(2 D_ab D_ab) (Herschel & Bulkley 1926; Bingham for n
+// = 1):
 //   stress = yield + K g^n,   effective kinematic viscosity nu(g) = min(nu_limit, (yield / g + K g^(n-1)) / rho).
 // Below the yield stress the fluid creeps with the limit viscosity instead of standing still: the bi-viscous model
 // (Beverly & Tanner 1992), sharp at the yield point where an exponential regularization would round it off.
@@ -16,10 +17,10 @@ enum class FlowLaw { newtonian, bingham, herschel_bulkley };
 /// SI. Bingham: the plastic viscosity is the fluid's kinematic viscosity. Herschel-Bulkley: consistency and exponent.
 struct RheologyOptions {
   FlowLaw law = FlowLaw::newtonian;
-  double yield_stress = 0;      ///< Pa
-  double consistency = 0;       ///< K, Pa s^n; Herschel-Bulkley alone
-  double exponent = 1;          ///< n; Herschel-Bulkley alone
-  double limit_viscosity = 0;   ///< m^2/s, the largest viscosity: that of the fluid below its yield stress
+  double yield_stress = 0;     ///< Pa
+  double consistency = 0;      ///< K, Pa s^n; Herschel-Bulkley alone
+  double exponent = 1;         ///< n; Herschel-Bulkley alone
+  double limit_viscosity = 0;  ///< m^2/s, the largest viscosity: that of the fluid below its yield stress
 };
 
 /// The same per mass in lattice units; Bingham has its plastic viscosity as consistency and exponent 1.
@@ -29,7 +30,8 @@ struct RheologyParameters {
   double limit_tau = 1;  ///< relaxation time at the limit viscosity
 };
 
-inline RheologyParameters rheology_to_lu(const RheologyOptions& o, double kinematic_viscosity, const LatticeUnits& units) {
+inline RheologyParameters rheology_to_lu(const RheologyOptions& o, double kinematic_viscosity,
+                                         const LatticeUnits& units) {
   const double dt = units.time_step, dx = units.cell_size;
   RheologyParameters p;
   p.law = o.law;
@@ -41,7 +43,8 @@ inline RheologyParameters rheology_to_lu(const RheologyOptions& o, double kinema
   return p;
 }
 
-/// tau times the shear rate, the local measure of stress that a cell knows (see bingham.h), at a shear rate; lattice units.
+/// tau times the shear rate, the local measure of stress that a cell knows (see bingham.h), at a shear rate; lattice
+/// units.
 inline double loading(const RheologyParameters& p, double shear_rate) {
   return 0.5 * shear_rate + 3 * (p.yield + p.consistency * std::pow(shear_rate, p.exponent));
 }

@@ -1,4 +1,5 @@
-// Flow laws, wall placement, wall model and inflow in a scene: what is refused, what arrives at the solver, what check says.
+// Flow laws, wall placement, wall model and inflow in a scene: what is refused, what arrives at the solver, what check
+// says.
 #include <gtest/gtest.h>
 
 #include "cases/runner/build.h"
@@ -11,8 +12,8 @@ namespace {
 
 const std::string kDam = "dam_break/scene.toml";
 std::string inflow(const std::string& upper, const std::string& discharge) {
-  return "fluid.inflow=[{name='river', lower_m=[0, 0, 0], upper_m=" + upper + ", velocity_m_s=[1, 0, 0], discharge_m3_s=" +
-         discharge + "}]";
+  return "fluid.inflow=[{name='river', lower_m=[0, 0, 0], upper_m=" + upper +
+         ", velocity_m_s=[1, 0, 0], discharge_m3_s=" + discharge + "}]";
 }
 
 class FluidMistake : public testing::TestWithParam<Rejection> {};
@@ -32,9 +33,10 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"fluid.rheology.limit_viscosity_m2_s=-1"}, "fluid.rheology.limit_viscosity_m2_s", "at least 0"},
         Rejection{{"fluid.rheology.yield_stress_Pa=1"}, "fluid.rheology.law", "expected another law"},
         Rejection{{"fluid.rheology.law=bingham"}, "fluid.rheology.limit_viscosity_m2_s", "above that of flow"},
-        Rejection{{"fluid.rheology.law=bingham", "fluid.rheology.limit_viscosity_m2_s=1", "fluid.rheology.exponent=0.5"},
-                  "fluid.rheology.law",
-                  "expected \"herschel_bulkley\""},
+        Rejection{
+            {"fluid.rheology.law=bingham", "fluid.rheology.limit_viscosity_m2_s=1", "fluid.rheology.exponent=0.5"},
+            "fluid.rheology.law",
+            "expected \"herschel_bulkley\""},
         Rejection{{"fluid.rheology.law=herschel_bulkley", "fluid.rheology.limit_viscosity_m2_s=1"},
                   "fluid.rheology.consistency_Pa_s_n",
                   "is 0"},
@@ -56,10 +58,11 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{inflow("[0.2, 0.0, 0.2]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].upper_m", "is not above"}));
 
 TEST(FluidOptions, ReachTheSolverAndTheResolvedScene) {
-  const Scene scene = load(case_file(kDam), {"fluid.rheology.law=herschel_bulkley", "fluid.rheology.yield_stress_Pa=20",
-                                             "fluid.rheology.consistency_Pa_s_n=5", "fluid.rheology.exponent=0.5",
-                                             "fluid.rheology.limit_viscosity_m2_s=2", "fluid.wall_placement=interpolated",
-                                             "fluid.region=[]", inflow("[0.2, 0.3, 0.2]", "[[0, 0.5], [2, 0.25]]")});
+  const Scene scene =
+      load(case_file(kDam), {"fluid.rheology.law=herschel_bulkley", "fluid.rheology.yield_stress_Pa=20",
+                             "fluid.rheology.consistency_Pa_s_n=5", "fluid.rheology.exponent=0.5",
+                             "fluid.rheology.limit_viscosity_m2_s=2", "fluid.wall_placement=interpolated",
+                             "fluid.region=[]", inflow("[0.2, 0.3, 0.2]", "[[0, 0.5], [2, 0.25]]")});
   const lbm::FluidOptions o = cases::fluid_options(scene);
   EXPECT_EQ(o.rheology.law, lbm::FlowLaw::herschel_bulkley);
   EXPECT_EQ(o.rheology.yield_stress, 20);
@@ -83,11 +86,12 @@ TEST(FluidOptions, RoughnessReachesTheWall) {
 }
 
 TEST(FluidOptions, CheckTellsBinghamAndHedstrom) {
-  const Scene scene = load(case_file(kDam), {"fluid.rheology.law=bingham", "fluid.rheology.yield_stress_Pa=30",
-                                             "fluid.kinematic_viscosity_m2_s=1e-3", "fluid.rheology.limit_viscosity_m2_s=1"});
+  const Scene scene =
+      load(case_file(kDam), {"fluid.rheology.law=bingham", "fluid.rheology.yield_stress_Pa=30",
+                             "fluid.kinematic_viscosity_m2_s=1e-3", "fluid.rheology.limit_viscosity_m2_s=1"});
   const auto report = cases::check_scene(scene);
   const double rate = report.fluid->max_speed / 0.6;
-  EXPECT_NEAR(report.fluid->bingham, 30 / (1.0 * rate), 1e-9);           // mu = 1 Pa s
+  EXPECT_NEAR(report.fluid->bingham, 30 / (1.0 * rate), 1e-9);                // mu = 1 Pa s
   EXPECT_NEAR(report.fluid->hedstrom, 1000 * 30 * 0.36 / (1.0 * 1.0), 1e-6);  // rho yield h^2 / mu^2
   EXPECT_NE(cases::report_text(scene, report).find("Bingham, Hedstrom"), std::string::npos);
 }

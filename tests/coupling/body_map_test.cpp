@@ -79,11 +79,11 @@ TEST(BodyMap, OddBodiesDoNoHarm) {
   lbm::Fluid<float> fluid(tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4));
   fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.16)}});
   dem::Particles particles;
-  particles.add(grain(Vec3(0.101, 0.1, 0.1), 0.006, 2500));   // 0.3 cells
+  particles.add(grain(Vec3(0.101, 0.1, 0.1), 0.006, 2500));  // 0.3 cells
   particles.add(grain(Vec3(0.2, 0.2, 0.1), 0.03, 2500));
-  particles.add(grain(Vec3(0.21, 0.2, 0.1), 0.03, 2500));     // in the same cells
-  particles.add(grain(Vec3(5, 5, 5), 0.03, 2500));            // far away
-  particles.add(grain(Vec3(0.0, 0.16, 0.16), 0.04, 2500));    // half in the wall, half out of the water
+  particles.add(grain(Vec3(0.21, 0.2, 0.1), 0.03, 2500));   // in the same cells
+  particles.add(grain(Vec3(5, 5, 5), 0.03, 2500));          // far away
+  particles.add(grain(Vec3(0.0, 0.16, 0.16), 0.04, 2500));  // half in the wall, half out of the water
   BodyMap<float> map;
   for (int s = 0; s < 300; ++s) {
     if (s == 200) particles.remove(2);

@@ -24,18 +24,19 @@ dem::Solids grains(const lbm::FluidOptions& fluid, const std::vector<dem::Partic
 /// What the solids got is what the fluid gave, read cell by cell on the other side.
 TEST(CoupledStep, MomentumAudit) {
   const auto fluid = tank(Vec3(0.32, 0.32, 0.48), 0.02, 2e-4);
-  CoupledStep<double> step(fluid, grains(fluid, {grain(Vec3(0.15, 0.16, 0.35), 0.04, 2500), grain(Vec3(0.2, 0.11, 0.1), 0.02, 600)}),
-                           {.immersed_grains = true, .wire_drag = false, .substeps = 10});
+  CoupledStep<double> step(
+      fluid, grains(fluid, {grain(Vec3(0.15, 0.16, 0.35), 0.04, 2500), grain(Vec3(0.2, 0.11, 0.1), 0.02, 600)}),
+      {.immersed_grains = true, .wire_drag = false, .substeps = 10});
   step.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.24)}});
   for (int s = 0; s < 1500; ++s) step.advance();
   EXPECT_LT(step.audit().relative(), 1e-10);
   EXPECT_NEAR(step.fluid()->mass_drift(), 0, 1e-10);
-  EXPECT_LT(step.solids()->particles().position.z[0], 0.2);  // the heavy one has sunk
+  EXPECT_LT(step.solids()->particles().position.z[0], 0.2);    // the heavy one has sunk
   EXPECT_GT(step.solids()->particles().position.z[1], 0.105);  // the light one rises
 }
 
-/// A heavy sphere in water starts with (rho_s - rho) / (rho_s + rho/2) g: buoyancy and added mass. At 8 cells a diameter
-/// and B = eps it is some 30 % too slow (docs/coupling.md); without buoyancy it would be 1.7 times too fast.
+/// A heavy sphere in water starts with (rho_s - rho) / (rho_s + rho/2) g: buoyancy and added mass. At 8 cells a
+/// diameter and B = eps it is some 30 % too slow (docs/coupling.md); without buoyancy it would be 1.7 times too fast.
 TEST(CoupledStep, SphereStartsWithAddedMass) {
   const auto fluid = tank(Vec3(0.64, 0.64, 0.64), 0.02, 2e-4);
   CoupledStep<double> step(fluid, grains(fluid, {grain(Vec3(0.32, 0.32, 0.4), 0.08, 2500)}),

@@ -59,7 +59,8 @@ TEST(WireDrag, GivesTheFluidWhatItTakes) {
   WireDrag<double> drag(wire.particles, wire.bonds);
   const auto momentum = [&] {
     Vec3 p = Vec3::Zero();
-    fluid.for_each_wet_cell([&](const lbm::WetCell& c) { p += c.velocity * (1 + c.pressure / fluid.units().pressure_to_si(1.0 / 3)); });
+    fluid.for_each_wet_cell(
+        [&](const lbm::WetCell& c) { p += c.velocity * (1 + c.pressure / fluid.units().pressure_to_si(1.0 / 3)); });
     return Vec3(p * 1000 * 8e-6);
   };
   for (int s = 0; s < 20; ++s) {

@@ -51,8 +51,8 @@ TEST(ContactForces, nothing_at_zero_overlap) {
   EXPECT_EQ(s.particles.force[1], Vec3::Zero());
 }
 
-/// Spheres that just graze: whether they touch is judged on squares, and rounding may leave no overlap at all. Among many
-/// directions some do; none may give a force that is not a number.
+/// Spheres that just graze: whether they touch is judged on squares, and rounding may leave no overlap at all. Among
+/// many directions some do; none may give a force that is not a number.
 TEST(ContactForces, grazing_contacts_are_finite) {
   int touching = 0;
   for (int k = 1; k <= 20000; ++k) {

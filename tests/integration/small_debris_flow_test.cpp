@@ -29,8 +29,9 @@ TEST(SmallDebrisFlow, BooksCloseAndOutputsAreThere) {
   EXPECT_GT(m.at("retained_mass_ratio"), 0.8);
   EXPECT_GT(m.at("max_elongation_m"), 0.01);
   EXPECT_GT(m.at("peak_barrier_sum_kN"), 0.1);
-  for (const char* file : {"summary.json", "series.h5", "particles.h5", "particles.xmf", "bonds.xmf", "fluid_000000.vdb",
-                           "image_000000.png", "cable_forces.png", "run.log", "scene.resolved.toml"})
+  for (const char* file :
+       {"summary.json", "series.h5", "particles.h5", "particles.xmf", "bonds.xmf", "fluid_000000.vdb",
+        "image_000000.png", "cable_forces.png", "run.log", "scene.resolved.toml"})
     EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
   const Series series = read_series(folder / "series.h5");
   EXPECT_GT(series.time_s.size(), 40U);

@@ -22,7 +22,8 @@ double measured_viscosity(int cells, double viscosity, CollisionOperator collisi
   const double k = 2 * std::numbers::pi / cells, u0 = 0.01;
   fluid.fill_everything(
       [&](const Vec3& p) {
-        return Vec3(drift + Vec3(u0 * std::cos(k * p.x()) * std::sin(k * p.y()), -u0 * std::sin(k * p.x()) * std::cos(k * p.y()), 0));
+        return Vec3(drift + Vec3(u0 * std::cos(k * p.x()) * std::sin(k * p.y()),
+                                 -u0 * std::sin(k * p.x()) * std::cos(k * p.y()), 0));
       },
       [&](const Vec3& p) { return -0.75 * u0 * u0 * (std::cos(2 * k * p.x()) + std::cos(2 * k * p.y())); });
   const auto energy = [&] {
@@ -49,7 +50,8 @@ TEST_P(Viscosity, DoesNotDependOnTheMotionOfTheFrame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Operators, Viscosity,
-                         testing::Values(CollisionOperator::central_moments, CollisionOperator::bgk, CollisionOperator::trt));
+                         testing::Values(CollisionOperator::central_moments, CollisionOperator::bgk,
+                                         CollisionOperator::trt));
 
 TEST(Viscosity, ConvergesWithSecondOrder) {
   // Diffusive scaling: same physical time, four times the steps on half the cells.
@@ -87,8 +89,7 @@ TEST(Fluid, CouetteProfile) {
   Fluid<double> fluid(o);
   fluid.fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, no_pressure);
   for (int s = 0; s < 4000; ++s) fluid.step();
-  fluid.for_each_wet_cell(
-      [&](const WetCell& c) { EXPECT_NEAR(c.velocity.x() / u, 1 - c.centre.z() / height, 5e-3); });
+  fluid.for_each_wet_cell([&](const WetCell& c) { EXPECT_NEAR(c.velocity.x() / u, 1 - c.centre.z() / height, 5e-3); });
   EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
 }
 

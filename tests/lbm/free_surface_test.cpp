@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "core/check.h"
 #include "core/parallel.h"
 #include "tests/lbm/flows.h"
 
@@ -13,6 +14,18 @@ FluidOptions dam(double cell_size) {
 }
 
 /// Water in a tank stays at rest, with the pressure of its depth, wherever the level stands in a cell.
+/// A time step far too long for the fall of the water: the limit of the speed must not hide it.
+TEST(FreeSurface, TooLongAStepStopsTheRun) {
+  FluidOptions o =
+      tank_options(Vec3(0.8, 0.4, 0.8), 0.02, 0.3);  // 0.05 lu at 0.3 m/s; the water gets ten times as fast
+  Fluid<float> fluid(o);
+  fluid.fill({{Vec3::Zero(), Vec3(0.3, 0.4, 0.6)}});
+  const auto run = [&] {
+    for (int s = 0; s < 2000; ++s) fluid.step();
+  };
+  EXPECT_THROW(run(), NumericalFailure);
+}
+
 /// A region that reaches the upper end of a periodic axis is filled once.
 TEST(FreeSurface, RegionUpToThePeriodicEndIsFilledOnce) {
   FluidOptions o = tank_options(Vec3(0.8, 0.8, 0.8), 0.1, 4);

@@ -9,8 +9,8 @@
 namespace lahar::lbm {
 namespace {
 
-/// Relative error (L2) of the flow between two plates at z = 1.31 and 1.31 + H with H = 0.83 x cells: the wall cuts the links
-/// at shares that change with the grid. Driven by a force (Poiseuille) or by the upper plate (Couette).
+/// Relative error (L2) of the flow between two plates at z = 1.31 and 1.31 + H with H = 0.83 x cells: the wall cuts the
+/// links at shares that change with the grid. Driven by a force (Poiseuille) or by the upper plate (Couette).
 double channel_error(int cells, WallPlacement placement, bool poiseuille) {
   const double viscosity = 0.1, lower = 1.31, height = cells * 0.83, upper = lower + height, u0 = 0.64 / cells;
   FluidOptions o = lattice_options({8, 8, cells + 8}, viscosity);
@@ -45,7 +45,8 @@ TEST(InterpolatedWall, CouetteIsExact) {
 }
 
 TEST(InterpolatedWall, PoiseuilleIsOfSecondOrder) {
-  const double coarse = channel_error(8, WallPlacement::interpolated, true), fine = channel_error(32, WallPlacement::interpolated, true);
+  const double coarse = channel_error(8, WallPlacement::interpolated, true),
+               fine = channel_error(32, WallPlacement::interpolated, true);
   EXPECT_GT(std::log2(coarse / fine) / 2, 1.8) << coarse << " " << fine;
   const double rough = channel_error(8, WallPlacement::half_way, true);
   EXPECT_GT(rough, 5 * coarse);
@@ -82,7 +83,8 @@ RingError ring_error(double r, WallPlacement placement) {
     error += (c.velocity - exact(c.centre)).squaredNorm();
     norm += exact(c.centre).squaredNorm();
   });
-  return {std::sqrt(error / norm), fluid.mass_drift(), fluid.account().walls.returned * fluid.units().mass() / fluid.liquid_mass()};
+  return {std::sqrt(error / norm), fluid.mass_drift(),
+          fluid.account().walls.returned * fluid.units().mass() / fluid.liquid_mass()};
 }
 
 TEST(InterpolatedWall, CircularCouetteIsOfSecondOrder) {
@@ -94,7 +96,8 @@ TEST(InterpolatedWall, CircularCouetteIsOfSecondOrder) {
     return std::log2(coarse.velocity / finer.velocity);
   };
   double half_way = 0, interpolated = 0;
-  const double first = order(WallPlacement::half_way, half_way), second = order(WallPlacement::interpolated, interpolated);
+  const double first = order(WallPlacement::half_way, half_way),
+               second = order(WallPlacement::interpolated, interpolated);
   EXPECT_GT(second, 1.7);
   EXPECT_LT(first, 1.4);
   EXPECT_LT(interpolated, 0.25 * half_way);
@@ -115,7 +118,8 @@ double speed_at_rest(WallPlacement placement) {
 }
 
 TEST(InterpolatedWall, WaterAtRestStaysAndKeepsItsMass) {
-  const double half_way = speed_at_rest(WallPlacement::half_way), interpolated = speed_at_rest(WallPlacement::interpolated);
+  const double half_way = speed_at_rest(WallPlacement::half_way),
+               interpolated = speed_at_rest(WallPlacement::interpolated);
   EXPECT_LT(interpolated, 1.2 * half_way);
 }
 

@@ -33,8 +33,8 @@ void expect_law(const RheologyParameters& p, double tolerance) {
   const Model model = Model::of(Parameters{p});
   for (double q = 1e-7; q < 0.1; q *= 1.3) {
     const double density = 1.02, rate = model.rate(sheared(q * density), 1 / density), shear = q * rate;
-    const double wanted = std::min((p.limit_tau - 0.5) / 3,
-                                   p.yield / shear + p.consistency * std::pow(shear, p.exponent - 1));
+    const double wanted =
+        std::min((p.limit_tau - 0.5) / 3, p.yield / shear + p.consistency * std::pow(shear, p.exponent - 1));
     const double tau = 1 / rate;
     EXPECT_NEAR(tau / (0.5 + 3 * wanted), 1, tolerance) << "q " << q << " n " << p.exponent;
   }
@@ -81,10 +81,12 @@ double channel_peak(const FluidOptions& o) {
   return largest_speed(fluid);
 }
 
-/// A push below the yield stress at the wall, rho g h, creeps at the limit viscosity; above it the plug moves as it should.
+/// A push below the yield stress at the wall, rho g h, creeps at the limit viscosity; above it the plug moves as it
+/// should.
 TEST(Rheology, ChannelYieldsWhereItsWallDoes) {
   const double viscosity = 0.1, push = 1e-5, half = 8, wall_stress = push * half;
-  const double creep = channel_peak<double>(channel_options({FlowLaw::bingham, 1.2 * wall_stress, 0, 1, 10}, viscosity, push));
+  const double creep =
+      channel_peak<double>(channel_options({FlowLaw::bingham, 1.2 * wall_stress, 0, 1, 10}, viscosity, push));
   // Walls of fluids with a large tau slip, as half-way walls do: half as fast again is allowed for.
   EXPECT_LT(creep, 1.5 * push * half * half / (2 * 10));
   const double yielding = 0.4 * wall_stress, sheared_depth = 0.6 * half;

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/lbm/flows.h"
 #include "lbm/collision/central_moments.h"
+#include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
 namespace {

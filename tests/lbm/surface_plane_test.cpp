@@ -24,9 +24,12 @@ TEST(SurfacePlane, CutsOffTheFillLevel) {
   std::uniform_real_distribution<double> any(-1, 1);
   for (int n = 0; n < 60; ++n) {
     double a[3] = {any(random), any(random), any(random)};
-    if (n % 3 == 1) a[n % 2] = 0;
-    else if (n % 5 == 0) a[0] = a[2] = 0;
-    else if (n % 7 == 0) a[1] *= 1e-4;
+    if (n % 3 == 1)
+      a[n % 2] = 0;
+    else if (n % 5 == 0)
+      a[0] = a[2] = 0;
+    else if (n % 7 == 0)
+      a[1] *= 1e-4;
     const double fill = 0.5 + 0.5 * any(random);
     // One layer of points of the 60 is 1.7 %.
     EXPECT_NEAR(share_below(a, depth_of_centre(a, fill)), fill, 0.012) << a[0] << " " << a[1] << " " << a[2];

@@ -17,8 +17,8 @@ TEST(VelocitySet, PairsAreOpposite) {
 TEST(VelocitySet, AllVelocitiesDiffer) {
   for (int i = 0; i < D3Q19::q; ++i)
     for (int j = 0; j < i; ++j) {
-      const bool same = D3Q19::c[i][0] == D3Q19::c[j][0] && D3Q19::c[i][1] == D3Q19::c[j][1] &&
-                        D3Q19::c[i][2] == D3Q19::c[j][2];
+      const bool same =
+          D3Q19::c[i][0] == D3Q19::c[j][0] && D3Q19::c[i][1] == D3Q19::c[j][1] && D3Q19::c[i][2] == D3Q19::c[j][2];
       EXPECT_FALSE(same) << i << " " << j;
     }
 }

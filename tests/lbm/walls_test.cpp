@@ -27,8 +27,8 @@ TEST(WallReflection, SlipAndNoSlipDiffer) {
     o.kinematic_viscosity = 1e-3;
     o.gravity = Vec3(4.0, 0, -9.0);
     for (const double y : {0.0, 0.08})
-      o.domain.walls.add({"side", HalfSpace{Vec3(0, y, 0), y > 0 ? Vec3(-Vec3::UnitY()) : Vec3(Vec3::UnitY())},
-                          WallSlip::free_slip});
+      o.domain.walls.add(
+          {"side", HalfSpace{Vec3(0, y, 0), y > 0 ? Vec3(-Vec3::UnitY()) : Vec3(Vec3::UnitY())}, WallSlip::free_slip});
     o.domain.walls.add({"bed", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}, slip});
     Fluid<double> fluid(o);
     fluid.fill({{Vec3(0.05, 0, 0), Vec3(0.3, 0.08, 0.05)}});

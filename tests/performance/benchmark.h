@@ -12,7 +12,7 @@ struct MachineLimits {
 };
 
 struct Figure {
-  std::string name;     ///< group.entry, for example fluid.plain
+  std::string name;  ///< group.entry, for example fluid.plain
   double value = 0;
   std::string unit;
   double ratio = 0;     ///< what the bar is set on
@@ -32,8 +32,8 @@ struct Session {
 };
 
 struct Benchmark {
-  std::string name;                      ///< group.entry
-  std::vector<std::string> needs;        ///< entries that must have run before
+  std::string name;                ///< group.entry
+  std::vector<std::string> needs;  ///< entries that must have run before
   std::function<Figure(Session&)> run;
 };
 

@@ -113,8 +113,16 @@ Cost pool_at_rest(const Vec3& upper, const Session& session) {
 Figure sparse(const Session& session, bool memory) {
   const Cost tight = pool_at_rest({0.96, 0.96, 0.48}, session), wide = pool_at_rest({0.96, 0.96, 8.0}, session);
   if (memory)
-    return {"fluid.sparse_memory", wide.bytes / 1e6, "MB", wide.bytes / tight.bytes, "the same liquid in a tight box", 1.10, false};
-  return {"fluid.sparse", wide.seconds / 32, "s/step", wide.seconds / tight.seconds, "the same liquid in a tight box", 1.10, false};
+    return {"fluid.sparse_memory",
+            wide.bytes / 1e6,
+            "MB",
+            wide.bytes / tight.bytes,
+            "the same liquid in a tight box",
+            1.10,
+            false};
+  return {
+      "fluid.sparse", wide.seconds / 32, "s/step", wide.seconds / tight.seconds, "the same liquid in a tight box", 1.10,
+      false};
 }
 
 /// The whole fluid step of a box of plain liquid against its bare sweep: what the passes for features cost that the

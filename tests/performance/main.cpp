@@ -120,7 +120,8 @@ int run(const Arguments& a) {
     for (const Benchmark& b : chosen) fmt::print("{}\n", b.name);
     return cases::exit_done;
   }
-  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads : static_cast<int>(std::thread::hardware_concurrency()));
+  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
+                                               : static_cast<int>(std::thread::hardware_concurrency()));
   cases::watch_for_interrupt();
   Session session;
   session.repeats = a.repeats;
@@ -150,7 +151,9 @@ int main(int argc, char** argv) {
   performance::Arguments arguments;
   app.add_option("names", arguments.names, "Entries or groups (default: all)")->type_name("NAME|GROUP");
   app.add_flag("--list", arguments.list, "List the entries and do not run them");
-  app.add_option("--repeats", arguments.repeats, "Best of so many (default 3)")->check(CLI::Range(1, 100))->type_name("N");
+  app.add_option("--repeats", arguments.repeats, "Best of so many (default 3)")
+      ->check(CLI::Range(1, 100))
+      ->type_name("N");
   app.add_option("--json", arguments.json, "Write the results there")->type_name("FILE");
   cases::add_common_options(app, arguments.common);
   return cases::parse_and_run(app, argc, argv, [&] { return performance::run(arguments); });

@@ -1,5 +1,5 @@
-// Yield-stress fluids between two plates, driven by a body force g along x. With h the half width, z the distance from the
-// middle and z0 = yield / (rho g) the half width of the plug (Bird, Dai & Yarusso 1983, Rev. Chem. Eng. 1, 1-70):
+// Yield-stress fluids between two plates, driven by a body force g along x. With h the half width, z the distance from
+// the middle and z0 = yield / (rho g) the half width of the plug (Bird, Dai & Yarusso 1983, Rev. Chem. Eng. 1, 1-70):
 //   u(z) = n/(n+1) (rho g / K)^(1/n) [ (h - z0)^(1 + 1/n) - (max(|z|, z0) - z0)^(1 + 1/n) ];   n = 1: Bingham.
 #include <algorithm>
 #include <cmath>
@@ -18,15 +18,16 @@ struct Channel {
   const char* name;
 };
 
-constexpr double kPeak = 0.02;               ///< speed of the plug
-constexpr double kViscosity = 0.1;           ///< effective, at the mean shear rate of the sheared layer
-constexpr double kLimitViscosity = 1000;     ///< times kViscosity: below the yield stress
+constexpr double kPeak = 0.02;            ///< speed of the plug
+constexpr double kViscosity = 0.1;        ///< effective, at the mean shear rate of the sheared layer
+constexpr double kLimitViscosity = 1000;  ///< times kViscosity: below the yield stress
 
 struct Flow {
   double half, plug, exponent, push, consistency;
   [[nodiscard]] double speed(double z) const {
     const double power = 1 + 1 / exponent, sheared = std::max(std::abs(z), plug) - plug;
-    return std::pow(push / consistency, 1 / exponent) / power * (std::pow(half - plug, power) - std::pow(sheared, power));
+    return std::pow(push / consistency, 1 / exponent) / power *
+           (std::pow(half - plug, power) - std::pow(sheared, power));
   }
 };
 
@@ -104,7 +105,8 @@ std::vector<Row> run_channel(const Channel& c, const Context& context) {
   std::vector<Row> rows{at_most_row(label("profile, largest error / peak"), largest, 0.02),
                         at_most_row(label("profile, RMS error / peak"), std::sqrt(square), 0.02)};
   rows.push_back(at_most_row(label("shear inside the plug / peak"), plug_shear(profile, f) / kPeak, 0.002));
-  if (!context.quick) rows.push_back(relative_row(label("width of the plug, cells"), plug_width(profile, f), 2 * f.plug, 0.02));
+  if (!context.quick)
+    rows.push_back(relative_row(label("width of the plug, cells"), plug_width(profile, f), 2 * f.plug, 0.02));
   return rows;
 }
 
@@ -119,8 +121,6 @@ std::vector<Row> run(const Context& context) {
 
 }  // namespace
 
-Entry bingham_channel() {
-  return {"fluid.bingham_channel", "Bird, Dai & Yarusso 1983, exact profiles", run};
-}
+Entry bingham_channel() { return {"fluid.bingham_channel", "Bird, Dai & Yarusso 1983, exact profiles", run}; }
 
 }  // namespace lahar::validate

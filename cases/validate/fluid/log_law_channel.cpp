@@ -1,6 +1,7 @@
 // Turbulent flow of water between two rough beds 2 h apart, far too coarse to resolve them: the wall model gives their
 // stress, Smagorinsky the rest. In the mean each bed carries the push, u_tau^2 = g h, and with the
-// logarithmic law over the whole depth (Keulegan 1938) the bulk velocity is U = u_tau / kappa [ln(h/z0) - 1], z0 = k_s/30.
+// logarithmic law over the whole depth (Keulegan 1938) the bulk velocity is U = u_tau / kappa [ln(h/z0) - 1], z0 =
+// k_s/30.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -38,7 +39,8 @@ Mean run_channel(int depth, double friction, WallSlip slip, double roughness, do
   const double start = friction / lbm::kKarman * (std::log(30 * depth / std::max(roughness, 0.01)) - 1);
   fluid.fill_everything(
       [&](const Vec3& p) {
-        const double profile = start + friction / lbm::kKarman * (std::log(std::min(p.z(), 2 * depth - p.z()) / depth) + 1);
+        const double profile =
+            start + friction / lbm::kKarman * (std::log(std::min(p.z(), 2 * depth - p.z()) / depth) + 1);
         return Vec3(Vec3(profile, 0, 0) + 2 * friction * Vec3(normal(random), normal(random), normal(random)));
       },
       [](const Vec3&) { return 0.0; });
@@ -73,8 +75,6 @@ std::vector<Row> run(const Context& context) {
 
 }  // namespace
 
-Entry log_law_channel() {
-  return {"fluid.log_law_channel", "logarithmic law, Keulegan 1938", run};
-}
+Entry log_law_channel() { return {"fluid.log_law_channel", "logarithmic law, Keulegan 1938", run}; }
 
 }  // namespace lahar::validate
