@@ -9,7 +9,9 @@
 
 #include "cases/runner/machine.h"
 #include "cases/scene/names.h"
+#include "cases/validate/bodies/entries.h"
 #include "cases/validate/fluid/entries.h"
+#include "cases/validate/solids/entries.h"
 #include "core/timers.h"
 
 namespace lahar::validate {
@@ -36,7 +38,12 @@ bool Outcome::pass() const {
   return failure.empty() && !rows.empty() && std::all_of(rows.begin(), rows.end(), [](const Row& r) { return r.pass; });
 }
 
-std::vector<Entry> all_entries() { return fluid_entries(); }
+std::vector<Entry> all_entries() {
+  std::vector<Entry> all;
+  for (auto group : {fluid_entries, bodies_entries, solids_entries})
+    for (Entry& e : group()) all.push_back(std::move(e));
+  return all;
+}
 
 namespace {
 

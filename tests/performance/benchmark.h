@@ -38,6 +38,10 @@ struct Benchmark {
 };
 
 std::vector<Benchmark> fluid_benchmarks();
+std::vector<Benchmark> bodies_benchmarks();
+std::vector<Benchmark> solids_benchmarks();
+/// All of them, group by group.
+std::vector<Benchmark> all_benchmarks();
 
 /// Best time of `repeats` calls, s.
 double best_seconds(int repeats, const std::function<void()>& body);

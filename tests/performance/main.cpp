@@ -36,6 +36,13 @@ double best_seconds(int repeats, const std::function<void()>& body) {
   return best;
 }
 
+std::vector<Benchmark> all_benchmarks() {
+  std::vector<Benchmark> all;
+  for (auto group : {fluid_benchmarks, bodies_benchmarks, solids_benchmarks})
+    for (Benchmark& b : group()) all.push_back(std::move(b));
+  return all;
+}
+
 namespace {
 
 constexpr std::size_t kStreamBytes = std::size_t{512} << 20;  // far beyond every cache
@@ -115,7 +122,7 @@ std::string json_of(const Session& session) {
 
 int run(const Arguments& a) {
   if (!a.common.set.empty()) refuse("--set " + a.common.set.front() + ": benchmarks have no keys to set");
-  const auto chosen = select(fluid_benchmarks(), a.names);
+  const auto chosen = select(all_benchmarks(), a.names);
   if (a.list) {
     for (const Benchmark& b : chosen) fmt::print("{}\n", b.name);
     return cases::exit_done;

@@ -1,0 +1,9 @@
+#pragma once
+// Entries of the bodies in water: one file per question, listed in bodies_entries().
+#include "cases/validate/entry.h"
+
+namespace lahar::validate {
+
+std::vector<Entry> bodies_entries();
+
+}  // namespace lahar::validate
