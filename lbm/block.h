@@ -86,7 +86,6 @@ struct Block {
   WallLinks walls;
   int wet_cells = 0;
   std::uint64_t wet_rows = 0;  ///< rows of 8 cells along x with wet cells, by bit y + 8 z
-  int limited_cells = 0;       ///< cells whose stress was limited in the last sweep
   std::uint64_t birth = 0;     ///< unique per created block, so that a reused index is not taken for the old block
 
   [[nodiscard]] Real* f(int i) const { return populations + static_cast<std::size_t>(i) * stride; }

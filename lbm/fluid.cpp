@@ -17,10 +17,9 @@ namespace lahar::lbm {
 namespace {
 
 constexpr std::size_t kBlocksPerTask = 8;   // a group of the population layout
-constexpr std::int64_t kWatchEvery = 32;    // steps between looks at every cell
+constexpr std::int64_t kWatchEvery = 32;    // steps between looks at what the sweeps saw
 constexpr std::int64_t kReleaseEvery = 16;  // steps between rounds of giving blocks back
 constexpr double kLargestGradient = 2;      // of pressure at the surface, in rho g
-constexpr double kSpeedLimit = 0.57735;     // lu, the speed of sound: nothing beyond it is physical
 // A splash may hold a few cells at kLargestSpeed; more than that, and the limit would hide a time step that is too
 // long.
 constexpr double kLimitedCells = 100, kLimitedShare = 0.02;  // the latter of all wet cells
@@ -244,8 +243,8 @@ void Fluid<Real>::step() {
     conversion_.run(grid_, parameters_.parity, account_);
   }
   ++steps_;
-  if (steps_ % kReleaseEvery == 0) release_dry_blocks();
   if (steps_ % kWatchEvery == 0) watch();
+  if (steps_ % kReleaseEvery == 0) release_dry_blocks();
 }
 
 template <class Real>
@@ -270,18 +269,27 @@ void Fluid<Real>::sweep() {
       {choose_sweep<Real>(parameters_, false, false), choose_sweep<Real>(parameters_, false, true)},
       {choose_sweep<Real>(parameters_, true, false), choose_sweep<Real>(parameters_, true, true)}};
   const auto& active = grid_.active();
+  notes_.assign(active.size(), {});
   parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
     Block<Real>& block = grid_.block(active[k]);
     if (block.wet_cells == 0) return;
     const bool mixed = block.wet_cells < kBlockCells || block.surface;
-    kernels[mixed][block.body != nullptr](block, grid_.around(active[k]), parameters_);
+    notes_[k] = kernels[mixed][block.body != nullptr](block, grid_.around(active[k]), parameters_);
   });
-  for (const BlockIndex b : active) {
-    const Block<Real>& block = grid_.block(b);
-    cell_updates_ += block.wet_cells;
-    if (block.wet_cells > 0) account_.limited += block.limited_cells;
-    if (block.surface) account_.exposed += block.surface->exposed;
+  SweepNote all;
+  for (std::size_t k = 0; k < notes_.size(); ++k) {
+    const SweepNote& note = notes_[k];
+    all.wet += note.wet, all.limited += note.limited, all.exposed += note.exposed, all.held_back += note.held_back;
+    if (note.speed_square <= all.speed_square) continue;
+    all.speed_square = note.speed_square;
+    fastest_block_ = active[k];
   }
+  cell_updates_ += all.wet;
+  account_.limited += all.limited;
+  account_.exposed += all.exposed;
+  held_back_ = static_cast<std::size_t>(all.held_back);
+  limited_cells_ = std::max(limited_cells_, held_back_);
+  max_speed_lu_ = std::isinf(all.speed_square) ? all.speed_square : std::min(std::sqrt(all.speed_square), kLargestSpeed);
 }
 
 template <class Real>
@@ -340,48 +348,36 @@ void Fluid<Real>::release_dry_blocks() {
 }
 
 template <class Real>
-void Fluid<Real>::watch() {
-  const ScopedTimer timer(timers_.section("fluid.watchdog"));
-  const auto& active = grid_.active();
-  struct Worst {
-    double speed = 0;
-    CellPlace place;
-    std::size_t limited = 0;
-  };
-  std::vector<Worst> worst(active.size());
-  parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
-    const Block<Real>& block = grid_.block(active[k]);
-    if (block.wet_cells == 0) return;
-    for (int n = 0; n < kBlockCells; ++n) {
-      if (!is_wet(block.type[static_cast<std::size_t>(n)])) continue;
-      const auto m = outgoing_moments(grid_, {active[k], n}, parameters_.parity);
-      const double speed = std::sqrt(static_cast<double>(m.u[0] * m.u[0] + m.u[1] * m.u[1] + m.u[2] * m.u[2]));
-      worst[k].limited += speed > 0.999 * kLargestSpeed;
-      if (speed <= worst[k].speed) continue;
-      worst[k].speed = std::isfinite(speed) ? speed : 1e30;
-      worst[k].place = {active[k], n};
-    }
-  });
-  Worst all;
-  for (const Worst& w : worst) {
-    all.limited += w.limited;
-    if (w.speed > all.speed) all.speed = w.speed, all.place = w.place;
+CellPlace Fluid<Real>::fastest_cell() {
+  CellPlace place{fastest_block_, 0};
+  double fastest = -1;
+  for (int n = 0; n < kBlockCells; ++n) {
+    if (!is_wet(grid_.block(fastest_block_).type[static_cast<std::size_t>(n)])) continue;
+    const auto u = outgoing_moments(grid_, {fastest_block_, n}, parameters_.parity).u;
+    const double square = static_cast<double>(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    if (square <= fastest) continue;
+    place.cell = n;
+    if (!std::isfinite(square)) break;
+    fastest = square;
   }
-  limited_cells_ = std::max(limited_cells_, all.limited);
-  max_speed_lu_ = all.speed;
+  return place;
+}
+
+template <class Real>
+void Fluid<Real>::watch() {
   const double bearable = std::max(kLimitedCells, kLimitedShare * static_cast<double>(wet_cells()));
-  const bool held_back = static_cast<double>(all.limited) > bearable;
-  if (all.speed < kSpeedLimit && !held_back) return;
-  const auto m = outgoing_moments(grid_, all.place, parameters_.parity);
+  const bool broken = std::isinf(max_speed_lu_);
+  if (!broken && static_cast<double>(held_back_) <= bearable) return;
+  const CellPlace place = fastest_cell();
+  const auto m = outgoing_moments(grid_, place, parameters_.parity);
   char cause[240];
   std::snprintf(cause, sizeof cause, "velocity (%.4g, %.4g, %.4g) and density %.4g in lattice units: %s",
                 static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]),
                 1.0 + static_cast<double>(m.drho),
-                all.speed > 1e29 ? "not a number"
-                : held_back ? "one of many cells at the largest speed of the lattice; the time step is too long: raise "
-                              "max_speed or lower lattice_velocity"
-                            : "faster than sound; use a smaller lattice_velocity");
-  throw NumericalFailure(describe_place(grid_.centre(all.place.block, all.place.cell)), steps_, cause);
+                broken ? "not a number"
+                       : "one of many cells at the largest speed of the lattice; the time step is too long: raise "
+                         "max_speed or lower lattice_velocity");
+  throw NumericalFailure(describe_place(grid_.centre(place.block, place.cell)), steps_, cause);
 }
 
 template <class Real>

@@ -97,10 +97,10 @@ class Fluid {
   [[nodiscard]] std::size_t wet_cells() const;
   /// Cells with at least one update so far (sum over steps of wet cells).
   [[nodiscard]] double cell_updates() const { return cell_updates_; }
-  /// Largest speed found by the last watchdog round, lu.
+  /// Largest speed in the last step, lu; infinite if one was not a number.
   [[nodiscard]] double max_speed_lu() const { return max_speed_lu_; }
 
-  /// Most cells at the largest speed (kLargestSpeed) that a watchdog round has found.
+  /// Most cells at the largest speed (kLargestSpeed) in any step.
   [[nodiscard]] std::size_t limited_cells() const { return limited_cells_; }
 
   /// From now on books what the walls get.
@@ -115,13 +115,14 @@ class Fluid {
   [[nodiscard]] std::optional<WetCell> cell_at(const Vec3& p) const;
   [[nodiscard]] FluidSnapshot snapshot() const;
 
-  /// Looks at every wet cell: throws NumericalFailure with cell, step and cause.
+  /// Looks at what the last sweep saw: throws NumericalFailure with cell, step and cause.
   void watch();
   /// Gives back blocks that no wet cell needs.
   void release_dry_blocks();
 
  private:
   void sweep();
+  [[nodiscard]] CellPlace fastest_cell();
   void feed();
   void exchange();
   void reflect();
@@ -141,7 +142,9 @@ class Fluid {
   double initial_mass_ = 0;
   std::int64_t steps_ = 0;
   double cell_updates_ = 0, max_speed_lu_ = 0;
-  std::size_t limited_cells_ = 0;
+  std::size_t held_back_ = 0, limited_cells_ = 0;  // cells whose speed was limited: last step, most
+  BlockIndex fastest_block_ = kNoBlock;
+  std::vector<SweepNote> notes_;  // of the last sweep, by place in the list of active blocks
   Timers timers_;
   std::vector<std::uint8_t> needed_;
   std::vector<WallLoad> wall_loads_;

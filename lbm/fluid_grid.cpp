@@ -26,7 +26,6 @@ BlockIndex FluidGrid<Real>::require_block(const Vec3i& coordinate) {
   fresh->body = nullptr;
   fresh->wet_cells = 0;
   fresh->wet_rows = 0;
-  fresh->limited_cells = 0;
   fresh->birth = ++births_;
   blocks_[static_cast<std::size_t>(b)] = fresh;
   const auto& neighbours = topology_.neighbours(b);

@@ -1,12 +1,27 @@
 #pragma once
 // Moving the populations of one velocity between a block, seen through an offset of one cell, and a contiguous buffer.
-// Rows of 8 cells run along x: an offset along x takes 7 cells from one row and 1 from the next block's.
+// Rows of 8 cells run along x: an offset along x takes 7 cells from one row and 1 from the next block's. A layer of 8
+// rows is moved as a whole: where it lies is found once per block, so that a row is two loads, a shuffle and a store.
 #include <cstring>
+#include <experimental/simd>
+#include <tuple>
 #include <utility>
 
-#include "lbm/block.h"
+#include "lbm/streaming.h"
 
 namespace lahar::lbm {
+
+namespace stdx = std::experimental;
+
+/// The 8 numbers of a row.
+template <class Real>
+using Row = stdx::simd<Real, stdx::simd_abi::deduce_t<Real, kBlockWidth>>;
+
+/// The same for the compiler's own shuffles, which the library lacks.
+template <class Real>
+struct NativeRow {
+  using type [[gnu::vector_size(kBlockWidth * sizeof(Real))]] = Real;
+};
 
 /// A row of 8 cells, number y + 8 z of a block, seen through an offset along y and z: the blocks that hold it and its
 /// first cell there.
@@ -21,19 +36,6 @@ template <int CY, int CZ>
   return {y < 0 ? -1 : (y > 7 ? 1 : 0), z < 0 ? -1 : (z > 7 ? 1 : 0), cell_index(0, y & 7, z & 7)};
 }
 
-/// out[k] = number k + CX of the row `near`; the one beyond its end comes from `far`, the row of the next block along
-/// x. Missing rows (null) count as zeros: rest at density 1. Reads one number beyond the row, which the pool leaves
-/// room for.
-template <int CX, class Real>
-[[gnu::always_inline]] inline void load_row(const Real* near, const Real* far, Real* __restrict out) {
-  if (near)
-    std::memcpy(out, near + CX, kBlockWidth * sizeof(Real));
-  else
-    std::memset(out, 0, kBlockWidth * sizeof(Real));
-  if constexpr (CX > 0) out[7] = far ? far[0] : Real(0);
-  if constexpr (CX < 0) out[0] = far ? far[7] : Real(0);
-}
-
 /// Where a velocity's numbers of a shifted row lie; null where the block is missing.
 template <class Real>
 [[gnu::always_inline]] inline Real* row_of(const std::array<Block<Real>*, 27>& around, int dx, const ShiftedRow& row,
@@ -42,35 +44,87 @@ template <class Real>
   return block ? block->f(slot) + row.first : nullptr;
 }
 
-/// Rows by bit y + 8 z.
-inline constexpr std::uint64_t kAllRows = ~std::uint64_t{0};
-
-/// buffer[n] = f_slot at n + (CX, CY, CZ) in the given rows.
+/// The numbers of one velocity in the blocks that a block seen through the offset (CX, CY, CZ) reaches into.
 template <int CX, int CY, int CZ, class Real>
-void gather_shifted(const std::array<Block<Real>*, 27>& around, int slot, std::uint64_t rows, Real* __restrict buffer) {
-  for (int r = 0; r < 64; ++r) {
-    if (!(rows >> r & 1)) continue;
-    const ShiftedRow row = shifted_row<CY, CZ>(r);
-    const Real* far = CX == 0 ? nullptr : row_of(around, CX, row, slot);
-    load_row<CX>(row_of(around, 0, row, slot), far, buffer + 8 * r);
-  }
-}
+class ShiftedVelocity {
+ public:
+  static_assert(CX == 0 || CX == 1, "forward velocities");
 
-/// f_slot at n + (CX, CY, CZ) = buffer[n] in the given rows. What would go to a missing block is dropped.
-template <int CX, int CY, int CZ, class Real>
-void scatter_shifted(const std::array<Block<Real>*, 27>& around, int slot, std::uint64_t rows,
-                     const Real* __restrict buffer) {
-  for (int r = 0; r < 64; ++r) {
-    if (!(rows >> r & 1)) continue;
-    const ShiftedRow row = shifted_row<CY, CZ>(r);
-    const Real* in = buffer + 8 * r;
-    constexpr int kept = CX == 0 ? 8 : 7;
-    if (Real* near = row_of(around, 0, row, slot))
-      std::memcpy(near + (CX > 0 ? 1 : 0), in + (CX < 0 ? 1 : 0), kept * sizeof(Real));
-    if constexpr (CX != 0)
-      if (Real* far = row_of(around, CX, row, slot)) far[CX > 0 ? 0 : 7] = in[CX > 0 ? 7 : 0];
+  /// A missing block reads as `zeros` (rest at density 1); what is sent there goes to `nowhere`. Both of 512 numbers.
+  ShiftedVelocity(const std::array<Block<Real>*, 27>& around, int slot, const Real* zeros, Real* nowhere) {
+    for (int kz = 0; kz < 2; ++kz)
+      for (int ky = 0; ky < 2; ++ky)
+        for (int kx = 0; kx < 2; ++kx) {
+          const Block<Real>* block = around[static_cast<std::size_t>(neighbour_slot(kx * CX, ky * CY, kz * CZ))];
+          from_[kz][ky][kx] = block ? block->f(slot) : zeros;
+          to_[kz][ky][kx] = block ? block->f(slot) : nowhere;
+        }
   }
-}
+
+  /// buffer[n] = number at n + (CX, CY, CZ) for the 64 cells n of layer z.
+  [[gnu::always_inline]] void gather(int z, Real* __restrict buffer) const {
+    const int beyond = z + CZ < 0 || z + CZ > 7, first = kLayer * ((z + CZ) & 7);
+    for_rows([&]<int Y>() __attribute__((always_inline)) {
+      constexpr int next = Y + CY < 0 || Y + CY > 7;
+      const int row = first + kBlockWidth * ((Y + CY) & 7);
+      const Real* near = from_[beyond][next][0] + row;
+      if constexpr (CX == 0) {
+        std::memcpy(buffer + kBlockWidth * Y, near, sizeof(Native));
+      } else {
+        const Native shifted =
+            __builtin_shufflevector(load(near), load(from_[beyond][next][1] + row), 1, 2, 3, 4, 5, 6, 7, 8);
+        std::memcpy(buffer + kBlockWidth * Y, &shifted, sizeof(Native));
+      }
+    });
+  }
+
+  /// The number at n + (CX, CY, CZ) = buffer[n] for the 64 cells n of layer z.
+  [[gnu::always_inline]] void scatter(int z, const Real* __restrict buffer) const {
+    const int beyond = z + CZ < 0 || z + CZ > 7, first = kLayer * ((z + CZ) & 7);
+    for_rows([&]<int Y>() __attribute__((always_inline)) {
+      constexpr int next = Y + CY < 0 || Y + CY > 7;
+      const int row = first + kBlockWidth * ((Y + CY) & 7);
+      Real* near = to_[beyond][next][0] + row;
+      if constexpr (CX == 0) {
+        std::memcpy(near, buffer + kBlockWidth * Y, sizeof(Native));
+      } else {
+        // The first number of the row ahead belongs to the block beside this one: it must not be written, not even with
+        // its own value.
+        const Native own = load(buffer + kBlockWidth * Y);
+        const Native turned = __builtin_shufflevector(own, own, 7, 0, 1, 2, 3, 4, 5, 6);
+        const Row<Real> values(reinterpret_cast<const Real*>(&turned), stdx::element_aligned);
+        stdx::where(not_first(), values).copy_to(near, stdx::element_aligned);
+        to_[beyond][next][1][row] = turned[0];
+      }
+    });
+  }
+
+ private:
+  using Native = typename NativeRow<Real>::type;
+  static constexpr int kLayer = kBlockWidth * kBlockWidth;
+
+  template <class Visit>
+  [[gnu::always_inline]] static void for_rows(const Visit& visit) {
+    [&]<std::size_t... Y>(std::index_sequence<Y...>) __attribute__((always_inline)) {
+      (visit.template operator()<static_cast<int>(Y)>(), ...);
+    }
+    (std::make_index_sequence<kBlockWidth>{});
+  }
+
+  [[gnu::always_inline]] static Native load(const Real* p) {
+    Native v;
+    std::memcpy(&v, p, sizeof(v));
+    return v;
+  }
+
+  [[gnu::always_inline]] static auto not_first() {
+    const Row<Real> lane([](auto k) { return static_cast<Real>(k); });
+    return lane > Row<Real>(0);
+  }
+
+  const Real* from_[2][2][2];
+  Real* to_[2][2][2];
+};
 
 /// Calls visit.template operator()<pair, CX, CY, CZ>() for the nine forward velocities.
 template <class Visit>
@@ -82,5 +136,46 @@ template <class Visit>
   }
   (std::make_index_sequence<D3Q19::pairs>{});
 }
+
+/// The nine forward velocities seen by the cells of one block.
+template <class Real>
+class AwayPopulations {
+ public:
+  static constexpr int layer = kBlockWidth * kBlockWidth;  ///< cells
+
+  /// `zeros` and `nowhere`: see ShiftedVelocity.
+  AwayPopulations(const std::array<Block<Real>*, 27>& around, Parity parity, const Real* zeros, Real* nowhere)
+      : velocities_(make(around, parity, zeros, nowhere, std::make_index_sequence<D3Q19::pairs>{})) {}
+
+  /// The layers from z on that fill the buffer of each pair.
+  template <std::size_t kCells>
+  [[gnu::always_inline]] void gather(int z, Real (&buffer)[D3Q19::pairs][kCells]) const {
+    for (int k = 0; k < static_cast<int>(kCells) / layer; ++k)
+      for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+        std::get<P>(velocities_).gather(z + k, buffer[P] + layer * k);
+      });
+  }
+
+  template <std::size_t kCells>
+  [[gnu::always_inline]] void scatter(int z, const Real (&buffer)[D3Q19::pairs][kCells]) const {
+    for (int k = 0; k < static_cast<int>(kCells) / layer; ++k)
+      for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+        std::get<P>(velocities_).scatter(z + k, buffer[P] + layer * k);
+      });
+  }
+
+ private:
+  template <std::size_t P>
+  using Velocity =
+      ShiftedVelocity<D3Q19::c[2 * P + 1][0], D3Q19::c[2 * P + 1][1], D3Q19::c[2 * P + 1][2], Real>;
+
+  template <std::size_t... P>
+  static auto make(const std::array<Block<Real>*, 27>& around, Parity parity, const Real* zeros, Real* nowhere,
+                   std::index_sequence<P...>) {
+    return std::tuple(Velocity<P>(around, parity.away(D3Q19::forward(P)), zeros, nowhere)...);
+  }
+
+  decltype(make({}, {}, nullptr, nullptr, std::make_index_sequence<D3Q19::pairs>{})) velocities_;
+};
 
 }  // namespace lahar::lbm

@@ -35,9 +35,18 @@ struct SweepParameters {
   Parity parity;
 };
 
+/// What was seen in the wet cells of a block in a step.
+struct SweepNote {
+  int wet = 0;              ///< cells
+  int limited = 0;          ///< cells whose stress was limited
+  int exposed = 0;          ///< interface cells with a bound on their relaxation rate
+  int held_back = 0;        ///< cells whose speed was limited
+  double speed_square = 0;  ///< of the fastest before it was limited, lu; infinite if one is not a number
+};
+
 /// One step of one block. `around` are the 27 blocks by neighbour_slot, null where there is none.
 template <class Real>
-using BlockSweep = void (*)(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p);
+using BlockSweep = SweepNote (*)(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p);
 
 /// The kernel for a block that is plain liquid (`mixed` false) or holds other cells too, with bodies or without.
 template <class Real>

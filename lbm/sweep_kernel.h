@@ -1,6 +1,7 @@
 #pragma once
 // The body of the sweep, instantiated per number type and collision operator (sweep_float.cpp, sweep_double.cpp).
 #include <experimental/simd>
+#include <limits>
 
 #include "core/denormals.h"
 #include "lbm/collision/bgk.h"
@@ -15,6 +16,9 @@
 namespace lahar::lbm {
 
 namespace stdx = std::experimental;
+
+/// Rows by bit y + 8 z.
+inline constexpr std::uint64_t kAllRows = ~std::uint64_t{0};
 
 /// Numbers of a sweep in the kernel's type, spread over a vector.
 template <class V, class Viscosity>
@@ -43,34 +47,60 @@ class BlockKernel {
  public:
   using V = stdx::native_simd<Real>;
   static constexpr int width = static_cast<int>(V::size());
+  static constexpr int kLayers = 1;  ///< moved at a time
+  static constexpr int kBatch = kLayers * kBlockWidth * kBlockWidth;
+  static constexpr std::uint64_t kBatchRows = kLayers < 8 ? (std::uint64_t{1} << (8 * kLayers % 64)) - 1 : kAllRows;
 
   template <class Operator, template <class> class Viscosity>
-  static void run(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p) {
+  static SweepNote run(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p) {
     const FlushDenormals flush;
     const std::uint64_t rows = kMixed ? whole_vectors(block.wet_rows) : kAllRows;
-    alignas(64) Real away[D3Q19::pairs][kBlockCells];
-    for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      gather_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), rows, away[P]);
-    });
-    const auto uniform = make_uniform<V, Viscosity<V>>(p);
+    alignas(64) static constexpr Real zeros[kBlockCells] = {};
+    alignas(64) Real nowhere[kBlockCells];
+    alignas(64) Real away[D3Q19::pairs][kBatch];
     Real* home[D3Q19::pairs];
     for (int pair = 0; pair < D3Q19::pairs; ++pair) home[pair] = block.f(p.parity.home(D3Q19::forward(pair)));
+    const AwayPopulations<Real> ahead(around, p.parity, zeros, nowhere);
+    const auto uniform = make_uniform<V, Viscosity<V>>(p);
     alignas(64) Real wet[kMixed ? kBlockCells : 1];
     if constexpr (kMixed)
       for (int n = 0; n < kBlockCells; ++n)
         wet[n] = is_wet(block.type[static_cast<std::size_t>(n)]) ? Real(1) : Real(0);
-    block.limited_cells = 0;
-    for (int n = 0; n < kBlockCells; n += width) {
-      if constexpr (kMixed)
-        if (!(rows >> (n / kBlockWidth) & 1)) continue;
-      collide_cells<Operator>(block, home, away, wet, n, uniform);
+    Watch watch;
+    for (int z = 0; z < kBlockWidth; z += kLayers) {
+      if (kMixed && !(rows >> (8 * z) & kBatchRows)) continue;
+      ahead.gather(z, away);
+      for (int n = 64 * z; n < 64 * z + kBatch; n += width)
+        if (!kMixed || rows >> (n / kBlockWidth) & 1)
+          collide_cells<Operator>(block, home, away, wet, n, n - 64 * z, uniform, watch);
+      ahead.scatter(z, away);
     }
-    for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      scatter_shifted<CX, CY, CZ>(around, p.parity.away(D3Q19::forward(P)), rows, away[P]);
-    });
+    return watch.note(block);
   }
 
  private:
+  /// What the collisions of a block see.
+  struct Watch {
+    V fastest{0};
+    int limited = 0, held_back = 0;
+    bool broken = false;
+
+    [[gnu::always_inline]] void see(const Departure<V>& d) {
+      fastest = stdx::max(fastest, d.square);
+      const auto over = too_fast(d);
+      if (stdx::none_of(over)) [[likely]]
+        return;
+      held_back += stdx::popcount(over);
+      broken = broken || stdx::any_of(!stdx::isfinite(d.square));
+    }
+
+    [[nodiscard]] SweepNote note(const Block<Real>& block) const {
+      const double square =
+          broken ? std::numeric_limits<double>::infinity() : static_cast<double>(stdx::hmax(fastest));
+      return {block.wet_cells, limited, block.surface ? block.surface->exposed : 0, held_back, square};
+    }
+  };
+
   /// The rows that vectors with a wet cell span: a vector of 16 takes two rows.
   static std::uint64_t whole_vectors(std::uint64_t rows) {
     if constexpr (width <= kBlockWidth) return rows;
@@ -82,13 +112,13 @@ class BlockKernel {
 
   template <class Operator, class Uniforms>
   [[gnu::always_inline]] static void collide_cells(Block<Real>& block, Real* const (&home)[D3Q19::pairs],
-                                                   Real (&away)[D3Q19::pairs][kBlockCells], const Real* wet, int n,
-                                                   const Uniforms& uniform) {
+                                                   Real (&away)[D3Q19::pairs][kBatch], const Real* wet, int n, int in_batch,
+                                                   const Uniforms& uniform, Watch& watch) {
     V f[D3Q19::q];
     f[0] = V(block.f(0) + n, stdx::vector_aligned);
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
       f[2 * pair + 1] = V(home[pair] + n, stdx::vector_aligned);
-      f[2 * pair + 2] = V(away[pair] + n, stdx::vector_aligned);
+      f[2 * pair + 2] = V(away[pair] + in_batch, stdx::vector_aligned);
     }
     const auto dry = [&] {
       if constexpr (kMixed)
@@ -106,25 +136,26 @@ class BlockKernel {
         if constexpr (Operator::bounds_stress)
           force.largest_rate = V(block.surface->largest_rate + n, stdx::vector_aligned);
       }
-    if constexpr (Operator::bounds_stress) limit_stress(block, f, uniform.stress_limit, m, force);
+    if constexpr (Operator::bounds_stress) limit_stress(watch, f, uniform.stress_limit, m, force);
     add_forcing(block, n, uniform, m, force);
     if constexpr (kBody && kMixed) {
       stdx::where(dry, force.coverage_weight) = V(0);
       for (V& k : force.kick) stdx::where(dry, k) = V(0);
     }
-    if constexpr (kBody) record_exchange(block, n, m, force);
-    Operator::collide(f, m, force, uniform.viscosity);
+    const Departure<V> after = Operator::collide(f, m, force, uniform.viscosity);
+    watch.see(after);
+    if constexpr (kBody) record_exchange(block, n, m, force, after);
     if constexpr (kMixed)
       for (V& population : f) stdx::where(dry, population) = V(0);
     f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
       f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);
-      f[2 * pair + 1].copy_to(away[pair] + n, stdx::vector_aligned);
+      f[2 * pair + 1].copy_to(away[pair] + in_batch, stdx::vector_aligned);
     }
   }
 
   /// Bounds the stress of cells that strain too fast, and counts them: rare, hence the test of the squares first.
-  [[gnu::always_inline]] static void limit_stress(Block<Real>& block, const V (&f)[D3Q19::q], const V& largest,
+  [[gnu::always_inline]] static void limit_stress(Watch& watch, const V (&f)[D3Q19::q], const V& largest,
                                                   const Moments<V>& m, CellForcing<V>& force) {
     const Symmetric<V> s = stress(f, m);
     const V limit = largest * (V(1) + m.drho);
@@ -132,7 +163,7 @@ class BlockKernel {
     if (stdx::none_of(over)) [[likely]]
       return;
     force.stress_share = limited_stress_share(s, m.inverse_density, largest);
-    block.limited_cells += stdx::popcount(over);
+    watch.limited += stdx::popcount(over);
   }
 
   /// Gravity acts on all that the populations stand for, liquid and displaced liquid; the bodies' buoyancy is the
@@ -162,15 +193,13 @@ class BlockKernel {
 
   /// Momentum that the fluid gives to the bodies of the cell, B rho (u + a - u_s), and the velocity after collision.
   [[gnu::always_inline]] static void record_exchange(Block<Real>& block, int n, const Moments<V>& m,
-                                                     const CellForcing<V>& force) {
+                                                     const CellForcing<V>& force, const Departure<V>& after) {
     const V weight = force.coverage_weight * (V(1) + m.drho);
     Real* const out[3] = {block.body->exchange_x, block.body->exchange_y, block.body->exchange_z};
     Real* const velocity[3] = {block.body->velocity_x, block.body->velocity_y, block.body->velocity_z};
-    V after[3];
-    velocity_after(m, force, after);
     for (int a = 0; a < 3; ++a) {
       (weight * (m.u[a] + force.acceleration[a] - force.solid_velocity[a])).copy_to(out[a] + n, stdx::vector_aligned);
-      after[a].copy_to(velocity[a] + n, stdx::vector_aligned);
+      after.v[a].copy_to(velocity[a] + n, stdx::vector_aligned);
     }
   }
 };

@@ -21,13 +21,15 @@ struct Bgk {
   static constexpr bool bounds_stress = false;
 
   template <class Viscosity, class V>
-  static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const Viscosity& viscosity) {
+  static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,
+                              const Viscosity& viscosity) {
     const V omega = viscous_rate(f, m, viscosity);
     const V keep = (V(1) - omega) * (V(1) - force.coverage_weight);
-    V v[3];
-    velocity_after(m, force, v);
+    const Departure<V> after = velocity_after(m, force);
+    const auto& v = after.v;
     for (int i = 0; i < D3Q19::q; ++i)
       f[i] = equilibrium(i, m.drho, v[0], v[1], v[2]) + keep * (f[i] - equilibrium(i, m.drho, m.u[0], m.u[1], m.u[2]));
+    return after;
   }
 };
 

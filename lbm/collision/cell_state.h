@@ -3,11 +3,14 @@
 // Populations are stored shifted, f_i - w_i, which keeps float rounding small (Skordos 1993).
 #include <algorithm>
 #include <cmath>
+#include <experimental/simd>
 
 #include "lbm/number.h"
 #include "lbm/velocity_set.h"
 
 namespace lahar::lbm {
+
+namespace stdx = std::experimental;
 
 /// Density and velocity of a cell's incoming populations.
 template <class V>
@@ -46,18 +49,35 @@ template <class V>
 /// (Fluid::limited_cells).
 inline constexpr double kLargestSpeed = 0.35;
 
-/// Velocity after collision; returns the factor by which its speed and the stress were limited, 1 nearly always.
+/// How the cell leaves a collision.
 template <class V>
-[[gnu::always_inline]] inline V velocity_after(const Moments<V>& m, const CellForcing<V>& force, V (&v)[3]) {
-  using std::max;
+struct Departure {
+  V v[3];      ///< velocity, lu
+  V share{1};  ///< factor by which the speed and the stress were limited, 1 nearly always
+  V square;    ///< of the speed before it was limited
+};
+
+/// Cells whose speed has to be limited, or is no number.
+template <class V>
+[[gnu::always_inline]] inline auto too_fast(const Departure<V>& d) {
+  return !(d.square <= number<V>(kLargestSpeed * kLargestSpeed));
+}
+
+template <class V>
+[[gnu::always_inline]] inline Departure<V> velocity_after(const Moments<V>& m, const CellForcing<V>& force) {
   using std::sqrt;
+  Departure<V> d;
   for (int a = 0; a < 3; ++a)
-    v[a] = (V(1) - force.coverage_weight) * (m.u[a] + force.acceleration[a]) +
-           force.coverage_weight * force.solid_velocity[a] + force.kick[a];
+    d.v[a] = (V(1) - force.coverage_weight) * (m.u[a] + force.acceleration[a]) +
+             force.coverage_weight * force.solid_velocity[a] + force.kick[a];
+  d.square = d.v[0] * d.v[0] + d.v[1] * d.v[1] + d.v[2] * d.v[2];
+  if (stdx::none_of(too_fast(d))) [[likely]]
+    return d;
+  using std::max;
   const V limit = number<V>(kLargestSpeed);
-  const V factor = limit / max(limit, V(sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])));
-  for (V& component : v) component *= factor;
-  return factor;
+  d.share = limit / max(limit, V(sqrt(d.square)));
+  for (V& component : d.v) component *= d.share;
+  return d;
 }
 
 /// Symmetric second-order tensor: xx, yy, zz, xy, xz, yz.

@@ -60,8 +60,8 @@ struct CentralMoments {
   static constexpr bool bounds_stress = true;  ///< collision/stress_limit.h
 
   template <class Viscosity, class V>
-  [[gnu::always_inline]] static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,
-                                             const Viscosity& viscosity) {
+  [[gnu::always_inline]] static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m,
+                                                     const CellForcing<V>& force, const Viscosity& viscosity) {
     using std::min;
     Symmetric<V> s = stress(f, m);
     V omega;
@@ -70,11 +70,11 @@ struct CentralMoments {
     else
       omega = viscosity.rate(s, m.inverse_density);
     omega = min(omega, force.largest_rate);
-    V v[3];
-    const V limited = velocity_after(m, force, v);
-    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight) * force.stress_share * limited;
+    const Departure<V> after = velocity_after(m, force);
+    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight) * force.stress_share * after.share;
     for (V* t : {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz}) *t *= keep;
-    from_central_moments(m.drho, v, s, f);
+    from_central_moments(m.drho, after.v, s, f);
+    return after;
   }
 };
 

@@ -11,13 +11,14 @@ struct Trt {
   static constexpr double magic_parameter = 3.0 / 16.0;  ///< half-way walls exact for Poiseuille flow
 
   template <class Viscosity, class V>
-  static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const Viscosity& viscosity) {
+  static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,
+                              const Viscosity& viscosity) {
     const V even_rate = viscous_rate(f, m, viscosity);
     const V odd_rate = V(1) / (number<V>(0.5) + number<V>(magic_parameter) / (V(1) / even_rate - number<V>(0.5)));
     const V stay = V(1) - force.coverage_weight, half = number<V>(0.5);
     const V keep_even = (V(1) - even_rate) * stay, keep_odd = (V(1) - odd_rate) * stay;
-    V v[3];
-    velocity_after(m, force, v);
+    const Departure<V> after = velocity_after(m, force);
+    const auto& v = after.v;
     f[0] =
         equilibrium(0, m.drho, v[0], v[1], v[2]) + keep_even * (f[0] - equilibrium(0, m.drho, m.u[0], m.u[1], m.u[2]));
     for (int a = 1; a < D3Q19::q; a += 2) {
@@ -28,6 +29,7 @@ struct Trt {
       f[a] = equilibrium(a, m.drho, v[0], v[1], v[2]) + even + odd;
       f[b] = equilibrium(b, m.drho, v[0], v[1], v[2]) + even - odd;
     }
+    return after;
   }
 };
 
