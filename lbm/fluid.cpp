@@ -289,7 +289,8 @@ void Fluid<Real>::sweep() {
   account_.exposed += all.exposed;
   held_back_ = static_cast<std::size_t>(all.held_back);
   limited_cells_ = std::max(limited_cells_, held_back_);
-  max_speed_lu_ = std::isinf(all.speed_square) ? all.speed_square : std::min(std::sqrt(all.speed_square), kLargestSpeed);
+  max_speed_lu_ =
+      std::isinf(all.speed_square) ? all.speed_square : std::min(std::sqrt(all.speed_square), kLargestSpeed);
 }
 
 template <class Real>

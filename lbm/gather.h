@@ -1,7 +1,7 @@
 #pragma once
-// Moving the populations of one velocity between a block, seen through an offset of one cell, and a contiguous buffer.
-// Rows of 8 cells run along x: an offset along x takes 7 cells from one row and 1 from the next block's. A layer of 8
-// rows is moved as a whole: where it lies is found once per block, so that a row is two loads, a shuffle and a store.
+// Loading and storing the populations of a block seen through an offset of one cell. Rows of 8 cells run along x: an
+// offset along x takes 7 cells from one row and 1 from the next block's. Where the rows lie is found once per block; a
+// row is then two loads and a shuffle, or a shuffle and two masked stores.
 #include <cstring>
 #include <experimental/simd>
 #include <tuple>
@@ -17,10 +17,10 @@ namespace stdx = std::experimental;
 template <class Real>
 using Row = stdx::simd<Real, stdx::simd_abi::deduce_t<Real, kBlockWidth>>;
 
-/// The same for the compiler's own shuffles, which the library lacks.
-template <class Real>
-struct NativeRow {
-  using type [[gnu::vector_size(kBlockWidth * sizeof(Real))]] = Real;
+/// Rows for the compiler's own shuffles, which the library lacks.
+template <class Real, int kRows>
+struct RowsOf {
+  using type [[gnu::vector_size(kRows * kBlockWidth * sizeof(Real))]] = Real;
 };
 
 /// A row of 8 cells, number y + 8 z of a block, seen through an offset along y and z: the blocks that hold it and its
@@ -44,82 +44,143 @@ template <class Real>
   return block ? block->f(slot) + row.first : nullptr;
 }
 
-/// The numbers of one velocity in the blocks that a block seen through the offset (CX, CY, CZ) reaches into.
+/// One row of cells along x, or two, and where they lie in their block.
+struct Rows {
+  int n;                        ///< first cell
+  std::size_t first_y, last_y;  ///< 1 if a row has y = 0 or 7
+  std::size_t first_z, last_z;
+
+  /// `count` rows from cell n on; y even for two.
+  [[gnu::always_inline]] static Rows at(int n, int count) {
+    const int y = (n / kBlockWidth) & 7, z = n / (kBlockWidth * kBlockWidth);
+    return {n, y == 0, y + count == kBlockWidth, z == 0, z == kBlockWidth - 1};
+  }
+};
+
+/// The numbers of one velocity in the blocks that a block seen through the offset (CX, CY, CZ) reaches into, loaded and
+/// stored by one row of cells or two.
 template <int CX, int CY, int CZ, class Real>
 class ShiftedVelocity {
  public:
   static_assert(CX == 0 || CX == 1, "forward velocities");
 
   /// A missing block reads as `zeros` (rest at density 1); what is sent there goes to `nowhere`. Both of 512 numbers.
+  /// The pointers are shifted so that the cell n + (CX, CY, CZ) lies at n, whichever block holds it.
   ShiftedVelocity(const std::array<Block<Real>*, 27>& around, int slot, const Real* zeros, Real* nowhere) {
     for (int kz = 0; kz < 2; ++kz)
       for (int ky = 0; ky < 2; ++ky)
         for (int kx = 0; kx < 2; ++kx) {
           const Block<Real>* block = around[static_cast<std::size_t>(neighbour_slot(kx * CX, ky * CY, kz * CZ))];
-          from_[kz][ky][kx] = block ? block->f(slot) : zeros;
-          to_[kz][ky][kx] = block ? block->f(slot) : nowhere;
+          const int shift = cell_index(0, CY, CZ) - kBlockWidth * cell_index(0, ky * CY, kz * CZ);
+          from_[kz][ky][kx] = (block ? block->f(slot) : zeros) + shift;
+          to_[kz][ky][kx] = (block ? block->f(slot) : nowhere) + shift;
         }
   }
 
-  /// buffer[n] = number at n + (CX, CY, CZ) for the 64 cells n of layer z.
-  [[gnu::always_inline]] void gather(int z, Real* __restrict buffer) const {
-    const int beyond = z + CZ < 0 || z + CZ > 7, first = kLayer * ((z + CZ) & 7);
-    for_rows([&]<int Y>() __attribute__((always_inline)) {
-      constexpr int next = Y + CY < 0 || Y + CY > 7;
-      const int row = first + kBlockWidth * ((Y + CY) & 7);
-      const Real* near = from_[beyond][next][0] + row;
-      if constexpr (CX == 0) {
-        std::memcpy(buffer + kBlockWidth * Y, near, sizeof(Native));
-      } else {
-        const Native shifted =
-            __builtin_shufflevector(load(near), load(from_[beyond][next][1] + row), 1, 2, 3, 4, 5, 6, 7, 8);
-        std::memcpy(buffer + kBlockWidth * Y, &shifted, sizeof(Native));
-      }
-    });
+  /// The numbers at n + (CX, CY, CZ) for the cells n of the rows.
+  template <class V>
+  [[gnu::always_inline]] V load(const Rows& rows) const {
+    const auto& from = from_[beyond_z(rows)];
+    if constexpr (V::size() == kBlockWidth) {
+      return value<V>(row(from[beyond_y(rows)], rows.n));
+    } else if constexpr (CY == 0) {
+      const auto near = vector<Two>(from[0][0] + rows.n);
+      if constexpr (CX == 0) return value<V>(near);
+      return value<V>(__builtin_shufflevector(near, vector<Two>(from[0][1] + rows.n), 1, 2, 3, 4, 5, 6, 7, 16, 9, 10,
+                                              11, 12, 13, 14, 15, 24));
+    } else {
+      const auto first = row(from[CY < 0 && beyond_y(rows)], rows.n);
+      const auto second = row(from[CY > 0 && beyond_y(rows)], rows.n + kBlockWidth);
+      return value<V>(__builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+    }
   }
 
-  /// The number at n + (CX, CY, CZ) = buffer[n] for the 64 cells n of layer z.
-  [[gnu::always_inline]] void scatter(int z, const Real* __restrict buffer) const {
-    const int beyond = z + CZ < 0 || z + CZ > 7, first = kLayer * ((z + CZ) & 7);
-    for_rows([&]<int Y>() __attribute__((always_inline)) {
-      constexpr int next = Y + CY < 0 || Y + CY > 7;
-      const int row = first + kBlockWidth * ((Y + CY) & 7);
-      Real* near = to_[beyond][next][0] + row;
-      if constexpr (CX == 0) {
-        std::memcpy(near, buffer + kBlockWidth * Y, sizeof(Native));
-      } else {
-        // The first number of the row ahead belongs to the block beside this one: it must not be written, not even with
-        // its own value.
-        const Native own = load(buffer + kBlockWidth * Y);
-        const Native turned = __builtin_shufflevector(own, own, 7, 0, 1, 2, 3, 4, 5, 6);
-        const Row<Real> values(reinterpret_cast<const Real*>(&turned), stdx::element_aligned);
-        stdx::where(not_first(), values).copy_to(near, stdx::element_aligned);
-        to_[beyond][next][1][row] = turned[0];
-      }
-    });
+  /// The reverse of load.
+  template <class V>
+  [[gnu::always_inline]] void store(const Rows& rows, const V& values) const {
+    const auto& to = to_[beyond_z(rows)];
+    if constexpr (V::size() == kBlockWidth) {
+      put_row(to[beyond_y(rows)], rows.n, vector<One>(values));
+    } else if constexpr (CY == 0) {
+      const auto own = vector<Two>(values);
+      if constexpr (CX == 0)
+        put(to[0][0] + rows.n, own);
+      else
+        put_ahead<V>(to[0][0] + rows.n, to[0][1] + rows.n,
+                     __builtin_shufflevector(own, own, 7, 0, 1, 2, 3, 4, 5, 6, 15, 8, 9, 10, 11, 12, 13, 14));
+    } else {
+      const auto own = vector<Two>(values);
+      put_row(to[CY < 0 && beyond_y(rows)], rows.n, __builtin_shufflevector(own, own, 0, 1, 2, 3, 4, 5, 6, 7));
+      put_row(to[CY > 0 && beyond_y(rows)], rows.n + kBlockWidth,
+              __builtin_shufflevector(own, own, 8, 9, 10, 11, 12, 13, 14, 15));
+    }
   }
 
  private:
-  using Native = typename NativeRow<Real>::type;
-  static constexpr int kLayer = kBlockWidth * kBlockWidth;
+  using One = typename RowsOf<Real, 1>::type;
+  using Two = typename RowsOf<Real, 2>::type;
 
-  template <class Visit>
-  [[gnu::always_inline]] static void for_rows(const Visit& visit) {
-    [&]<std::size_t... Y>(std::index_sequence<Y...>) __attribute__((always_inline)) {
-      (visit.template operator()<static_cast<int>(Y)>(), ...);
-    }
-    (std::make_index_sequence<kBlockWidth>{});
+  [[gnu::always_inline]] static std::size_t beyond_y(const Rows& rows) {
+    return CY == 0 ? 0 : (CY > 0 ? rows.last_y : rows.first_y);
+  }
+  [[gnu::always_inline]] static std::size_t beyond_z(const Rows& rows) {
+    return CZ == 0 ? 0 : (CZ > 0 ? rows.last_z : rows.first_z);
   }
 
-  [[gnu::always_inline]] static Native load(const Real* p) {
-    Native v;
+  [[gnu::always_inline]] static One row(const Real* const (&from)[2], int n) {
+    const auto near = vector<One>(from[0] + n);
+    if constexpr (CX == 0) return near;
+    return __builtin_shufflevector(near, vector<One>(from[1] + n), 1, 2, 3, 4, 5, 6, 7, 8);
+  }
+
+  [[gnu::always_inline]] static void put_row(Real* const (&to)[2], int n, const One& own) {
+    if constexpr (CX == 0)
+      put(to[0] + n, own);
+    else
+      put_ahead<Row<Real>>(to[0] + n, to[1] + n, __builtin_shufflevector(own, own, 7, 0, 1, 2, 3, 4, 5, 6));
+  }
+
+  /// Rows turned by one cell: the first number of each belongs into the far block, the others into the near one. What
+  /// is not written may be in use by another thread and must not be touched, not even with its own value.
+  template <class V, class Vector>
+  [[gnu::always_inline]] static void put_ahead(Real* near, Real* far, const Vector& turned) {
+    if constexpr (stdx::native_simd<float>::size() >= kBlockWidth) {
+      const V lane([](auto k) { return static_cast<Real>(k % kBlockWidth); });
+      const auto first = lane == V(0);
+      const V values = value<V>(turned);
+      stdx::where(!first, values).copy_to(near, stdx::element_aligned);
+      stdx::where(first, values).copy_to(far, stdx::element_aligned);
+    } else {  // narrow vectors store with masks around the cache
+      const Real* const values = reinterpret_cast<const Real*>(&turned);
+      for (std::size_t k = 0; k < V::size(); k += kBlockWidth) {
+        far[k] = values[k];
+        std::memcpy(near + k + 1, values + k + 1, (kBlockWidth - 1) * sizeof(Real));
+      }
+    }
+  }
+
+  template <class Vector>
+  [[gnu::always_inline]] static Vector vector(const Real* p) {
+    Vector v;
     std::memcpy(&v, p, sizeof(v));
     return v;
   }
 
-  [[gnu::always_inline]] static auto not_first() {
-    const Row<Real> lane([](auto k) { return static_cast<Real>(k); });
-    return lane > Row<Real>(0);
+  template <class Vector, class Abi>
+  [[gnu::always_inline]] static Vector vector(const stdx::simd<Real, Abi>& values) {
+    Vector v;
+    values.copy_to(reinterpret_cast<Real*>(&v), stdx::vector_aligned);
+    return v;
+  }
+
+  template <class V, class Vector>
+  [[gnu::always_inline]] static V value(const Vector& v) {
+    return V(reinterpret_cast<const Real*>(&v), stdx::vector_aligned);
+  }
+
+  template <class Vector>
+  [[gnu::always_inline]] static void put(Real* p, const Vector& v) {
+    std::memcpy(p, &v, sizeof(v));
   }
 
   const Real* from_[2][2][2];
@@ -141,33 +202,18 @@ template <class Visit>
 template <class Real>
 class AwayPopulations {
  public:
-  static constexpr int layer = kBlockWidth * kBlockWidth;  ///< cells
-
   /// `zeros` and `nowhere`: see ShiftedVelocity.
   AwayPopulations(const std::array<Block<Real>*, 27>& around, Parity parity, const Real* zeros, Real* nowhere)
       : velocities_(make(around, parity, zeros, nowhere, std::make_index_sequence<D3Q19::pairs>{})) {}
 
-  /// The layers from z on that fill the buffer of each pair.
-  template <std::size_t kCells>
-  [[gnu::always_inline]] void gather(int z, Real (&buffer)[D3Q19::pairs][kCells]) const {
-    for (int k = 0; k < static_cast<int>(kCells) / layer; ++k)
-      for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-        std::get<P>(velocities_).gather(z + k, buffer[P] + layer * k);
-      });
-  }
-
-  template <std::size_t kCells>
-  [[gnu::always_inline]] void scatter(int z, const Real (&buffer)[D3Q19::pairs][kCells]) const {
-    for (int k = 0; k < static_cast<int>(kCells) / layer; ++k)
-      for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-        std::get<P>(velocities_).scatter(z + k, buffer[P] + layer * k);
-      });
+  template <int P>
+  [[nodiscard]] const auto& pair() const {
+    return std::get<P>(velocities_);
   }
 
  private:
   template <std::size_t P>
-  using Velocity =
-      ShiftedVelocity<D3Q19::c[2 * P + 1][0], D3Q19::c[2 * P + 1][1], D3Q19::c[2 * P + 1][2], Real>;
+  using Velocity = ShiftedVelocity<D3Q19::c[2 * P + 1][0], D3Q19::c[2 * P + 1][1], D3Q19::c[2 * P + 1][2], Real>;
 
   template <std::size_t... P>
   static auto make(const std::array<Block<Real>*, 27>& around, Parity parity, const Real* zeros, Real* nowhere,

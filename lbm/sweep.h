@@ -46,7 +46,8 @@ struct SweepNote {
 
 /// One step of one block. `around` are the 27 blocks by neighbour_slot, null where there is none.
 template <class Real>
-using BlockSweep = SweepNote (*)(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p);
+using BlockSweep = SweepNote (*)(Block<Real>& block, const std::array<Block<Real>*, 27>& around,
+                                 const SweepParameters& p);
 
 /// The kernel for a block that is plain liquid (`mixed` false) or holds other cells too, with bodies or without.
 template <class Real>

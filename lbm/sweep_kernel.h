@@ -45,11 +45,9 @@ Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
 template <class Real, bool kMixed, bool kBody>
 class BlockKernel {
  public:
-  using V = stdx::native_simd<Real>;
+  /// A row or two.
+  using V = std::conditional_t<stdx::native_simd<Real>::size() == 2 * kBlockWidth, stdx::native_simd<Real>, Row<Real>>;
   static constexpr int width = static_cast<int>(V::size());
-  static constexpr int kLayers = 1;  ///< moved at a time
-  static constexpr int kBatch = kLayers * kBlockWidth * kBlockWidth;
-  static constexpr std::uint64_t kBatchRows = kLayers < 8 ? (std::uint64_t{1} << (8 * kLayers % 64)) - 1 : kAllRows;
 
   template <class Operator, template <class> class Viscosity>
   static SweepNote run(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p) {
@@ -57,24 +55,17 @@ class BlockKernel {
     const std::uint64_t rows = kMixed ? whole_vectors(block.wet_rows) : kAllRows;
     alignas(64) static constexpr Real zeros[kBlockCells] = {};
     alignas(64) Real nowhere[kBlockCells];
-    alignas(64) Real away[D3Q19::pairs][kBatch];
     Real* home[D3Q19::pairs];
     for (int pair = 0; pair < D3Q19::pairs; ++pair) home[pair] = block.f(p.parity.home(D3Q19::forward(pair)));
-    const AwayPopulations<Real> ahead(around, p.parity, zeros, nowhere);
+    const AwayPopulations<Real> away(around, p.parity, zeros, nowhere);
     const auto uniform = make_uniform<V, Viscosity<V>>(p);
     alignas(64) Real wet[kMixed ? kBlockCells : 1];
     if constexpr (kMixed)
       for (int n = 0; n < kBlockCells; ++n)
         wet[n] = is_wet(block.type[static_cast<std::size_t>(n)]) ? Real(1) : Real(0);
     Watch watch;
-    for (int z = 0; z < kBlockWidth; z += kLayers) {
-      if (kMixed && !(rows >> (8 * z) & kBatchRows)) continue;
-      ahead.gather(z, away);
-      for (int n = 64 * z; n < 64 * z + kBatch; n += width)
-        if (!kMixed || rows >> (n / kBlockWidth) & 1)
-          collide_cells<Operator>(block, home, away, wet, n, n - 64 * z, uniform, watch);
-      ahead.scatter(z, away);
-    }
+    for (int n = 0; n < kBlockCells; n += width)
+      if (!kMixed || rows >> (n / kBlockWidth) & 1) collide_cells<Operator>(block, home, away, wet, n, uniform, watch);
     return watch.note(block);
   }
 
@@ -95,8 +86,7 @@ class BlockKernel {
     }
 
     [[nodiscard]] SweepNote note(const Block<Real>& block) const {
-      const double square =
-          broken ? std::numeric_limits<double>::infinity() : static_cast<double>(stdx::hmax(fastest));
+      const double square = broken ? std::numeric_limits<double>::infinity() : static_cast<double>(stdx::hmax(fastest));
       return {block.wet_cells, limited, block.surface ? block.surface->exposed : 0, held_back, square};
     }
   };
@@ -112,14 +102,17 @@ class BlockKernel {
 
   template <class Operator, class Uniforms>
   [[gnu::always_inline]] static void collide_cells(Block<Real>& block, Real* const (&home)[D3Q19::pairs],
-                                                   Real (&away)[D3Q19::pairs][kBatch], const Real* wet, int n, int in_batch,
+                                                   const AwayPopulations<Real>& away, const Real* wet, int n,
                                                    const Uniforms& uniform, Watch& watch) {
     V f[D3Q19::q];
     f[0] = V(block.f(0) + n, stdx::vector_aligned);
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
       f[2 * pair + 1] = V(home[pair] + n, stdx::vector_aligned);
-      f[2 * pair + 2] = V(away[pair] + in_batch, stdx::vector_aligned);
     }
+    const Rows rows = Rows::at(n, width / kBlockWidth);
+    for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+      f[2 * P + 2] = away.template pair<P>().template load<V>(rows);
+    });
     const auto dry = [&] {
       if constexpr (kMixed)
         return V(wet + n, stdx::vector_aligned) == V(0);
@@ -150,8 +143,9 @@ class BlockKernel {
     f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
       f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);
-      f[2 * pair + 1].copy_to(away[pair] + in_batch, stdx::vector_aligned);
     }
+    for_each_pair([&]<int P, int CX, int CY, int CZ>()
+                      __attribute__((always_inline)) { away.template pair<P>().store(rows, f[2 * P + 1]); });
   }
 
   /// Bounds the stress of cells that strain too fast, and counts them: rare, hence the test of the squares first.

@@ -60,8 +60,8 @@ struct CentralMoments {
   static constexpr bool bounds_stress = true;  ///< collision/stress_limit.h
 
   template <class Viscosity, class V>
-  [[gnu::always_inline]] static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m,
-                                                     const CellForcing<V>& force, const Viscosity& viscosity) {
+  [[gnu::always_inline]] static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,
+                                                     const Viscosity& viscosity) {
     using std::min;
     Symmetric<V> s = stress(f, m);
     V omega;
