@@ -240,7 +240,7 @@ void Fluid<Real>::step() {
   reflect();
   {
     const ScopedTimer timer(timers_.section("fluid.conversion"));
-    conversion_.run(grid_, parameters_.parity, account_);
+    conversion_.run(grid_, parameters_.parity, notes_, account_);
   }
   ++steps_;
   if (steps_ % kWatchEvery == 0) watch();
@@ -258,8 +258,9 @@ void Fluid<Real>::exchange() {
   const auto& g = parameters_.gravity;
   const auto largest = static_cast<Real>(kLargestGradient * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]));
   const auto& active = grid_.active();
-  parallel_for(0, active.size(), kBlocksPerTask,
-               [&](std::size_t k) { exchange_surface(grid_, active[k], parameters_.parity, Real(0), largest); });
+  parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
+    if (grid_.has_surface(active[k])) exchange_surface(grid_, active[k], parameters_.parity, Real(0), largest);
+  });
 }
 
 template <class Real>
@@ -302,7 +303,8 @@ void Fluid<Real>::reflect() {
   if (measured) block_loads_.resize(std::max(block_loads_.size(), active.size()));
   parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
     if (measured) block_loads_[k].clear();
-    reflect_at_walls(grid_, active[k], parameters_.parity, physics, measured ? &block_loads_[k] : nullptr);
+    if (grid_.has_walls(active[k]))
+      reflect_at_walls(grid_, active[k], parameters_.parity, physics, measured ? &block_loads_[k] : nullptr);
   });
   if (grid_.domain().placement() == WallPlacement::interpolated) balance_walls(grid_, account_.walls);
   if (measured) book_wall_loads();

@@ -18,6 +18,8 @@ BlockIndex FluidGrid<Real>::require_block(const Vec3i& coordinate) {
   if (topology_.capacity() > blocks_.size()) {
     blocks_.resize(topology_.capacity(), nullptr);
     around_.resize(topology_.capacity());
+    has_surface_.resize(topology_.capacity(), 0);
+    has_walls_.resize(topology_.capacity(), 0);
   }
   Block<Real>* fresh = block_pool_.acquire();
   fresh->populations = population_pool_.acquire();
@@ -35,6 +37,7 @@ BlockIndex FluidGrid<Real>::require_block(const Vec3i& coordinate) {
     if (other != kNoBlock) around_[static_cast<std::size_t>(other)][26 - slot] = fresh;
   }
   cut_geometry(b);
+  has_walls_[static_cast<std::size_t>(b)] = !fresh->walls.cells.empty();
   return b;
 }
 
@@ -151,6 +154,7 @@ SurfaceFields<Real>& FluidGrid<Real>::require_surface(BlockIndex b) {
   Block<Real>& blk = block(b);
   if (blk.surface) return *blk.surface;
   blk.surface = surface_pool_.acquire();
+  has_surface_[static_cast<std::size_t>(b)] = 1;
   SurfaceFields<Real>& s = *blk.surface;
   for (std::size_t n = 0; n < kBlockCells; ++n) {
     s.mass[n] = 0;
@@ -178,6 +182,7 @@ template <class Real>
 void FluidGrid<Real>::release_surface(BlockIndex b) {
   if (block(b).surface) surface_pool_.release(block(b).surface);
   block(b).surface = nullptr;
+  has_surface_[static_cast<std::size_t>(b)] = 0;
 }
 
 template <class Real>

@@ -33,6 +33,10 @@ class FluidGrid {
     return around_[static_cast<std::size_t>(b)];
   }
 
+  /// Without a look at the block itself, which is seldom in the cache: passes that concern few blocks ask this first.
+  [[nodiscard]] bool has_surface(BlockIndex b) const { return has_surface_[static_cast<std::size_t>(b)] != 0; }
+  [[nodiscard]] bool has_walls(BlockIndex b) const { return has_walls_[static_cast<std::size_t>(b)] != 0; }
+
   /// The block at a block coordinate; made if missing: gas at rest, walls and sinks cut in.
   BlockIndex require_block(const Vec3i& coordinate);
   /// Makes sure that all 26 neighbours of a cell lie in existing blocks.
@@ -77,6 +81,7 @@ class FluidGrid {
   BlockTopology topology_;
   std::vector<Block<Real>*> blocks_;
   std::vector<std::array<Block<Real>*, 27>> around_;
+  std::vector<std::uint8_t> has_surface_, has_walls_;  // by block index
   ObjectPool<Block<Real>> block_pool_;
   ObjectPool<SurfaceFields<Real>> surface_pool_;
   ObjectPool<BodyFields<Real>> body_pool_;

@@ -23,27 +23,6 @@ struct RowsOf {
   using type [[gnu::vector_size(kRows * kBlockWidth * sizeof(Real))]] = Real;
 };
 
-/// A row of 8 cells, number y + 8 z of a block, seen through an offset along y and z: the blocks that hold it and its
-/// first cell there.
-struct ShiftedRow {
-  int slot_y, slot_z;  ///< -1..1, offset of the block
-  int first;           ///< first cell of the row in that block
-};
-
-template <int CY, int CZ>
-[[gnu::always_inline]] constexpr ShiftedRow shifted_row(int row) {
-  const int y = (row & 7) + CY, z = (row >> 3) + CZ;
-  return {y < 0 ? -1 : (y > 7 ? 1 : 0), z < 0 ? -1 : (z > 7 ? 1 : 0), cell_index(0, y & 7, z & 7)};
-}
-
-/// Where a velocity's numbers of a shifted row lie; null where the block is missing.
-template <class Real>
-[[gnu::always_inline]] inline Real* row_of(const std::array<Block<Real>*, 27>& around, int dx, const ShiftedRow& row,
-                                           int slot) {
-  const Block<Real>* block = around[static_cast<std::size_t>(neighbour_slot(dx, row.slot_y, row.slot_z))];
-  return block ? block->f(slot) + row.first : nullptr;
-}
-
 /// One row of cells along x, or two, and where they lie in their block.
 struct Rows {
   int n;                        ///< first cell
@@ -57,6 +36,20 @@ struct Rows {
   }
 };
 
+/// Shifted populations at rest.
+template <class Real>
+alignas(64) inline constexpr Real kRest[kBlockCells] = {};
+
+/// Writes the chosen lanes and touches no others, which may be in use by another thread.
+template <class Real, class V, class Mask>
+[[gnu::always_inline]] inline void store_some(Real* p, const V& values, const Mask& chosen) {
+  if constexpr (stdx::native_simd<float>::size() >= kBlockWidth)
+    stdx::where(chosen, values).copy_to(p, stdx::element_aligned);
+  else  // narrow vectors store with masks around the cache
+    for (std::size_t k = 0; k < V::size(); ++k)
+      if (chosen[k]) p[k] = values[k];
+}
+
 /// The numbers of one velocity in the blocks that a block seen through the offset (CX, CY, CZ) reaches into, loaded and
 /// stored by one row of cells or two.
 template <int CX, int CY, int CZ, class Real>
@@ -64,16 +57,17 @@ class ShiftedVelocity {
  public:
   static_assert(CX == 0 || CX == 1, "forward velocities");
 
-  /// A missing block reads as `zeros` (rest at density 1); what is sent there goes to `nowhere`. Both of 512 numbers.
-  /// The pointers are shifted so that the cell n + (CX, CY, CZ) lies at n, whichever block holds it.
-  ShiftedVelocity(const std::array<Block<Real>*, 27>& around, int slot, const Real* zeros, Real* nowhere) {
+  /// A missing block reads as rest at density 1; what is sent there goes to the 512 numbers at `nowhere`, which may be
+  /// null if nothing is stored. The pointers are shifted so that the cell n + (CX, CY, CZ) lies at n, whichever block
+  /// holds it.
+  ShiftedVelocity(const std::array<Block<Real>*, 27>& around, int slot, Real* nowhere) {
     for (int kz = 0; kz < 2; ++kz)
       for (int ky = 0; ky < 2; ++ky)
         for (int kx = 0; kx < 2; ++kx) {
           const Block<Real>* block = around[static_cast<std::size_t>(neighbour_slot(kx * CX, ky * CY, kz * CZ))];
           const int shift = cell_index(0, CY, CZ) - kBlockWidth * cell_index(0, ky * CY, kz * CZ);
-          from_[kz][ky][kx] = (block ? block->f(slot) : zeros) + shift;
-          to_[kz][ky][kx] = (block ? block->f(slot) : nowhere) + shift;
+          from_[kz][ky][kx] = shifted<const Real>(block ? block->f(slot) : kRest<Real>, shift);
+          to_[kz][ky][kx] = shifted<Real>(block ? block->f(slot) : nowhere, shift);
         }
   }
 
@@ -92,6 +86,26 @@ class ShiftedVelocity {
       const auto first = row(from[CY < 0 && beyond_y(rows)], rows.n);
       const auto second = row(from[CY > 0 && beyond_y(rows)], rows.n + kBlockWidth);
       return value<V>(__builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+    }
+  }
+
+  /// Stores the chosen cells of one row.
+  template <class Mask>
+  [[gnu::always_inline]] void store_chosen(const Rows& rows, const Row<Real>& values, const Mask& chosen) const {
+    const auto& to = to_[beyond_z(rows)][beyond_y(rows)];
+    if constexpr (CX == 0) {
+      store_some(to[0] + rows.n, values, chosen);
+    } else {
+      Row<Real> flags(0);
+      stdx::where(chosen, flags) = Row<Real>(1);
+      const auto turn = [](const Row<Real>& v) __attribute__((always_inline)) {
+        const auto own = vector<One>(v);
+        return value<Row<Real>>(__builtin_shufflevector(own, own, 7, 0, 1, 2, 3, 4, 5, 6));
+      };
+      const Row<Real> lane([](auto k) { return static_cast<Real>(k); }), turned = turn(values);
+      const auto wanted = turn(flags) > Row<Real>(0);
+      store_some(to[0] + rows.n, turned, wanted && lane != Row<Real>(0));
+      store_some(to[1] + rows.n, turned, wanted && lane == Row<Real>(0));
     }
   }
 
@@ -120,6 +134,13 @@ class ShiftedVelocity {
   using One = typename RowsOf<Real, 1>::type;
   using Two = typename RowsOf<Real, 2>::type;
 
+  /// By way of an integer: the pointer may lie outside of what it is used in.
+  template <class Number>
+  static Number* shifted(Number* p, int cells) {
+    return reinterpret_cast<Number*>(reinterpret_cast<std::intptr_t>(p) +
+                                     static_cast<std::intptr_t>(sizeof(Real)) * cells);
+  }
+
   [[gnu::always_inline]] static std::size_t beyond_y(const Rows& rows) {
     return CY == 0 ? 0 : (CY > 0 ? rows.last_y : rows.first_y);
   }
@@ -144,19 +165,9 @@ class ShiftedVelocity {
   /// is not written may be in use by another thread and must not be touched, not even with its own value.
   template <class V, class Vector>
   [[gnu::always_inline]] static void put_ahead(Real* near, Real* far, const Vector& turned) {
-    if constexpr (stdx::native_simd<float>::size() >= kBlockWidth) {
-      const V lane([](auto k) { return static_cast<Real>(k % kBlockWidth); });
-      const auto first = lane == V(0);
-      const V values = value<V>(turned);
-      stdx::where(!first, values).copy_to(near, stdx::element_aligned);
-      stdx::where(first, values).copy_to(far, stdx::element_aligned);
-    } else {  // narrow vectors store with masks around the cache
-      const Real* const values = reinterpret_cast<const Real*>(&turned);
-      for (std::size_t k = 0; k < V::size(); k += kBlockWidth) {
-        far[k] = values[k];
-        std::memcpy(near + k + 1, values + k + 1, (kBlockWidth - 1) * sizeof(Real));
-      }
-    }
+    const V lane([](auto k) { return static_cast<Real>(k % kBlockWidth); }), values = value<V>(turned);
+    store_some(near, values, lane != V(0));
+    store_some(far, values, lane == V(0));
   }
 
   template <class Vector>
@@ -202,9 +213,9 @@ template <class Visit>
 template <class Real>
 class AwayPopulations {
  public:
-  /// `zeros` and `nowhere`: see ShiftedVelocity.
-  AwayPopulations(const std::array<Block<Real>*, 27>& around, Parity parity, const Real* zeros, Real* nowhere)
-      : velocities_(make(around, parity, zeros, nowhere, std::make_index_sequence<D3Q19::pairs>{})) {}
+  /// `nowhere`: see ShiftedVelocity.
+  AwayPopulations(const std::array<Block<Real>*, 27>& around, Parity parity, Real* nowhere)
+      : velocities_(make(around, parity, nowhere, std::make_index_sequence<D3Q19::pairs>{})) {}
 
   template <int P>
   [[nodiscard]] const auto& pair() const {
@@ -216,12 +227,12 @@ class AwayPopulations {
   using Velocity = ShiftedVelocity<D3Q19::c[2 * P + 1][0], D3Q19::c[2 * P + 1][1], D3Q19::c[2 * P + 1][2], Real>;
 
   template <std::size_t... P>
-  static auto make(const std::array<Block<Real>*, 27>& around, Parity parity, const Real* zeros, Real* nowhere,
+  static auto make(const std::array<Block<Real>*, 27>& around, Parity parity, Real* nowhere,
                    std::index_sequence<P...>) {
-    return std::tuple(Velocity<P>(around, parity.away(D3Q19::forward(P)), zeros, nowhere)...);
+    return std::tuple(Velocity<P>(around, parity.away(D3Q19::forward(P)), nowhere)...);
   }
 
-  decltype(make({}, {}, nullptr, nullptr, std::make_index_sequence<D3Q19::pairs>{})) velocities_;
+  decltype(make({}, {}, nullptr, std::make_index_sequence<D3Q19::pairs>{})) velocities_;
 };
 
 }  // namespace lahar::lbm

@@ -15,8 +15,6 @@
 
 namespace lahar::lbm {
 
-namespace stdx = std::experimental;
-
 /// Rows by bit y + 8 z.
 inline constexpr std::uint64_t kAllRows = ~std::uint64_t{0};
 
@@ -53,11 +51,10 @@ class BlockKernel {
   static SweepNote run(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p) {
     const FlushDenormals flush;
     const std::uint64_t rows = kMixed ? whole_vectors(block.wet_rows) : kAllRows;
-    alignas(64) static constexpr Real zeros[kBlockCells] = {};
     alignas(64) Real nowhere[kBlockCells];
     Real* home[D3Q19::pairs];
     for (int pair = 0; pair < D3Q19::pairs; ++pair) home[pair] = block.f(p.parity.home(D3Q19::forward(pair)));
-    const AwayPopulations<Real> away(around, p.parity, zeros, nowhere);
+    const AwayPopulations<Real> away(around, p.parity, nowhere);
     const auto uniform = make_uniform<V, Viscosity<V>>(p);
     alignas(64) Real wet[kMixed ? kBlockCells : 1];
     if constexpr (kMixed)
@@ -138,8 +135,6 @@ class BlockKernel {
     const Departure<V> after = Operator::collide(f, m, force, uniform.viscosity);
     watch.see(after);
     if constexpr (kBody) record_exchange(block, n, m, force, after);
-    if constexpr (kMixed)
-      for (V& population : f) stdx::where(dry, population) = V(0);
     f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
       f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);

@@ -67,8 +67,9 @@ void flag_drop(FluidGrid<Real>& grid, CellPlace place, Parity parity, std::uint6
 }  // namespace
 
 template <class Real>
-double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round,
+double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round, double speed,
                         Flagged<Real>& flagged) {
+  const bool moving = drops_may_move(speed, round);
   Block<Real>& block = grid.block(b);
   SurfaceFields<Real>& surface = *block.surface;
   double left = 0;
@@ -86,15 +87,16 @@ double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std:
     const Verdict v = judge(grid, {b, cell}, mass, rho, block.at_rim[cell], draining);
     if (v == Verdict::fill) flagged.filled.push_back(cell);
     if (v == Verdict::empty) flagged.emptied.push_back(cell);
-    if (v == Verdict::stay && surface.alone[cell]) flag_drop(grid, {b, cell}, parity, round, flagged.drops);
+    if (moving && v == Verdict::stay && surface.alone[cell]) flag_drop(grid, {b, cell}, parity, round, flagged.drops);
   }
   return left;
 }
 
 template <class Real>
-void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
+void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes,
+                               LiquidAccount& account) {
   ++round_;
-  flag(grid, parity, account);
+  flag(grid, parity, notes, account);
   fill_cells(grid, parity);
   empty_cells(grid, parity);
   move_drops(grid, parity, account);
@@ -121,7 +123,8 @@ void CellConversion<Real>::wet(FluidGrid<Real>& grid, CellPlace place, Parity pa
 }
 
 template <class Real>
-void CellConversion<Real>::flag(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
+void CellConversion<Real>::flag(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes,
+                                LiquidAccount& account) {
   const std::size_t n = grid.topology().capacity();
   flagged_.resize(n);
   for (Flagged<Real>& f : flagged_) f.clear();  // also those of blocks that are gone
@@ -130,7 +133,8 @@ void CellConversion<Real>::flag(FluidGrid<Real>& grid, Parity parity, LiquidAcco
   parallel_for(0, active.size(), 16, [&](std::size_t k) {
     const BlockIndex b = active[k];
     const auto at = static_cast<std::size_t>(b);
-    if (grid.block(b).surface) left_[at] = flag_conversions(grid, b, parity, round_, flagged_[at]);
+    if (!grid.has_surface(b)) return;
+    left_[at] = flag_conversions(grid, b, parity, round_, std::sqrt(notes[k].speed_square), flagged_[at]);
   });
   for (const BlockIndex b : active) account.outflow += left_[static_cast<std::size_t>(b)];
 }
@@ -328,8 +332,9 @@ void CellConversion<Real>::pay_pool(FluidGrid<Real>& grid, LiquidAccount& accoun
   }
 }
 
-template double flag_conversions<float>(FluidGrid<float>&, BlockIndex, Parity, std::uint64_t, Flagged<float>&);
-template double flag_conversions<double>(FluidGrid<double>&, BlockIndex, Parity, std::uint64_t, Flagged<double>&);
+template double flag_conversions<float>(FluidGrid<float>&, BlockIndex, Parity, std::uint64_t, double, Flagged<float>&);
+template double flag_conversions<double>(FluidGrid<double>&, BlockIndex, Parity, std::uint64_t, double,
+                                         Flagged<double>&);
 template class CellConversion<float>;
 template class CellConversion<double>;
 

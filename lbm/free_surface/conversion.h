@@ -10,6 +10,7 @@
 #include "lbm/boundary/wall_balance.h"
 #include "lbm/fluid_grid.h"
 #include "lbm/free_surface/drops.h"
+#include "lbm/sweep.h"
 
 namespace lahar::lbm {
 
@@ -34,9 +35,9 @@ struct Flagged {
 };
 
 /// Flags one block's interface cells and sets their fill levels from their new mass; returns what left at the rim.
-/// `round` is any count of the steps.
+/// `round` is any count of the steps; no cell of the block is faster than `speed`, lu.
 template <class Real>
-double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round,
+double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round, double speed,
                         Flagged<Real>& flagged);
 
 /// The whole conversion after a sweep. `parity` is that of the coming step. Deterministic whatever the thread count:
@@ -44,7 +45,8 @@ double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std:
 template <class Real>
 class CellConversion {
  public:
-  void run(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
+  /// `notes` are those of the sweep, by place in the list of active blocks.
+  void run(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes, LiquidAccount& account);
   /// Makes a gas cell an interface cell without liquid, in the equilibrium of given moments; before a step.
   void wet(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments);
 
@@ -54,7 +56,7 @@ class CellConversion {
     Real mass;
   };
   void relist_touched(FluidGrid<Real>& grid);
-  void flag(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
+  void flag(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes, LiquidAccount& account);
   void fill_cells(FluidGrid<Real>& grid, Parity parity);
   void wet_neighbours(FluidGrid<Real>& grid, CellPlace place, Parity parity);
   void make_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity);

@@ -19,14 +19,24 @@ struct Drop {
   CellMoments<Real> moments;
 };
 
-/// The axis velocity along which a drop moves on in a step, 0 for none: in a share |u_k| of all steps along axis k. The
-/// multiples of the golden ratio fill [0, 1) evenly (Weyl 1916), so that the mean speed is right without a stored
-/// displacement, and neighbours of like velocity move in the same step.
+/// The draw of a round, in [0, 1): multiples of the golden ratio fill it evenly (Weyl 1916).
+inline double drop_draw(std::uint64_t round) {
+  constexpr double kGolden = 0.6180339887498949;
+  const double multiple = static_cast<double>(round) * kGolden;
+  return multiple - std::floor(multiple);
+}
+
+/// Whether a drop no faster than this, lu, may move in a round: |u_x| + |u_y| + |u_z| <= sqrt(3) |u|.
+inline bool drops_may_move(double speed, std::uint64_t round) {
+  return drop_draw(round) < 1.001 * std::sqrt(3.0) * speed;
+}
+
+/// The axis velocity along which a drop moves on in a step, 0 for none: in a share |u_k| of all steps along axis k. All
+/// take the same draw, so that the mean speed is right without a stored displacement, and neighbours of like velocity
+/// move in the same step.
 template <class Real>
 int drop_direction(const Real (&u)[3], std::uint64_t round) {
-  constexpr double kGolden = 0.6180339887498949;
-  double draw = static_cast<double>(round) * kGolden;
-  draw -= std::floor(draw);
+  double draw = drop_draw(round);
   for (int k = 0; k < 3; ++k) {
     draw -= std::abs(static_cast<double>(u[k]));
     if (draw < 0) return 2 * k + (u[k] > 0 ? 1 : 2);

@@ -23,16 +23,22 @@ constexpr int kExposedSides = 9;
 template <class Real>
 class RowExchange {
  public:
-  using V = stdx::simd<Real, stdx::simd_abi::deduce_t<Real, kBlockWidth>>;
+  using V = Row<Real>;
 
   RowExchange(const std::array<Block<Real>*, 27>& around, const Surroundings<Real>& near, Parity parity, Real gas_drho,
               Real largest_gradient)
-      : around_(around),
-        block_(*around[13]),
+      : block_(*around[13]),
         near_(near),
-        parity_(parity),
+        // What is at home in the coming step is away in the one after it, and the reverse.
+        home_ahead_(around, parity.next(), nowhere_),
+        away_ahead_(around, parity, nowhere_),
         gas_drho_(gas_drho),
-        largest_gradient_(largest_gradient) {}
+        largest_gradient_(largest_gradient) {
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) {
+      home_[pair] = block_.f(parity.home(D3Q19::forward(pair)));
+      away_[pair] = block_.f(parity.away(D3Q19::forward(pair)));
+    }
+  }
 
   void run(int row) {
     load(row);
@@ -67,46 +73,13 @@ class RowExchange {
 
   /// The four values of every pair (streaming.h) for the eight cells.
   [[gnu::always_inline]] void load(int row) {
+    const Rows rows = Rows::at(kBlockWidth * row, 1);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      const int home = parity_.home(D3Q19::forward(P)), away = parity_.away(D3Q19::forward(P));
-      incoming_a_[P] = V(block_.f(home) + 8 * row, stdx::element_aligned);
-      outgoing_b_[P] = V(block_.f(away) + 8 * row, stdx::element_aligned);
-      const ShiftedRow ahead = shifted_row<CY, CZ>(row);
-      outgoing_a_[P] = read_shifted<CX>(ahead, home);
-      incoming_b_[P] = read_shifted<CX>(ahead, away);
+      incoming_a_[P] = V(home_[P] + 8 * row, stdx::element_aligned);
+      outgoing_b_[P] = V(away_[P] + 8 * row, stdx::element_aligned);
+      outgoing_a_[P] = home_ahead_.template pair<P>().template load<V>(rows);
+      incoming_b_[P] = away_ahead_.template pair<P>().template load<V>(rows);
     });
-  }
-
-  /// The lane whose cell lies in the next block along x.
-  template <int CX>
-  [[gnu::always_inline]] static auto beyond() {
-    const V lane([](auto k) { return static_cast<Real>(k); });
-    return lane == V(CX > 0 ? Real(7) : Real(0));
-  }
-
-  template <int CX>
-  [[gnu::always_inline]] V read_shifted(const ShiftedRow& row, int slot) const {
-    const Real* near = row_of(around_, 0, row, slot);
-    V values = near ? V(near + CX, stdx::element_aligned) : V(0);
-    if constexpr (CX != 0) {  // a blend: a number stored into a row that is loaded next would stall
-      const Real* far = row_of(around_, CX, row, slot);
-      stdx::where(beyond<CX>(), values) = V(far ? far[CX > 0 ? 0 : 7] : Real(0));
-    }
-    return values;
-  }
-
-  /// Writes incoming_b of the chosen cells, where they lie in the row ahead. Those of an interface cell always exist.
-  template <int P, int CX, int CY, int CZ, class Mask>
-  [[gnu::always_inline]] void write_shifted(int row, const V& values, const Mask& chosen) {
-    const ShiftedRow ahead = shifted_row<CY, CZ>(row);
-    const int slot = parity_.away(D3Q19::forward(P));
-    Real* const near = row_of(around_, 0, ahead, slot);
-    Real* const far = row_of(around_, CX, ahead, slot);
-    for (int k = 0; k < kBlockWidth; ++k) {
-      if (!chosen[static_cast<std::size_t>(k)]) continue;
-      const int to = k + CX;
-      (to < 0 || to > 7 ? far : near)[to & 7] = values[static_cast<std::size_t>(k)];
-    }
   }
 
   /// Populations that would come from the gas, in the cells `open` to it.
@@ -114,6 +87,7 @@ class RowExchange {
   void rebuild_from_gas(int row, int place, const Mask& open) {
     const Velocity u = outgoing_velocity(row);
     const SurfacePressure s = surface_pressure(row, place, open);
+    const Rows rows = Rows::at(kBlockWidth * row, 1);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
       const auto from_ahead = open && see(near_.empty, place + step) > V(0);
@@ -123,10 +97,9 @@ class RowExchange {
         return equilibrium_pair_sum(D3Q19::forward(P), V(gas_drho_ + V(3) * height), u.x, u.y, u.z);
       };
       if (stdx::any_of(from_ahead))
-        write_shifted<P, CX, CY, CZ>(row, even(s.depth + half_way) - outgoing_a_[P], from_ahead);
+        away_ahead_.template pair<P>().store_chosen(rows, even(s.depth + half_way) - outgoing_a_[P], from_ahead);
       if (stdx::any_of(from_behind))
-        stdx::where(from_behind, V(even(s.depth - half_way) - outgoing_b_[P]))
-            .copy_to(block_.f(parity_.home(D3Q19::forward(P))) + 8 * row, stdx::element_aligned);
+        store_some(home_[P] + 8 * row, V(even(s.depth - half_way) - outgoing_b_[P]), from_behind);
     });
   }
 
@@ -178,15 +151,14 @@ class RowExchange {
     stdx::where(exposed, rate) = V(static_cast<Real>(kLargestExposedRate));
     rate.copy_to(s.largest_rate + 8 * row, stdx::element_aligned);
     s.exposed += stdx::popcount(exposed);
-    const auto alone = fullest < V(1);
-    for (int k = 0; k < kBlockWidth; ++k)
-      s.alone[static_cast<std::size_t>(8 * row + k)] = alone[static_cast<std::size_t>(k)];
+    (fullest < V(1)).copy_to(s.alone.data() + 8 * row, stdx::element_aligned);
   }
 
-  const std::array<Block<Real>*, 27>& around_;
   Block<Real>& block_;
   const Surroundings<Real>& near_;
-  const Parity parity_;
+  Real *home_[D3Q19::pairs], *away_[D3Q19::pairs];  ///< the block's own numbers
+  alignas(64) Real nowhere_[kBlockCells];
+  const AwayPopulations<Real> home_ahead_, away_ahead_;
   const V gas_drho_;
   const Real largest_gradient_;
   V incoming_a_[D3Q19::pairs], outgoing_b_[D3Q19::pairs], outgoing_a_[D3Q19::pairs], incoming_b_[D3Q19::pairs];

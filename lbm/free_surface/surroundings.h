@@ -4,10 +4,9 @@
 #include <experimental/simd>
 
 #include "lbm/cell_moments.h"
+#include "lbm/gather.h"
 
 namespace lahar::lbm {
-
-namespace stdx = std::experimental;
 
 template <class Real>
 struct Surroundings {
@@ -37,6 +36,19 @@ inline std::array<std::uint32_t, 12> rows_around(std::uint64_t rows) {
   return needed;
 }
 
+/// rho - 1 after the last collision in the row that starts with cell `first` of a block with these neighbours.
+template <class Real>
+Row<Real> outgoing_density(const std::array<Block<Real>*, 27>& around, int first, Parity parity) {
+  const Rows rows = Rows::at(first, 1);
+  Row<Real> drho(around[13]->f(0) + first, stdx::element_aligned);
+  for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+    const ShiftedVelocity<CX, CY, CZ, Real> ahead(around, parity.home(D3Q19::forward(P)), nullptr);
+    drho += ahead.template load<Row<Real>>(rows) +
+            Row<Real>(around[13]->f(parity.away(D3Q19::forward(P))) + first, stdx::element_aligned);
+  });
+  return drho;
+}
+
 /// Fills what the interface cells of given rows see.
 template <class Real>
 class LookAround {
@@ -51,7 +63,7 @@ class LookAround {
   }
 
  private:
-  using V = stdx::simd<Real, stdx::simd_abi::deduce_t<Real, kBlockWidth>>;
+  using V = Row<Real>;
 
   void see_row(Surroundings<Real>& s, int y, int z) {
     const int by = y < 0 ? -1 : (y > 7 ? 1 : 0), bz = z < 0 ? -1 : (z > 7 ? 1 : 0);
@@ -73,9 +85,7 @@ class LookAround {
         if (block->type[static_cast<std::size_t>(first + k)] == CellType::wall) s.empty[place + k] = 0;
       return;
     }
-    const stdx::fixed_size_simd<std::uint8_t, kBlockWidth> codes(
-        [&](auto k) { return static_cast<std::uint8_t>(block->type[static_cast<std::size_t>(first) + k]); });
-    const V type = stdx::static_simd_cast<V>(codes);
+    const V type = types_of(*block, first);
     const auto is = [&](CellType t) { return type == V(static_cast<Real>(t)); };
     V full = zero, half = zero, empty = zero, wet = zero, density = zero;
     stdx::where(is(CellType::liquid), full) = one;
@@ -87,7 +97,19 @@ class LookAround {
       density = wet * V(block->surface->density + first, stdx::element_aligned);
     }
     put(s.full, full), put(s.half, half), put(s.empty, empty), put(s.wet, wet), put(s.density, density);
-    if (!block->surface) compute_density(s, place, slot, first, kBlockWidth);
+    if (block->surface) return;
+    const BlockIndex b = grid_.topology().neighbours(index_)[static_cast<std::size_t>(slot)];
+    put(s.density, wet * outgoing_density(grid_.around(b), first, parity_));
+  }
+
+  /// The types of a row's cells as numbers.
+  static V types_of(const Block<Real>& block, int first) {
+    using Bytes [[gnu::vector_size(kBlockWidth)]] = std::uint8_t;
+    using Words [[gnu::vector_size(4 * kBlockWidth)]] = std::int32_t;
+    Bytes bytes;
+    std::memcpy(&bytes, block.type.data() + first, sizeof(bytes));
+    const auto numbers = __builtin_convertvector(__builtin_convertvector(bytes, Words), typename RowsOf<Real, 1>::type);
+    return V(reinterpret_cast<const Real*>(&numbers), stdx::vector_aligned);
   }
 
   /// The two cells of a row that lie in a block beside it.
@@ -107,7 +129,7 @@ class LookAround {
     if (block && !block->surface) compute_density(s, place, slot, first, Surroundings<Real>::rim);
   }
 
-  /// The sweep keeps no densities of blocks without a surface.
+  /// Density of cells beside the row's ends; the sweep keeps none of blocks without a surface.
   void compute_density(Surroundings<Real>& s, int place, int slot, int first, int count) {
     const BlockIndex b = grid_.topology().neighbours(index_)[static_cast<std::size_t>(slot)];
     for (int k = 0; k < count; ++k)
