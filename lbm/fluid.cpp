@@ -11,6 +11,7 @@
 #include "lbm/collision/cell_state.h"
 #include "lbm/equilibrium.h"
 #include "lbm/free_surface/surface_exchange.h"
+#include "lbm/rescale.h"
 
 namespace lahar::lbm {
 
@@ -24,6 +25,7 @@ constexpr double kSpeedLimit = 0.57735;     // lu, the speed of sound: nothing b
 // A splash may hold a few cells at kLargestSpeed; more than that, and the limit would hide a time step that is too
 // long.
 constexpr double kLimitedCells = 100, kLimitedShare = 0.02;  // the latter of all wet cells
+constexpr double kShortestStep = 1.0 / 32;  // of the first: shorter, and something else is wrong
 
 LatticeUnits units_of(const FluidOptions& o) { return {o.domain.cell_size, o.time_step, o.density}; }
 
@@ -47,6 +49,21 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   return p;
 }
 
+/// The step grows no further than to tau = 1 (walls and stress are accurate around it), or where it started.
+TimeStepLimits time_step_limits(const FluidOptions& o) {
+  TimeStepLimits limits;
+  limits.target = o.lattice_velocity;
+  limits.cell_size = o.domain.cell_size;
+  limits.shortest = kShortestStep * o.time_step;
+  const double viscosity =
+      o.rheology.law == FlowLaw::newtonian ? o.kinematic_viscosity : o.rheology.limit_viscosity;
+  limits.longest = std::max(o.time_step, o.domain.cell_size * o.domain.cell_size / (6 * viscosity));
+  limits.gravity = o.gravity.norm();
+  for (const Wall& w : o.domain.walls.all()) limits.known_speed = std::max(limits.known_speed, w.velocity.norm());
+  for (const InflowOptions& in : o.inflows) limits.known_speed = std::max(limits.known_speed, in.velocity.norm());
+  return limits;
+}
+
 std::string describe_place(const Vec3& p) {
   char text[96];
   std::snprintf(text, sizeof text, "fluid cell at (%.4g, %.4g, %.4g) m", p.x(), p.y(), p.z());
@@ -60,8 +77,11 @@ Fluid<Real>::Fluid(FluidOptions options)
     : options_(std::move(options)),
       units_(units_of(options_)),
       parameters_(parameters_of(options_, units_)),
-      grid_(options_.domain, units_.velocity_to_lu(1.0)) {
+      grid_(options_.domain, units_.velocity_to_lu(1.0)),
+      clock_(options_.time_step),
+      time_steps_(options_.time_step) {
   for (const InflowOptions& inflow : options_.inflows) inflows_.emplace_back(inflow, grid_.domain(), units_);
+  if (options_.adaptive_time_step) control_.emplace(time_step_limits(options_));
 }
 
 namespace {
@@ -234,8 +254,11 @@ void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& veloci
 
 template <class Real>
 void Fluid<Real>::step() {
+  const double ratio = plan_time_step() / units_.time_step;
+  if (ratio != 1) stretch_kicks(ratio);
   feed();
   exchange();
+  if (ratio != 1) rescale(ratio);
   sweep();
   parameters_.parity = parameters_.parity.next();
   reflect();
@@ -243,14 +266,69 @@ void Fluid<Real>::step() {
     const ScopedTimer timer(timers_.section("fluid.conversion"));
     conversion_.run(grid_, parameters_.parity, account_);
   }
-  ++steps_;
-  if (steps_ % kReleaseEvery == 0) release_dry_blocks();
-  if (steps_ % kWatchEvery == 0) watch();
+  clock_.advance();
+  if (steps() % kReleaseEvery == 0) release_dry_blocks();
+  if (!control_ && steps() % kWatchEvery == 0) watch();
+}
+
+template <class Real>
+double Fluid<Real>::plan_time_step() {
+  if (control_ && looked_at_ != steps() && steps() % kLookEvery == 0) look();
+  return clock_.time_step();
+}
+
+/// A look for the watchdog and for the choice of the step.
+template <class Real>
+void Fluid<Real>::look() {
+  looked_at_ = steps();
+  watch();
+  const double chosen = control_->choose(units_.time_step, survey_);
+  if (chosen != units_.time_step) set_time_step(chosen);
+}
+
+template <class Real>
+void Fluid<Real>::set_time_step(double time_step) {
+  require(time_step > 0, "Fluid: the time step must be positive");
+  clock_.set_time_step(time_step);
+}
+
+/// Wires have written the momentum of a former step: a force that is held gives it over the coming one. It is brought
+/// over as a velocity after that, with what inflows add.
+template <class Real>
+void Fluid<Real>::stretch_kicks(double ratio) {
+  for (const BlockIndex b : grid_.active())
+    if (BodyFields<Real>* body = grid_.block(b).body)
+      for (Real* field : {body->exchange_x, body->exchange_y, body->exchange_z})
+        for (int n = 0; n < kBlockCells; ++n) field[n] *= static_cast<Real>(ratio);
+}
+
+/// From here on lattice units are those of the new step.
+template <class Real>
+void Fluid<Real>::rescale(double ratio) {
+  const ScopedTimer timer(timers_.section("fluid.time_step"));
+  const auto& active = grid_.active();
+  account_.rescaled += ordered_sum<double>(
+      active.size(),
+      [&](std::size_t k) { return rescale_block(grid_, active[k], parameters_.parity, parameters_, ratio); },
+      kBlocksPerTask);
+  options_.time_step = clock_.time_step();
+  // The drag of a packed bed per time, B / (1 - B) per step = eps / (1 - eps) c / (1 + c), is kept.
+  const double drag = ratio * options_.seepage_constant / (1 + options_.seepage_constant);
+  options_.seepage_constant = drag / std::max(1 - drag, 1e-6);
+  units_ = units_of(options_);
+  const Parity parity = parameters_.parity;
+  parameters_ = parameters_of(options_, units_);
+  parameters_.parity = parity;
+  grid_.set_velocity_to_lu(units_.velocity_to_lu(1.0));
+  for (Inflow<Real>& inflow : inflows_) inflow.set_units(units_);
+  max_speed_lu_ *= ratio;
+  time_steps_.note(options_.time_step);
 }
 
 template <class Real>
 void Fluid<Real>::feed() {
-  for (Inflow<Real>& inflow : inflows_) inflow.feed(grid_, conversion_, parameters_.parity, time(), steps_, account_);
+  for (Inflow<Real>& inflow : inflows_)
+    inflow.feed(grid_, conversion_, parameters_.parity, time(), clock_.time_step(), steps(), account_);
 }
 
 template <class Real>
@@ -342,46 +420,28 @@ void Fluid<Real>::release_dry_blocks() {
 template <class Real>
 void Fluid<Real>::watch() {
   const ScopedTimer timer(timers_.section("fluid.watchdog"));
-  const auto& active = grid_.active();
-  struct Worst {
-    double speed = 0;
-    CellPlace place;
-    std::size_t limited = 0;
-  };
-  std::vector<Worst> worst(active.size());
-  parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
-    const Block<Real>& block = grid_.block(active[k]);
-    if (block.wet_cells == 0) return;
-    for (int n = 0; n < kBlockCells; ++n) {
-      if (!is_wet(block.type[static_cast<std::size_t>(n)])) continue;
-      const auto m = outgoing_moments(grid_, {active[k], n}, parameters_.parity);
-      const double speed = std::sqrt(static_cast<double>(m.u[0] * m.u[0] + m.u[1] * m.u[1] + m.u[2] * m.u[2]));
-      worst[k].limited += speed > 0.999 * kLargestSpeed;
-      if (speed <= worst[k].speed) continue;
-      worst[k].speed = std::isfinite(speed) ? speed : 1e30;
-      worst[k].place = {active[k], n};
-    }
-  });
-  Worst all;
-  for (const Worst& w : worst) {
-    all.limited += w.limited;
-    if (w.speed > all.speed) all.speed = w.speed, all.place = w.place;
-  }
-  limited_cells_ = std::max(limited_cells_, all.limited);
-  max_speed_lu_ = all.speed;
-  const double bearable = std::max(kLimitedCells, kLimitedShare * static_cast<double>(wet_cells()));
-  const bool held_back = static_cast<double>(all.limited) > bearable;
-  if (all.speed < kSpeedLimit && !held_back) return;
-  const auto m = outgoing_moments(grid_, all.place, parameters_.parity);
+  survey_ = survey_cells(grid_, parameters_.parity);
+  limited_cells_ = std::max(limited_cells_, survey_.limited);
+  max_speed_lu_ = survey_.speed;
+  judge(survey_);
+}
+
+template <class Real>
+void Fluid<Real>::judge(const Survey& found) const {
+  const double bearable = std::max(kLimitedCells, kLimitedShare * static_cast<double>(found.wet));
+  const bool curable = control_ && control_->can_shorten(units_.time_step);
+  const bool held_back = static_cast<double>(found.limited) > bearable && !curable;
+  if (found.speed < kSpeedLimit && !held_back) return;
+  const auto m = outgoing_moments(const_cast<FluidGrid<Real>&>(grid_), found.fastest, parameters_.parity);
   char cause[240];
   std::snprintf(cause, sizeof cause, "velocity (%.4g, %.4g, %.4g) and density %.4g in lattice units: %s",
                 static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]),
                 1.0 + static_cast<double>(m.drho),
-                all.speed > 1e29 ? "not a number"
+                found.speed >= kNotFinite ? "not a number"
                 : held_back ? "one of many cells at the largest speed of the lattice; the time step is too long: raise "
                               "max_speed or lower lattice_velocity"
                             : "faster than sound; use a smaller lattice_velocity");
-  throw NumericalFailure(describe_place(grid_.centre(all.place.block, all.place.cell)), steps_, cause);
+  throw NumericalFailure(describe_place(grid_.centre(found.fastest.block, found.fastest.cell)), steps(), cause);
 }
 
 template <class Real>
@@ -414,7 +474,7 @@ double Fluid<Real>::liquid_mass() const {
 template <class Real>
 double Fluid<Real>::mass_drift() const {
   const double put_in = initial_mass_ + inflow_mass();
-  return put_in > 0 ? (liquid_mass() + outflow_mass() - put_in) / put_in : 0.0;
+  return put_in > 0 ? (liquid_mass() + outflow_mass() - rescaled_mass() - put_in) / put_in : 0.0;
 }
 
 template <class Real>

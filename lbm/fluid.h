@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/step_clock.h"
 #include "core/timers.h"
 #include "core/units.h"
 #include "lbm/boundary/wall_load.h"
@@ -13,12 +14,15 @@
 #include "lbm/free_surface/conversion.h"
 #include "lbm/free_surface/inflow.h"
 #include "lbm/sweep.h"
+#include "lbm/time_step_control.h"
 
 namespace lahar::lbm {
 
 struct FluidOptions {
   DomainSpec domain;
-  double time_step = 0;               ///< s
+  double time_step = 0;               ///< s; the first, where it adapts
+  bool adaptive_time_step = false;    ///< follows the speed of the liquid (time_step_control.h)
+  double lattice_velocity = 0.1;      ///< lu, largest speed that an adaptive step aims at
   double density = 1000;              ///< kg/m^3
   double kinematic_viscosity = 1e-6;  ///< m^2/s
   Vec3 gravity = Vec3::Zero();        ///< m/s^2
@@ -67,23 +71,29 @@ class Fluid {
                        const std::function<double(const Vec3&)>& drho, Start start = Start::equilibrium);
 
   /// The liquid of now is the start of the mass ledger. Done by fill; to be called again after bodies were put in.
-  void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass() - inflow_mass(); }
+  void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass() - inflow_mass() - rescaled_mass(); }
 
   /// One fluid step: mass over the surface, collide and stream, walls, cell conversion, blocks.
   /// Throws NumericalFailure if a cell is no longer finite or faster than the lattice can carry.
   void step();
 
+  /// s, of the coming step; where the step adapts this is when it is chosen.
+  double plan_time_step();
+  /// The coming step and those after it take `time_step`, s: what is in the cells is brought over (rescale.h).
+  void set_time_step(double time_step);
+  [[nodiscard]] const TimeStepRecord& time_step_record() const { return time_steps_; }
+
   [[nodiscard]] const LatticeUnits& units() const { return units_; }
   [[nodiscard]] const FluidOptions& options() const { return options_; }
   [[nodiscard]] double tau() const { return parameters_.tau; }
   [[nodiscard]] double coverage_resistance() const { return parameters_.coverage_resistance; }
-  [[nodiscard]] std::int64_t steps() const { return steps_; }
+  [[nodiscard]] std::int64_t steps() const { return clock_.steps(); }
   [[nodiscard]] FluidGrid<Real>& grid() { return grid_; }
   [[nodiscard]] const FluidGrid<Real>& grid() const { return grid_; }
   [[nodiscard]] Parity parity() const { return parameters_.parity; }
   [[nodiscard]] LiquidAccount& account() { return account_; }
   /// s, of the last finished step.
-  [[nodiscard]] double time() const { return static_cast<double>(steps_) * options_.time_step; }
+  [[nodiscard]] double time() const { return clock_.time(); }
   [[nodiscard]] Timers& timers() { return timers_; }
 
   /// Liquid in the domain, kg: full cells, interface cells, pool, less the bodies' share.
@@ -92,7 +102,9 @@ class Fluid {
   [[nodiscard]] double outflow_mass() const { return account_.outflow * units_.mass(); }
   /// Liquid that came in through inflow boxes, kg.
   [[nodiscard]] double inflow_mass() const { return account_.inflow * units_.mass(); }
-  /// (in the domain + left - come in - at the start) / (come in + at the start); 0 without liquid.
+  /// Mass that changes of the time step have added, kg: they keep the volume (rescale.h).
+  [[nodiscard]] double rescaled_mass() const { return account_.rescaled * units_.mass(); }
+  /// (in the domain + left - come in - rescaled - at the start) / (come in + at the start); 0 without liquid.
   [[nodiscard]] double mass_drift() const;
   [[nodiscard]] std::size_t wet_cells() const;
   /// Cells with at least one update so far (sum over steps of wet cells).
@@ -126,6 +138,10 @@ class Fluid {
   void exchange();
   void reflect();
   void book_wall_loads();
+  void stretch_kicks(double ratio);
+  void rescale(double ratio);
+  void look();
+  void judge(const Survey& survey) const;
   void classify_filled(std::vector<BlockIndex>& touched);
   void initialize(CellPlace place, double drho, const Vec3& velocity_lu, const Mat3& stress = Mat3::Zero());
   [[nodiscard]] Mat3 flow_stress(const std::function<Vec3(const Vec3&)>& velocity_lu, const Vec3& centre) const;
@@ -139,7 +155,11 @@ class Fluid {
   std::vector<Inflow<Real>> inflows_;
   LiquidAccount account_;
   double initial_mass_ = 0;
-  std::int64_t steps_ = 0;
+  StepClock clock_;
+  TimeStepRecord time_steps_;
+  std::optional<TimeStepControl> control_;
+  Survey survey_;  // of the last look
+  std::int64_t looked_at_ = -1;  // steps at the last look of the control
   double cell_updates_ = 0, max_speed_lu_ = 0;
   std::size_t limited_cells_ = 0;
   Timers timers_;

@@ -133,6 +133,7 @@ struct Fluid {
   double smagorinsky = 0;
   double lattice_velocity = 0.1;
   double max_speed = 0;  ///< m/s, 0 = from the drop height
+  bool adaptive_time_step = false;
   WallPlacement wall_placement = WallPlacement::half_way;
   Rheology rheology;
   std::vector<FluidRegion> regions;

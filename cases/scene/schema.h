@@ -162,6 +162,10 @@ void describe(V& v, Fluid& s) {
         "square.");
     v.value("max_speed_m_s", s.max_speed, {non_negative()},
             "Largest expected speed; 0 = from the drop height, sqrt(v0^2 + 2 g h).");
+    v.value("adaptive_time_step", s.adaptive_time_step, {},
+            "Whether the time step follows the liquid, so that its fastest cell stays about lattice_velocity: shorter "
+            "at once where it is too fast, longer when it has been calm. The largest expected speed then sets the "
+            "first step alone.");
     v.value(
         "wall_placement", s.wall_placement, {},
         "Where no-slip walls are felt: half-way between cells, or at their own place between the cells (interpolated "
