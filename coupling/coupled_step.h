@@ -29,8 +29,10 @@ class CoupledStep {
   /// Advances by one fluid step (or `substeps` DEM steps without fluid).
   void advance();
 
-  [[nodiscard]] double time_step() const { return clock_.time_step(); }  ///< s, of the last step
-  [[nodiscard]] double time() const { return clock_.time(); }
+  /// s, of the last step: by so much the solids advanced.
+  [[nodiscard]] double time_step() const { return clock_.time_step(); }
+  /// s. Where the fluid's step changes its own time may differ from that of the solids by less than a step.
+  [[nodiscard]] double time() const { return solids_ ? clock_.time() : fluid_->time(); }
   [[nodiscard]] std::int64_t steps() const { return clock_.steps(); }
   [[nodiscard]] lbm::Fluid<Real>* fluid() { return fluid_ ? &*fluid_ : nullptr; }
   [[nodiscard]] dem::Solids* solids() { return solids_ ? &*solids_ : nullptr; }

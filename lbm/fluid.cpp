@@ -79,6 +79,7 @@ Fluid<Real>::Fluid(FluidOptions options)
       parameters_(parameters_of(options_, units_)),
       grid_(options_.domain, units_.velocity_to_lu(1.0)),
       clock_(options_.time_step),
+      coming_time_step_(options_.time_step),
       time_steps_(options_.time_step) {
   for (const InflowOptions& inflow : options_.inflows) inflows_.emplace_back(inflow, grid_.domain(), units_);
   if (options_.adaptive_time_step) control_.emplace(time_step_limits(options_));
@@ -267,6 +268,7 @@ void Fluid<Real>::step() {
     conversion_.run(grid_, parameters_.parity, account_);
   }
   clock_.advance();
+  if (ratio != 1) clock_.set_time_step(units_.time_step);
   if (steps() % kReleaseEvery == 0) release_dry_blocks();
   if (!control_ && steps() % kWatchEvery == 0) watch();
 }
@@ -274,7 +276,7 @@ void Fluid<Real>::step() {
 template <class Real>
 double Fluid<Real>::plan_time_step() {
   if (control_ && looked_at_ != steps() && steps() % kLookEvery == 0) look();
-  return clock_.time_step();
+  return coming_time_step_;
 }
 
 /// A look for the watchdog and for the choice of the step.
@@ -289,7 +291,7 @@ void Fluid<Real>::look() {
 template <class Real>
 void Fluid<Real>::set_time_step(double time_step) {
   require(time_step > 0, "Fluid: the time step must be positive");
-  clock_.set_time_step(time_step);
+  coming_time_step_ = time_step;
 }
 
 /// Wires have written the momentum of a former step: a force that is held gives it over the coming one. It is brought
@@ -311,7 +313,7 @@ void Fluid<Real>::rescale(double ratio) {
       active.size(),
       [&](std::size_t k) { return rescale_block(grid_, active[k], parameters_.parity, parameters_, ratio); },
       kBlocksPerTask);
-  options_.time_step = clock_.time_step();
+  options_.time_step = coming_time_step_;
   // The drag of a packed bed per time, B / (1 - B) per step = eps / (1 - eps) c / (1 + c), is kept.
   const double drag = ratio * options_.seepage_constant / (1 + options_.seepage_constant);
   options_.seepage_constant = drag / std::max(1 - drag, 1e-6);

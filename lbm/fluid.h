@@ -77,9 +77,10 @@ class Fluid {
   /// Throws NumericalFailure if a cell is no longer finite or faster than the lattice can carry.
   void step();
 
-  /// s, of the coming step; where the step adapts this is when it is chosen.
+  /// s, with which the coming step collides and streams; where the step adapts this is when it is chosen. The step in
+  /// which a change is made collides what has streamed with the old step: time() goes on by the old one once more.
   double plan_time_step();
-  /// The coming step and those after it take `time_step`, s: what is in the cells is brought over (rescale.h).
+  /// From the coming step on `time_step` (s) holds: what is in the cells is brought over (rescale.h).
   void set_time_step(double time_step);
   [[nodiscard]] const TimeStepRecord& time_step_record() const { return time_steps_; }
 
@@ -156,6 +157,7 @@ class Fluid {
   LiquidAccount account_;
   double initial_mass_ = 0;
   StepClock clock_;
+  double coming_time_step_ = 0;
   TimeStepRecord time_steps_;
   std::optional<TimeStepControl> control_;
   Survey survey_;  // of the last look

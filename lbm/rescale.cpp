@@ -1,6 +1,7 @@
 #include "lbm/rescale.h"
 
 #include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "lbm/collision/smagorinsky.h"
@@ -50,7 +51,7 @@ class CellRescaling {
   /// From old to new populations; returns new over old density.
   double apply(double (&f)[D3Q19::q], double largest_rate) const {
     const Moments<double> m = moments(f);
-    const double drho = ratio_ * ratio_ * m.drho, density_ratio = (1 + drho) * m.inverse_density;
+    const double drho = std::expm1(ratio_ * ratio_ * std::log1p(m.drho)), density_ratio = (1 + drho) * m.inverse_density;
     double u[3];
     for (std::size_t a = 0; a < 3; ++a)
       u[a] = ratio_ * m.u[a] + 0.5 * (ratio_ - ratio_ * ratio_) * before_.gravity[a];

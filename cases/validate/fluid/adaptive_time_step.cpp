@@ -84,16 +84,16 @@ void ask_vortex(const Context& context, std::vector<Row>& rows) {
   }
 }
 
-/// A tank at rest whose step goes up and down.
+/// A tank at rest whose step goes up and down. Shallow and viscous, so that the sound of the start has died down before.
 template <class Real>
 void ask_rest(const Context& context, std::vector<Row>& rows) {
-  const Vec3i cells(16, 8, 40);
-  const double level = 32.5, gravity = 0.02 * 0.02 / level;
-  lbm::FluidOptions o = open_tank(cells, 0.01, Vec3(0, 0, -gravity));
+  const Vec3i cells(16, 8, 16);
+  const double level = 12.4, gravity = 0.02 * 0.02 / level;
+  lbm::FluidOptions o = open_tank(cells, 0.05, Vec3(0, 0, -gravity));
   o.domain.faces[2] = o.domain.faces[3] = lbm::FaceKind::periodic;
   lbm::Fluid<Real> fluid(o);
   fluid.fill(liquid_under(cells, [&](double) { return level; }));
-  const int rest = context.quick ? 4000 : 20000;
+  const int rest = context.quick ? 8000 : 20000;
   advance(fluid, rest);
   double speed = 0, jump = 0;
   for (const double ratio : {0.8, 0.5, 2.0, 1.25, 1.25, 2.0, 0.8, 0.5}) {
@@ -142,20 +142,22 @@ void ask_dam(const Context& context, std::vector<Row>& rows) {
     return run_dam_break<Real>(water_column(context, lattice_velocity, adaptive));
   };
   const DamBreakRun right = run(0.1, false);
-  const auto ask = [&](const std::string& label, const DamBreakRun& found) {
+  // The column, twice as high as wide, stands under its own weight at the start: mean compression 3/2 g H = 0.862 v^2
+  // with v = 1.319 sqrt(2 g a), of the first step or of the right one.
+  const auto ask = [&](const std::string& label, const DamBreakRun& found, double largest_velocity) {
     rows.push_back(at_most_row(label + "front against that of the right step, RMS", front_difference(found, right),
                                0.02));
     rows.push_back(at_most_row(label + "liquid lost or won, of all", found.drift, ledger));
-    rows.push_back(at_most_row(label + "mass that changes of compression booked, of all", std::abs(found.rescaled),
-                               0.03));
+    rows.push_back(at_most_row(label + "mass booked for compression, of all", std::abs(found.rescaled),
+                               1.05 * 0.862 * largest_velocity * largest_velocity));
     rows.push_back(at_least_row(label + "changes of the step", static_cast<double>(found.changes), 1));
   };
   const DamBreakRun from_short = run(0.1 / 3, true);
-  ask("dam break, first step a third: ", from_short);
+  ask("dam break, first step a third: ", from_short, 0.1);
   rows.push_back(at_most_row("the same: steps / steps without adapting",
                              static_cast<double>(from_short.steps) / (3 * static_cast<double>(right.steps)), 0.6));
   const DamBreakRun from_long = run(0.3, true);
-  ask("dam break, first step three times: ", from_long);
+  ask("dam break, first step three times: ", from_long, 0.3);
   rows.push_back(at_most_row("the same: fastest cell, lu", from_long.fastest, 0.3));
 }
 
