@@ -30,11 +30,9 @@ Incoming incoming(Fluid<double>& fluid, CellPlace place) {
 }
 
 /// u_x = 0.03 + shear z with its stress, density 1.01.
-Fluid<double> shear_flow(const FluidOptions& o) {
-  Fluid<double> fluid(o);
+void fill_with_shear(Fluid<double>& fluid) {
   fluid.fill_everything([](const Vec3& p) { return Vec3(0.03 + kShear * p.z(), 0, 0); },
                         [](const Vec3&) { return 0.01; }, Start::with_stress);
-  return fluid;
 }
 
 SweepParameters parameters(double tau = kTau) {
@@ -50,7 +48,8 @@ CellPlace middle(Fluid<double>& fluid) { return {fluid.grid().active().front(), 
 TEST(Rescale, KeepsPressureVelocityAndStrainRate) {
   for (const auto collision : {CollisionOperator::central_moments, CollisionOperator::bgk, CollisionOperator::trt})
     for (const double r : {0.5, 0.8, 1.25, 3.0}) {
-      Fluid<double> fluid = shear_flow(lattice_options(Vec3i::Constant(16), (kTau - 0.5) / 3));
+      Fluid<double> fluid(lattice_options(Vec3i::Constant(16), (kTau - 0.5) / 3));
+      fill_with_shear(fluid);
       const CellPlace place = middle(fluid);
       const Incoming before = incoming(fluid, place);
       ASSERT_NEAR(before.s.xz, -kTau * 1.01 * kShear / 3, 1e-3 * kShear);
@@ -79,7 +78,8 @@ TEST(Rescale, KeepsTheStrainRateWithVariableViscosity) {
   const double eddy_tau = 0.5001 + 3 * 100.0 * 100.0 * kShear;
   for (const auto& [p, tau] : {std::pair{bingham, bingham_tau}, std::pair{eddies, eddy_tau}}) {
     // The start has the stress of the law's own tau at this strain rate.
-    Fluid<double> fluid = shear_flow(lattice_options(Vec3i::Constant(16), (tau - 0.5) / 3));
+    Fluid<double> fluid(lattice_options(Vec3i::Constant(16), (tau - 0.5) / 3));
+    fill_with_shear(fluid);
     const CellPlace place = middle(fluid);
     rescale_block(fluid.grid(), place.block, fluid.parity(), p, r);
     const double new_tau = 0.5 + r * (tau - 0.5), rho = std::pow(1.01, r * r);

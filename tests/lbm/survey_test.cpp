@@ -11,16 +11,16 @@ namespace lahar::lbm {
 namespace {
 
 /// A small dam break under way: liquid, interface and blocks of all kinds.
-Fluid<double> dam_break() {
-  FluidOptions o = tank_options(Vec3(0.4, 0.12, 0.3), 0.01, 2.0);
-  Fluid<double> fluid(o);
+void run_dam_break(Fluid<double>& fluid) {
   fluid.fill({{Vec3::Zero(), Vec3(0.15, 0.12, 0.22)}});
   for (int s = 0; s < 200; ++s) fluid.step();
-  return fluid;
 }
 
+FluidOptions options() { return tank_options(Vec3(0.4, 0.12, 0.3), 0.01, 2.0); }
+
 TEST(Survey, FindsWhatAPlainLoopFinds) {
-  Fluid<double> fluid = dam_break();
+  Fluid<double> fluid(options());
+  run_dam_break(fluid);
   const Survey found = survey_cells(fluid.grid(), fluid.parity());
   double speed = 0, compression = 0;
   std::size_t wet = 0;
@@ -41,7 +41,8 @@ TEST(Survey, FindsWhatAPlainLoopFinds) {
 }
 
 TEST(Survey, SeesWhatIsNotANumber) {
-  Fluid<double> fluid = dam_break();
+  Fluid<double> fluid(options());
+  run_dam_break(fluid);
   const CellPlace place = survey_cells(fluid.grid(), fluid.parity()).fastest;
   fluid.grid().block(place.block).f(0)[place.cell] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(survey_cells(fluid.grid(), fluid.parity()).speed, kNotFinite);
