@@ -26,6 +26,7 @@ struct FluidOptions {
   double density = 1000;              ///< kg/m^3
   double kinematic_viscosity = 1e-6;  ///< m^2/s
   Vec3 gravity = Vec3::Zero();        ///< m/s^2
+  double surface_tension = 0;         ///< N/m; 0 is off
   CollisionOperator collision = CollisionOperator::central_moments;
   BodyWeighting weighting = BodyWeighting::solid_fraction;
   double seepage_constant = 0;         ///< in place of tau - 1/2 for BodyWeighting::seepage
@@ -33,6 +34,10 @@ struct FluidOptions {
   RheologyOptions rheology;            ///< flow law of mud and slurry
   std::vector<InflowOptions> inflows;  ///< boxes through which liquid enters
 };
+
+/// s: the longest step with surface tension, sqrt(rho dx^3 / (4 pi sigma)): the shortest ripple moves less than half a
+/// cell (Brackbill, Kothe & Zemach 1992, eq. 61, with a gas of no density). Infinite without.
+double capillary_time_step(const FluidOptions& options);
 
 /// How the populations of a flow without a surface start.
 enum class Start {
