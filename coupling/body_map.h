@@ -50,9 +50,9 @@ class BodyMap {
   struct Body {
     dem::ParticleIndex particle;
     std::size_t first_pair = 0, pairs = 0;
-    bool all_blocks = true;       ///< every block in reach exists
-    double volume = 0;            ///< exact, cells
-    double old_wet_volume = 0;    ///< of the former mapping, under present cell types
+    bool all_blocks = true;            ///< every block in reach exists
+    double volume = 0;                 ///< exact, cells
+    double old_wet_volume = 0;         ///< of the former mapping, under present cell types
     Vec3 acceleration = Vec3::Zero();  ///< m/s^2, mean of the last step
   };
 

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <set>
 
+#include "core/capillary.h"
 #include "core/check.h"
 #include "core/parallel.h"
 #include "lbm/boundary/wall_balance.h"
@@ -17,23 +16,18 @@
 
 namespace lahar::lbm {
 
-double capillary_time_step(const FluidOptions& o) {
-  if (o.surface_tension <= 0) return std::numeric_limits<double>::infinity();
-  return std::sqrt(o.density * std::pow(o.domain.cell_size, 3) / (4 * std::numbers::pi * o.surface_tension));
-}
-
 namespace {
 
-constexpr std::size_t kBlocksPerTask = 8;   // a group of the population layout
-constexpr std::int64_t kWatchEvery = 32;    // steps between looks at every cell
-constexpr std::int64_t kReleaseEvery = 16;  // steps between rounds of giving blocks back
-constexpr double kLargestGradient = 2;      // of pressure at the surface, in rho g
+constexpr std::size_t kBlocksPerTask = 8;        // a group of the population layout
+constexpr std::int64_t kWatchEvery = 32;         // steps between looks at every cell
+constexpr std::int64_t kReleaseEvery = 16;       // steps between rounds of giving blocks back
+constexpr double kLargestGradient = 2;           // of pressure at the surface, in rho g
 constexpr double kCapillaryGradient = 1.0 / 16;  // the same by surface tension: sigma / R^2 at a radius of 4 cells
-constexpr double kSpeedLimit = 0.57735;     // lu, the speed of sound: nothing beyond it is physical
+constexpr double kSpeedLimit = 0.57735;          // lu, the speed of sound: nothing beyond it is physical
 // A splash may hold a few cells at kLargestSpeed; more than that, and the limit would hide a time step that is too
 // long.
 constexpr double kLimitedCells = 100, kLimitedShare = 0.02;  // the latter of all wet cells
-constexpr double kShortestStep = 1.0 / 32;  // of the first: shorter, and something else is wrong
+constexpr double kShortestStep = 1.0 / 32;                   // of the first: shorter, and something else is wrong
 
 LatticeUnits units_of(const FluidOptions& o) { return {o.domain.cell_size, o.time_step, o.density}; }
 
@@ -46,8 +40,8 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   p.smagorinsky = o.smagorinsky;
   // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield
   // stress.
-  require(o.time_step <= capillary_time_step(o) * (1 + 1e-9),
-          "Fluid: the time step is longer than ripples of two cells allow (capillary_time_step)");
+  require(o.time_step <= capillary_time_step(o.density, o.domain.cell_size, o.surface_tension) * (1 + 1e-9),
+          "Fluid: the time step is longer than ripples of two cells allow (core/capillary.h)");
   require(o.rheology.law == FlowLaw::newtonian || o.smagorinsky == 0,
           "Fluid: Smagorinsky is for Newtonian fluids alone");
   const auto& walls = o.domain.walls.all();
@@ -65,11 +59,9 @@ TimeStepLimits time_step_limits(const FluidOptions& o) {
   limits.target = o.lattice_velocity;
   limits.cell_size = o.domain.cell_size;
   limits.shortest = kShortestStep * o.time_step;
-  const double viscosity =
-      o.rheology.law == FlowLaw::newtonian ? o.kinematic_viscosity : o.rheology.limit_viscosity;
+  const double viscosity = o.rheology.law == FlowLaw::newtonian ? o.kinematic_viscosity : o.rheology.limit_viscosity;
   limits.longest = std::max(o.time_step, o.domain.cell_size * o.domain.cell_size / (6 * viscosity));
-  if (o.surface_tension > 0)
-    limits.longest = std::min(limits.longest, std::max(o.time_step, capillary_time_step(o)));
+  limits.longest = std::min(limits.longest, capillary_time_step(o.density, o.domain.cell_size, o.surface_tension));
   limits.gravity = o.gravity.norm();
   for (const Wall& w : o.domain.walls.all()) limits.known_speed = std::max(limits.known_speed, w.velocity.norm());
   for (const InflowOptions& in : o.inflows) limits.known_speed = std::max(limits.known_speed, in.velocity.norm());

@@ -35,10 +35,6 @@ struct FluidOptions {
   std::vector<InflowOptions> inflows;  ///< boxes through which liquid enters
 };
 
-/// s: the longest step with surface tension, sqrt(rho dx^3 / (4 pi sigma)): the shortest ripple moves less than half a
-/// cell (Brackbill, Kothe & Zemach 1992, eq. 61, with a gas of no density). Infinite without.
-double capillary_time_step(const FluidOptions& options);
-
 /// How the populations of a flow without a surface start.
 enum class Start {
   equilibrium,  ///< no stress: it builds up in a few tau; at small viscosity it rings from step to step until it has
@@ -165,7 +161,7 @@ class Fluid {
   double coming_time_step_ = 0;
   TimeStepRecord time_steps_;
   std::optional<TimeStepControl> control_;
-  Survey survey_;  // of the last look
+  Survey survey_;                // of the last look
   std::int64_t looked_at_ = -1;  // steps at the last look of the control
   double cell_updates_ = 0, max_speed_lu_ = 0;
   std::size_t limited_cells_ = 0;

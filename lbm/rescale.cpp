@@ -14,8 +14,7 @@ namespace lahar::lbm {
 
 namespace {
 
-using Viscosity =
-    std::variant<Newtonian<double>, Smagorinsky<double>, Bingham<double>, HerschelBulkley<double>>;
+using Viscosity = std::variant<Newtonian<double>, Smagorinsky<double>, Bingham<double>, HerschelBulkley<double>>;
 
 Viscosity viscosity_of(const SweepParameters& p) {
   if (p.rheology.law == FlowLaw::bingham) return Bingham<double>::of(p);
@@ -51,16 +50,15 @@ class CellRescaling {
   /// From old to new populations; returns new over old density.
   double apply(double (&f)[D3Q19::q], double largest_rate) const {
     const Moments<double> m = moments(f);
-    const double drho = std::expm1(ratio_ * ratio_ * std::log1p(m.drho)), density_ratio = (1 + drho) * m.inverse_density;
+    const double drho = std::expm1(ratio_ * ratio_ * std::log1p(m.drho)),
+                 density_ratio = (1 + drho) * m.inverse_density;
     double u[3];
-    for (std::size_t a = 0; a < 3; ++a)
-      u[a] = ratio_ * m.u[a] + 0.5 * (ratio_ - ratio_ * ratio_) * before_.gravity[a];
+    for (std::size_t a = 0; a < 3; ++a) u[a] = ratio_ * m.u[a] + 0.5 * (ratio_ - ratio_ * ratio_) * before_.gravity[a];
     const double tau = relaxation_time(viscosity_, moments_alone_, f, m), new_tau = 0.5 + ratio_ * (tau - 0.5);
     const double shortest = moments_alone_ ? 1 / largest_rate : 0;
     const double common = ratio_ * density_ratio;
     const double even = common * std::max(new_tau, shortest) / std::max(tau, shortest);
-    const double odd =
-        before_.collision == CollisionOperator::trt ? common * odd_time(new_tau) / odd_time(tau) : even;
+    const double odd = before_.collision == CollisionOperator::trt ? common * odd_time(new_tau) / odd_time(tau) : even;
     const auto excess = [&](int i) { return f[i] - equilibrium(i, m.drho, m.u[0], m.u[1], m.u[2]); };
     const auto rest = [&](int i) { return equilibrium(i, drho, u[0], u[1], u[2]); };
     f[0] = rest(0) + even * excess(0);

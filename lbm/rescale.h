@@ -6,7 +6,8 @@
 //   velocity      u' = r u + a (r - r^2) / 2    a: gravity in old units. The populations carry the velocity half a
 //                                               force before the moment: water at rest stays exactly at rest.
 //   density       ln rho' = r^2 ln rho          cs^2 ln rho is the enthalpy of the lattice fluid, which balances the
-//                                               potential and u^2 / 2; to first order the pressure above the gas is kept
+//                                               potential and u^2 / 2; to first order the pressure above the gas is
+//                                               kept
 //   viscosity     tau' - 1/2 = r (tau - 1/2)    in each cell: of eddies and of flow laws too, which are functions of
 //                                               the physical strain rate
 //   stress        S = -2/3 rho tau D (Chapman & Enskog), D' = r D:  S' = r (rho' tau') / (rho tau) S

@@ -107,6 +107,7 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
   o.density = scene.fluid.density;
   o.kinematic_viscosity = scene.fluid.kinematic_viscosity;
   o.gravity = scene.gravity.vector();
+  o.surface_tension = scene.fluid.surface_tension;
   o.collision = collision_of(scene.fluid.collision);
   o.weighting = weighting_of(scene.coupling.body_weighting);
   if (o.weighting == lbm::BodyWeighting::seepage)

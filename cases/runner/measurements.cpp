@@ -44,8 +44,7 @@ void Measurements<Real>::declare_columns() {
     series_.declare("front_x_m", "m", "fluid front: mean over the width of the foremost bed cell more than half full");
     series_.declare("wet_cells", "1", "liquid and interface cells");
     series_.declare("max_speed_lu", "1", "largest speed in lattice units at the last look");
-    if (scene_.fluid.adaptive_time_step)
-      series_.declare("fluid_time_step_s", "s", "length of the fluid's last step");
+    if (scene_.fluid.adaptive_time_step) series_.declare("fluid_time_step_s", "s", "length of the fluid's last step");
     if (section_) series_.declare("section_power_W", "W", "energy flux of the liquid through the outflow section");
   }
   if (step_.solids()) {

@@ -129,6 +129,7 @@ struct Fluid {
   double cell_size = 0;               ///< m
   double density = 1000;              ///< kg/m^3
   double kinematic_viscosity = 1e-6;  ///< m^2/s
+  double surface_tension = 0;         ///< N/m
   Collision collision = Collision::central_moments;
   double smagorinsky = 0;
   double lattice_velocity = 0.1;

@@ -40,7 +40,9 @@ class View {
   }
   [[nodiscard]] Real raw(int offset) const { return centre_[offset]; }
   /// A wall counts as the cell itself.
-  [[nodiscard]] Real level(int offset) const { return centre_[offset] < 0 ? std::max(centre_[0], Real(0)) : centre_[offset]; }
+  [[nodiscard]] Real level(int offset) const {
+    return centre_[offset] < 0 ? std::max(centre_[0], Real(0)) : centre_[offset];
+  }
   [[nodiscard]] View at(int offset) const { return View(centre_ + offset); }
 
  private:

@@ -97,14 +97,12 @@ TEST(Rescale, WallsKeepTheirSpeed) {
     lid.velocity = Vec3(0.02, 0, 0);
     o.domain.walls.add(lid);
     Fluid<double> fluid(o);
-    fluid.fill_everything([](const Vec3& p) { return Vec3(0.02 * p.z() / 12, 0, 0); }, no_pressure,
-                          Start::with_stress);
+    fluid.fill_everything([](const Vec3& p) { return Vec3(0.02 * p.z() / 12, 0, 0); }, no_pressure, Start::with_stress);
     for (int s = 0; s < 500; ++s) fluid.step();
     for (const double step : {2.0, 0.7}) {
       fluid.set_time_step(step);
       for (int s = 0; s < 300; ++s) fluid.step();
-      fluid.for_each_wet_cell(
-          [&](const WetCell& c) { EXPECT_NEAR(c.velocity.x(), 0.02 * c.centre.z() / 12, 1e-5); });
+      fluid.for_each_wet_cell([&](const WetCell& c) { EXPECT_NEAR(c.velocity.x(), 0.02 * c.centre.z() / 12, 1e-5); });
     }
   }
 }
@@ -134,8 +132,11 @@ End dam_break(int threads, double lattice_velocity) {
   Fluid<Real> fluid(o);
   fluid.fill({{Vec3::Zero(), Vec3(0.15, 0.12, 0.22)}});
   while (fluid.time() < 0.6) fluid.step();
-  End end{fluid.mass_drift(), fluid.rescaled_mass() / fluid.liquid_mass(), fluid.units().time_step,
-          fluid.time_step_record().changes, {}};
+  End end{fluid.mass_drift(),
+          fluid.rescaled_mass() / fluid.liquid_mass(),
+          fluid.units().time_step,
+          fluid.time_step_record().changes,
+          {}};
   fluid.for_each_wet_cell([&](const WetCell& c) { end.fill.push_back(c.fill_level); });
   return end;
 }
@@ -156,7 +157,8 @@ TEST(AdaptiveTimeStep, DamBreakKeepsItsLedger) {
 TEST(AdaptiveTimeStep, HydrographBringsItsVolume) {
   FluidOptions o = tank_options(Vec3(0.4, 0.16, 0.2), 0.01, 2.0, 0.02);
   o.adaptive_time_step = true;
-  o.inflows.push_back({"source", Vec3(0.1, 0.04, 0), Vec3(0.2, 0.12, 0.1), Vec3::Zero(), {{{0.05, 0.004}, {0.55, 0.004}}}});
+  o.inflows.push_back(
+      {"source", Vec3(0.1, 0.04, 0), Vec3(0.2, 0.12, 0.1), Vec3::Zero(), {{{0.05, 0.004}, {0.55, 0.004}}}});
   Fluid<double> fluid(o);
   while (fluid.time() < 0.7) fluid.step();
   EXPECT_GE(fluid.time_step_record().changes, 1);

@@ -78,13 +78,13 @@ void ask_vortex(const Context& context, std::vector<Row>& rows) {
       const Decay changed = run_vortex({.collision = collision, .ratio = ratio});
       const std::string label = fmt::format("vortex, {}, step x {:g}: ", operator_name(collision), ratio);
       rows.push_back(relative_row(label + "decay rate / 2 nu k^2", changed.rate, 1, 0.005));
-      rows.push_back(
-          at_most_row(label + "pressure jump, of rho U^2 / 2", bang(changed, alone, Vortex().speed), 0.05));
+      rows.push_back(at_most_row(label + "pressure jump, of rho U^2 / 2", bang(changed, alone, Vortex().speed), 0.05));
     }
   }
 }
 
-/// A tank at rest whose step goes up and down. Shallow and viscous, so that the sound of the start has died down before.
+/// A tank at rest whose step goes up and down. Shallow and viscous, so that the sound of the start has died down
+/// before.
 template <class Real>
 void ask_rest(const Context& context, std::vector<Row>& rows) {
   const Vec3i cells(16, 8, 16);
@@ -114,7 +114,8 @@ void ask_rest(const Context& context, std::vector<Row>& rows) {
   rows.push_back(at_most_row("tank at rest, 8 changes: speed, lu of the first step", speed, exact ? 1e-6 : 2e-6));
   rows.push_back(at_most_row("the same: speed that came with a change", jump, exact ? 1e-6 : 2e-6));
   rows.push_back(at_most_row("the same: pressure error, of rho g H", error, 1e-3));
-  rows.push_back(at_most_row("the same: liquid lost or won, of all", std::abs(fluid.mass_drift()), exact ? 1e-10 : 1e-6));
+  rows.push_back(
+      at_most_row("the same: liquid lost or won, of all", std::abs(fluid.mass_drift()), exact ? 1e-10 : 1e-6));
 }
 
 /// Column of 0.23 m x 0.46 m, as in case H1.
@@ -145,8 +146,8 @@ void ask_dam(const Context& context, std::vector<Row>& rows) {
   // The column, twice as high as wide, stands under its own weight at the start: mean compression 3/2 g H = 0.862 v^2
   // with v = 1.319 sqrt(2 g a), of the first step or of the right one.
   const auto ask = [&](const std::string& label, const DamBreakRun& found, double largest_velocity) {
-    rows.push_back(at_most_row(label + "front against that of the right step, RMS", front_difference(found, right),
-                               0.02));
+    rows.push_back(
+        at_most_row(label + "front against that of the right step, RMS", front_difference(found, right), 0.02));
     rows.push_back(at_most_row(label + "liquid lost or won, of all", found.drift, ledger));
     rows.push_back(at_most_row(label + "mass booked for compression, of all", std::abs(found.rescaled),
                                1.05 * 0.862 * largest_velocity * largest_velocity));
