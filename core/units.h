@@ -23,6 +23,10 @@ struct LatticeUnits {
   [[nodiscard]] double force_to_lu(double f) const { return f / (mass() * cell_size / (time_step * time_step)); }
   /// Torque, lu -> N m.
   [[nodiscard]] double torque_to_si(double t) const { return force_to_si(t) * cell_size; }
+  /// Surface tension, N/m -> lu.
+  [[nodiscard]] double surface_tension_to_lu(double sigma) const {
+    return sigma * time_step * time_step / (density * cell_size * cell_size * cell_size);
+  }
   /// Pressure above ambient, Pa: cs^2 (rho - 1).
   [[nodiscard]] double pressure_to_si(double p) const {
     return p * density * cell_size * cell_size / (time_step * time_step);

@@ -151,11 +151,10 @@ void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& parti
     Body b;
     b.particle = i;
     b.volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
-    b.velocity = v;
-    b.old_velocity = known_[i] ? last_velocity_[i] : v;
+    if (known_[i]) b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
     b.old_wet_volume = old_wet_[i];
     old_wet_[i] = 0;
-    last_velocity_[i] = v;
+    last_velocity_[i] = particles.velocity[i];
     known_[i] = 1;
     bodies_.push_back(b);
     spheres_.push_back(s);
@@ -348,7 +347,7 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
     const double cell = units.cell_size * units.cell_size;
     const double share = limited_share(particles.mass[b.particle], units.mass() * locked);
     torque *= limited_share(particles.inertia[b.particle], units.mass() * cell * locked_inertia);
-    force += share * locked * (b.velocity - b.old_velocity) - wet * gravity;
+    force += locked * share * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
     if (!force.allFinite()) report_bad_force(particles, b.particle, fluid.steps());
     particles.external_force.add(b.particle, force * units.force_to_si(1.0));
     particles.external_torque.add(b.particle, torque * units.torque_to_si(1.0));

@@ -50,11 +50,10 @@ class BodyMap {
   struct Body {
     dem::ParticleIndex particle;
     std::size_t first_pair = 0, pairs = 0;
-    bool all_blocks = true;       ///< every block in reach exists
-    double volume = 0;            ///< exact, cells
-    double old_wet_volume = 0;    ///< of the former mapping, under present cell types
-    Vec3 velocity, old_velocity;  ///< lu
-    bool had_velocity = false;
+    bool all_blocks = true;            ///< every block in reach exists
+    double volume = 0;                 ///< exact, cells
+    double old_wet_volume = 0;         ///< of the former mapping, under present cell types
+    Vec3 acceleration = Vec3::Zero();  ///< m/s^2, mean of the last step
   };
 
   [[nodiscard]] bool is_alive(const lbm::Fluid<Real>& fluid, const Pair& pair) const;
@@ -77,7 +76,7 @@ class BodyMap {
   std::vector<std::uint32_t> block_start_;   // per block index, into by_block_
   std::vector<std::uint32_t> next_;          // scratch of the sort
   std::vector<double> old_wet_, displaced_;  // per particle; per body
-  std::vector<Vec3> last_velocity_;          // per particle
+  std::vector<Vec3> last_velocity_;          // per particle, m/s
   std::vector<std::uint8_t> known_;          // per particle: last_velocity_ is set
   double wet_volume_ = 0;
 };

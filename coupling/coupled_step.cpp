@@ -1,5 +1,7 @@
 #include "coupling/coupled_step.h"
 
+#include <cmath>
+
 #include "core/parallel.h"
 #include "coupling/body_fields.h"
 
@@ -13,11 +15,12 @@ CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::opti
   require(options_.substeps > 0, "CoupledStep: substeps must be positive");
   if (fluid) {
     fluid_.emplace(std::move(*fluid));
-    time_step_ = fluid_->units().time_step;
-    if (solids_) solids_->set_time_step(time_step_ / options_.substeps);
+    clock_ = StepClock(fluid_->units().time_step);
+    if (solids_) solids_->set_time_step(clock_.time_step() / options_.substeps);
   } else {
-    time_step_ = solids_->options().time_step * options_.substeps;
+    clock_ = StepClock(solids_->options().time_step * options_.substeps);
   }
+  longest_substep_ = clock_.time_step() / options_.substeps;
   if (fluid_ && solids_ && options_.wire_drag) wires_.emplace(solids_->particles(), solids_->bonds());
 }
 
@@ -32,6 +35,7 @@ void CoupledStep<Real>::fill(const std::vector<lbm::LiquidRegion>& regions) {
 
 template <class Real>
 void CoupledStep<Real>::advance() {
+  if (fluid_) follow_time_step();
   if (fluid_ && solids_) {
     hold_fluid_forces();
   } else if (fluid_) {
@@ -42,7 +46,17 @@ void CoupledStep<Real>::advance() {
     const ScopedTimer timer(timers_.section("solids"));
     solids_->advance(options_.substeps);
   }
-  ++steps_;
+  clock_.advance();
+}
+
+/// The fluid may have chosen another step: as many sub-steps as keep each no longer than the first ones were.
+template <class Real>
+void CoupledStep<Real>::follow_time_step() {
+  const double time_step = fluid_->plan_time_step();
+  if (time_step == clock_.time_step()) return;
+  clock_.set_time_step(time_step);
+  options_.substeps = std::max(1, static_cast<int>(std::ceil(time_step / longest_substep_ * (1 - 1e-12))));
+  if (solids_) solids_->set_time_step(time_step / options_.substeps);
 }
 
 /// Fluid step between the solids' places of now; the forces that come out are held over the sub-steps that follow.

@@ -2,6 +2,7 @@
 // THE step: fluid, grains and barrier advance together by one fluid time step.
 #include <optional>
 
+#include "core/step_clock.h"
 #include "coupling/audit.h"
 #include "coupling/body_map.h"
 #include "coupling/wire_drag.h"
@@ -13,7 +14,7 @@ namespace lahar::coupling {
 struct CouplingOptions {
   bool immersed_grains = true;  ///< grains displace and stop the fluid
   bool wire_drag = true;        ///< beads of rings and cables feel drag and give it back
-  int substeps = 1;             ///< DEM steps in a fluid step
+  int substeps = 1;  ///< DEM steps in a fluid step; where that adapts they stay no longer than those of the first
 };
 
 /// Owns the fluid and the solids; either may be absent.
@@ -28,9 +29,11 @@ class CoupledStep {
   /// Advances by one fluid step (or `substeps` DEM steps without fluid).
   void advance();
 
-  [[nodiscard]] double time_step() const { return time_step_; }  ///< s
-  [[nodiscard]] double time() const { return static_cast<double>(steps_) * time_step_; }
-  [[nodiscard]] std::int64_t steps() const { return steps_; }
+  /// s, of the last step: by so much the solids advanced.
+  [[nodiscard]] double time_step() const { return clock_.time_step(); }
+  /// s. Where the fluid's step changes its own time may differ from that of the solids by less than a step.
+  [[nodiscard]] double time() const { return solids_ ? clock_.time() : fluid_->time(); }
+  [[nodiscard]] std::int64_t steps() const { return clock_.steps(); }
   [[nodiscard]] lbm::Fluid<Real>* fluid() { return fluid_ ? &*fluid_ : nullptr; }
   [[nodiscard]] dem::Solids* solids() { return solids_ ? &*solids_ : nullptr; }
   [[nodiscard]] const MomentumAudit& audit() const { return audit_; }
@@ -38,6 +41,7 @@ class CoupledStep {
   [[nodiscard]] Timers& timers() { return timers_; }
 
  private:
+  void follow_time_step();
   void hold_fluid_forces();
   [[nodiscard]] Vec3 body_momentum_in_fields() const;
 
@@ -47,8 +51,8 @@ class CoupledStep {
   BodyMap<Real> bodies_;
   std::optional<WireDrag<Real>> wires_;
   MomentumAudit audit_;
-  double time_step_ = 0;
-  std::int64_t steps_ = 0;
+  StepClock clock_;
+  double longest_substep_ = 0;  // s
   Timers timers_;
 };
 

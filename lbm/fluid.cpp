@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/capillary.h"
 #include "core/check.h"
 #include "core/parallel.h"
 #include "lbm/boundary/wall_balance.h"
@@ -11,18 +12,21 @@
 #include "lbm/collision/cell_state.h"
 #include "lbm/equilibrium.h"
 #include "lbm/free_surface/surface_exchange.h"
+#include "lbm/rescale.h"
 
 namespace lahar::lbm {
 
 namespace {
 
-constexpr std::size_t kBlocksPerTask = 8;   // a group of the population layout
-constexpr std::int64_t kWatchEvery = 32;    // steps between looks at what the sweeps saw
-constexpr std::int64_t kReleaseEvery = 16;  // steps between rounds of giving blocks back
-constexpr double kLargestGradient = 2;      // of pressure at the surface, in rho g
+constexpr std::size_t kBlocksPerTask = 8;        // a group of the population layout
+constexpr std::int64_t kWatchEvery = 32;         // steps between looks at what the sweeps saw
+constexpr std::int64_t kReleaseEvery = 16;       // steps between rounds of giving blocks back
+constexpr double kLargestGradient = 2;           // of pressure at the surface, in rho g
+constexpr double kCapillaryGradient = 1.0 / 16;  // the same by surface tension: sigma / R^2 at a radius of 4 cells
 // A splash may hold a few cells at kLargestSpeed; more than that, and the limit would hide a time step that is too
 // long.
 constexpr double kLimitedCells = 100, kLimitedShare = 0.02;  // the latter of all wet cells
+constexpr double kShortestStep = 1.0 / 32;                   // of the first: shorter, and something else is wrong
 
 LatticeUnits units_of(const FluidOptions& o) { return {o.domain.cell_size, o.time_step, o.density}; }
 
@@ -35,6 +39,8 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   p.smagorinsky = o.smagorinsky;
   // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield
   // stress.
+  require(o.time_step <= capillary_time_step(o.density, o.domain.cell_size, o.surface_tension) * (1 + 1e-9),
+          "Fluid: the time step is longer than ripples of two cells allow (core/capillary.h)");
   require(o.rheology.law == FlowLaw::newtonian || o.smagorinsky == 0,
           "Fluid: Smagorinsky is for Newtonian fluids alone");
   const auto& walls = o.domain.walls.all();
@@ -44,6 +50,21 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   p.rheology = rheology_to_lu(o.rheology, o.kinematic_viscosity, units);
   for (int a = 0; a < 3; ++a) p.gravity[static_cast<std::size_t>(a)] = units.acceleration_to_lu(o.gravity[a]);
   return p;
+}
+
+/// The step grows no further than to tau = 1 (walls and stress are accurate around it), or where it started.
+TimeStepLimits time_step_limits(const FluidOptions& o) {
+  TimeStepLimits limits;
+  limits.target = o.lattice_velocity;
+  limits.cell_size = o.domain.cell_size;
+  limits.shortest = kShortestStep * o.time_step;
+  const double viscosity = o.rheology.law == FlowLaw::newtonian ? o.kinematic_viscosity : o.rheology.limit_viscosity;
+  limits.longest = std::max(o.time_step, o.domain.cell_size * o.domain.cell_size / (6 * viscosity));
+  limits.longest = std::min(limits.longest, capillary_time_step(o.density, o.domain.cell_size, o.surface_tension));
+  limits.gravity = o.gravity.norm();
+  for (const Wall& w : o.domain.walls.all()) limits.known_speed = std::max(limits.known_speed, w.velocity.norm());
+  for (const InflowOptions& in : o.inflows) limits.known_speed = std::max(limits.known_speed, in.velocity.norm());
+  return limits;
 }
 
 std::string describe_place(const Vec3& p) {
@@ -59,8 +80,12 @@ Fluid<Real>::Fluid(FluidOptions options)
     : options_(std::move(options)),
       units_(units_of(options_)),
       parameters_(parameters_of(options_, units_)),
-      grid_(options_.domain, units_.velocity_to_lu(1.0)) {
+      grid_(options_.domain, units_.velocity_to_lu(1.0)),
+      clock_(options_.time_step),
+      coming_time_step_(options_.time_step),
+      time_steps_(options_.time_step) {
   for (const InflowOptions& inflow : options_.inflows) inflows_.emplace_back(inflow, grid_.domain(), units_);
+  if (options_.adaptive_time_step) control_.emplace(time_step_limits(options_));
 }
 
 namespace {
@@ -233,8 +258,11 @@ void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& veloci
 
 template <class Real>
 void Fluid<Real>::step() {
+  const double ratio = plan_time_step() / units_.time_step;
+  if (ratio != 1) stretch_kicks(ratio);
   feed();
   exchange();
+  if (ratio != 1) rescale(ratio);
   sweep();
   parameters_.parity = parameters_.parity.next();
   reflect();
@@ -242,24 +270,83 @@ void Fluid<Real>::step() {
     const ScopedTimer timer(timers_.section("fluid.conversion"));
     conversion_.run(grid_, parameters_.parity, notes_, account_);
   }
-  ++steps_;
-  if (steps_ % kWatchEvery == 0) watch();
-  if (steps_ % kReleaseEvery == 0) release_dry_blocks();
+  clock_.advance();
+  if (ratio != 1) clock_.set_time_step(units_.time_step);
+  if (!control_ && steps() % kWatchEvery == 0) watch();
+  if (steps() % kReleaseEvery == 0) release_dry_blocks();
+}
+
+template <class Real>
+double Fluid<Real>::plan_time_step() {
+  if (control_ && looked_at_ != steps() && (steps() == 1 || (steps() > 0 && steps() % kLookEvery == 0))) look();
+  return coming_time_step_;
+}
+
+/// A look for the watchdog and for the choice of the step.
+template <class Real>
+void Fluid<Real>::look() {
+  looked_at_ = steps();
+  watch();
+  const double chosen = control_->choose(units_.time_step, survey_);
+  if (chosen != units_.time_step) set_time_step(chosen);
+}
+
+template <class Real>
+void Fluid<Real>::set_time_step(double time_step) {
+  require(time_step > 0, "Fluid: the time step must be positive");
+  coming_time_step_ = time_step;
+}
+
+/// Wires have written the momentum of a former step: a force that is held gives it over the coming one. It is brought
+/// over as a velocity after that, with what inflows add.
+template <class Real>
+void Fluid<Real>::stretch_kicks(double ratio) {
+  for (const BlockIndex b : grid_.active())
+    if (BodyFields<Real>* body = grid_.block(b).body)
+      for (Real* field : {body->exchange_x, body->exchange_y, body->exchange_z})
+        for (int n = 0; n < kBlockCells; ++n) field[n] *= static_cast<Real>(ratio);
+}
+
+/// From here on lattice units are those of the new step.
+template <class Real>
+void Fluid<Real>::rescale(double ratio) {
+  const ScopedTimer timer(timers_.section("fluid.time_step"));
+  const auto& active = grid_.active();
+  account_.rescaled += ordered_sum<double>(
+      active.size(),
+      [&](std::size_t k) { return rescale_block(grid_, active[k], parameters_.parity, parameters_, ratio); },
+      kBlocksPerTask);
+  options_.time_step = coming_time_step_;
+  // The drag of a packed bed per time, B / (1 - B) per step = eps / (1 - eps) c / (1 + c), is kept.
+  const double drag = ratio * options_.seepage_constant / (1 + options_.seepage_constant);
+  options_.seepage_constant = drag / std::max(1 - drag, 1e-6);
+  units_ = units_of(options_);
+  const Parity parity = parameters_.parity;
+  parameters_ = parameters_of(options_, units_);
+  parameters_.parity = parity;
+  grid_.set_velocity_to_lu(units_.velocity_to_lu(1.0));
+  for (Inflow<Real>& inflow : inflows_) inflow.set_units(units_);
+  survey_.speed *= ratio;
+  time_steps_.note(options_.time_step);
 }
 
 template <class Real>
 void Fluid<Real>::feed() {
-  for (Inflow<Real>& inflow : inflows_) inflow.feed(grid_, conversion_, parameters_.parity, time(), steps_, account_);
+  for (Inflow<Real>& inflow : inflows_)
+    inflow.feed(grid_, conversion_, parameters_.parity, time(), clock_.time_step(), steps(), account_);
 }
 
 template <class Real>
 void Fluid<Real>::exchange() {
   const ScopedTimer timer(timers_.section("fluid.surface"));
   const auto& g = parameters_.gravity;
-  const auto largest = static_cast<Real>(kLargestGradient * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]));
+  const double tension = units_.surface_tension_to_lu(options_.surface_tension);
+  const double largest = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) + kCapillaryGradient * tension;
+  const SurfacePhysics<Real> physics{Real(0), static_cast<Real>(kLargestGradient * largest),
+                                     static_cast<Real>(tension)};
   const auto& active = grid_.active();
   parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
-    if (grid_.has_surface(active[k])) exchange_surface(grid_, active[k], parameters_.parity, Real(0), largest);
+    if (grid_.has_surface(active[k])) exchange_surface(grid_, active[k], parameters_.parity, physics);
   });
 }
 
@@ -277,21 +364,11 @@ void Fluid<Real>::sweep() {
     const bool mixed = block.wet_cells < kBlockCells || block.surface;
     notes_[k] = kernels[mixed][block.body != nullptr](block, grid_.around(active[k]), parameters_);
   });
-  SweepNote all;
-  for (std::size_t k = 0; k < notes_.size(); ++k) {
-    const SweepNote& note = notes_[k];
-    all.wet += note.wet, all.limited += note.limited, all.exposed += note.exposed, all.held_back += note.held_back;
-    if (note.speed_square <= all.speed_square) continue;
-    all.speed_square = note.speed_square;
-    fastest_block_ = active[k];
-  }
-  cell_updates_ += all.wet;
-  account_.limited += all.limited;
-  account_.exposed += all.exposed;
-  held_back_ = static_cast<std::size_t>(all.held_back);
-  limited_cells_ = std::max(limited_cells_, held_back_);
-  max_speed_lu_ =
-      std::isinf(all.speed_square) ? all.speed_square : std::min(std::sqrt(all.speed_square), kLargestSpeed);
+  survey_ = survey_of(notes_, active);
+  cell_updates_ += static_cast<double>(survey_.wet);
+  account_.limited += static_cast<std::int64_t>(survey_.limited);
+  account_.exposed += static_cast<std::int64_t>(survey_.exposed);
+  limited_cells_ = std::max(limited_cells_, survey_.held_back);
 }
 
 template <class Real>
@@ -351,28 +428,15 @@ void Fluid<Real>::release_dry_blocks() {
 }
 
 template <class Real>
-CellPlace Fluid<Real>::fastest_cell() {
-  CellPlace place{fastest_block_, 0};
-  double fastest = -1;
-  for (int n = 0; n < kBlockCells; ++n) {
-    if (!is_wet(grid_.block(fastest_block_).type[static_cast<std::size_t>(n)])) continue;
-    const auto u = outgoing_moments(grid_, {fastest_block_, n}, parameters_.parity).u;
-    const double square = static_cast<double>(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-    if (square <= fastest) continue;
-    place.cell = n;
-    if (!std::isfinite(square)) break;
-    fastest = square;
-  }
-  return place;
-}
-
-template <class Real>
-void Fluid<Real>::watch() {
-  const double bearable = std::max(kLimitedCells, kLimitedShare * static_cast<double>(wet_cells()));
-  const bool broken = std::isinf(max_speed_lu_);
-  if (!broken && static_cast<double>(held_back_) <= bearable) return;
-  const CellPlace place = fastest_cell();
-  const auto m = outgoing_moments(grid_, place, parameters_.parity);
+void Fluid<Real>::watch() const {
+  const double bearable = std::max(kLimitedCells, kLimitedShare * static_cast<double>(survey_.wet));
+  const bool curable = control_ && control_->can_shorten(units_.time_step);
+  const bool broken = survey_.speed >= kNotFinite;
+  if (!broken && (curable || static_cast<double>(survey_.held_back) <= bearable)) return;
+  if (!grid_.exists(survey_.fastest)) return;  // it went dry since
+  auto& grid = const_cast<FluidGrid<Real>&>(grid_);
+  const CellPlace place = fastest_cell(grid, survey_.fastest, parameters_.parity);
+  const auto m = outgoing_moments(grid, place, parameters_.parity);
   char cause[240];
   std::snprintf(cause, sizeof cause, "velocity (%.4g, %.4g, %.4g) and density %.4g in lattice units: %s",
                 static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]),
@@ -380,7 +444,7 @@ void Fluid<Real>::watch() {
                 broken ? "not a number"
                        : "one of many cells at the largest speed of the lattice; the time step is too long: raise "
                          "max_speed or lower lattice_velocity");
-  throw NumericalFailure(describe_place(grid_.centre(place.block, place.cell)), steps_, cause);
+  throw NumericalFailure(describe_place(grid_.centre(place.block, place.cell)), steps(), cause);
 }
 
 template <class Real>
@@ -413,7 +477,7 @@ double Fluid<Real>::liquid_mass() const {
 template <class Real>
 double Fluid<Real>::mass_drift() const {
   const double put_in = initial_mass_ + inflow_mass();
-  return put_in > 0 ? (liquid_mass() + outflow_mass() - put_in) / put_in : 0.0;
+  return put_in > 0 ? (liquid_mass() + outflow_mass() - rescaled_mass() - put_in) / put_in : 0.0;
 }
 
 template <class Real>

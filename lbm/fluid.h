@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/step_clock.h"
 #include "core/timers.h"
 #include "core/units.h"
 #include "lbm/boundary/wall_load.h"
@@ -13,15 +14,19 @@
 #include "lbm/free_surface/conversion.h"
 #include "lbm/free_surface/inflow.h"
 #include "lbm/sweep.h"
+#include "lbm/time_step_control.h"
 
 namespace lahar::lbm {
 
 struct FluidOptions {
   DomainSpec domain;
-  double time_step = 0;               ///< s
+  double time_step = 0;               ///< s; the first, where it adapts
+  bool adaptive_time_step = false;    ///< follows the speed of the liquid (time_step_control.h)
+  double lattice_velocity = 0.1;      ///< lu, largest speed that an adaptive step aims at
   double density = 1000;              ///< kg/m^3
   double kinematic_viscosity = 1e-6;  ///< m^2/s
   Vec3 gravity = Vec3::Zero();        ///< m/s^2
+  double surface_tension = 0;         ///< N/m; 0 is off
   CollisionOperator collision = CollisionOperator::central_moments;
   BodyWeighting weighting = BodyWeighting::solid_fraction;
   double seepage_constant = 0;         ///< in place of tau - 1/2 for BodyWeighting::seepage
@@ -67,23 +72,30 @@ class Fluid {
                        const std::function<double(const Vec3&)>& drho, Start start = Start::equilibrium);
 
   /// The liquid of now is the start of the mass ledger. Done by fill; to be called again after bodies were put in.
-  void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass() - inflow_mass(); }
+  void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass() - inflow_mass() - rescaled_mass(); }
 
   /// One fluid step: mass over the surface, collide and stream, walls, cell conversion, blocks.
   /// Throws NumericalFailure if a cell is no longer finite or faster than the lattice can carry.
   void step();
 
+  /// s, with which the coming step collides and streams; where the step adapts this is when it is chosen. The step in
+  /// which a change is made collides what has streamed with the old step: time() goes on by the old one once more.
+  double plan_time_step();
+  /// From the coming step on `time_step` (s) holds: what is in the cells is brought over (rescale.h).
+  void set_time_step(double time_step);
+  [[nodiscard]] const TimeStepRecord& time_step_record() const { return time_steps_; }
+
   [[nodiscard]] const LatticeUnits& units() const { return units_; }
   [[nodiscard]] const FluidOptions& options() const { return options_; }
   [[nodiscard]] double tau() const { return parameters_.tau; }
   [[nodiscard]] double coverage_resistance() const { return parameters_.coverage_resistance; }
-  [[nodiscard]] std::int64_t steps() const { return steps_; }
+  [[nodiscard]] std::int64_t steps() const { return clock_.steps(); }
   [[nodiscard]] FluidGrid<Real>& grid() { return grid_; }
   [[nodiscard]] const FluidGrid<Real>& grid() const { return grid_; }
   [[nodiscard]] Parity parity() const { return parameters_.parity; }
   [[nodiscard]] LiquidAccount& account() { return account_; }
   /// s, of the last finished step.
-  [[nodiscard]] double time() const { return static_cast<double>(steps_) * options_.time_step; }
+  [[nodiscard]] double time() const { return clock_.time(); }
   [[nodiscard]] Timers& timers() { return timers_; }
 
   /// Liquid in the domain, kg: full cells, interface cells, pool, less the bodies' share.
@@ -92,13 +104,17 @@ class Fluid {
   [[nodiscard]] double outflow_mass() const { return account_.outflow * units_.mass(); }
   /// Liquid that came in through inflow boxes, kg.
   [[nodiscard]] double inflow_mass() const { return account_.inflow * units_.mass(); }
-  /// (in the domain + left - come in - at the start) / (come in + at the start); 0 without liquid.
+  /// Mass that changes of the time step have added, kg: they keep the volume (rescale.h).
+  [[nodiscard]] double rescaled_mass() const { return account_.rescaled * units_.mass(); }
+  /// (in the domain + left - come in - rescaled - at the start) / (come in + at the start); 0 without liquid.
   [[nodiscard]] double mass_drift() const;
   [[nodiscard]] std::size_t wet_cells() const;
   /// Cells with at least one update so far (sum over steps of wet cells).
   [[nodiscard]] double cell_updates() const { return cell_updates_; }
-  /// Largest speed in the last step, lu; infinite if one was not a number.
-  [[nodiscard]] double max_speed_lu() const { return max_speed_lu_; }
+  /// What the last step saw.
+  [[nodiscard]] const Survey& survey() const { return survey_; }
+  /// Largest speed in the last step, lu; kNotFinite if one was not a number.
+  [[nodiscard]] double max_speed_lu() const { return survey_.speed; }
 
   /// Most cells at the largest speed (kLargestSpeed) in any step.
   [[nodiscard]] std::size_t limited_cells() const { return limited_cells_; }
@@ -116,17 +132,19 @@ class Fluid {
   [[nodiscard]] FluidSnapshot snapshot() const;
 
   /// Looks at what the last sweep saw: throws NumericalFailure with cell, step and cause.
-  void watch();
+  void watch() const;
   /// Gives back blocks that no wet cell needs.
   void release_dry_blocks();
 
  private:
   void sweep();
-  [[nodiscard]] CellPlace fastest_cell();
   void feed();
   void exchange();
   void reflect();
   void book_wall_loads();
+  void stretch_kicks(double ratio);
+  void rescale(double ratio);
+  void look();
   void classify_filled(std::vector<BlockIndex>& touched);
   void initialize(CellPlace place, double drho, const Vec3& velocity_lu, const Mat3& stress = Mat3::Zero());
   [[nodiscard]] Mat3 flow_stress(const std::function<Vec3(const Vec3&)>& velocity_lu, const Vec3& centre) const;
@@ -140,11 +158,15 @@ class Fluid {
   std::vector<Inflow<Real>> inflows_;
   LiquidAccount account_;
   double initial_mass_ = 0;
-  std::int64_t steps_ = 0;
-  double cell_updates_ = 0, max_speed_lu_ = 0;
-  std::size_t held_back_ = 0, limited_cells_ = 0;  // cells whose speed was limited: last step, most
-  BlockIndex fastest_block_ = kNoBlock;
-  std::vector<SweepNote> notes_;  // of the last sweep, by place in the list of active blocks
+  StepClock clock_;
+  double coming_time_step_ = 0;
+  TimeStepRecord time_steps_;
+  std::optional<TimeStepControl> control_;
+  Survey survey_;                // of the last sweep
+  std::int64_t looked_at_ = -1;  // steps at the last look of the control
+  double cell_updates_ = 0;
+  std::size_t limited_cells_ = 0;  // most cells whose speed was limited in a step
+  std::vector<SweepNote> notes_;   // of the last sweep, by place in the list of active blocks
   Timers timers_;
   std::vector<std::uint8_t> needed_;
   std::vector<WallLoad> wall_loads_;

@@ -42,6 +42,8 @@ class FluidGrid {
   /// Makes sure that all 26 neighbours of a cell lie in existing blocks.
   void require_neighbours(CellPlace place);
   void release(BlockIndex b);
+  /// For the walls of blocks that are made from now on.
+  void set_velocity_to_lu(double velocity_to_lu) { velocity_to_lu_ = velocity_to_lu; }
 
   /// The cell next to `place` along velocity i; block kNoBlock if it does not exist.
   [[nodiscard]] CellPlace neighbour(CellPlace place, int i) const {

@@ -69,11 +69,12 @@ class BlockKernel {
  private:
   /// What the collisions of a block see.
   struct Watch {
-    V fastest{0};
+    V fastest{0}, compression{0};
     int limited = 0, held_back = 0;
     bool broken = false;
 
-    [[gnu::always_inline]] void see(const Departure<V>& d) {
+    [[gnu::always_inline]] void see(const Moments<V>& m, const Departure<V>& d) {
+      compression = stdx::max(compression, stdx::abs(m.drho));
       fastest = stdx::max(fastest, d.square);
       const auto over = too_fast(d);
       if (stdx::none_of(over)) [[likely]]
@@ -84,7 +85,8 @@ class BlockKernel {
 
     [[nodiscard]] SweepNote note(const Block<Real>& block) const {
       const double square = broken ? std::numeric_limits<double>::infinity() : static_cast<double>(stdx::hmax(fastest));
-      return {block.wet_cells, limited, block.surface ? block.surface->exposed : 0, held_back, square};
+      return {block.wet_cells, limited, block.surface ? block.surface->exposed : 0,
+              held_back,       square,  static_cast<double>(stdx::hmax(compression))};
     }
   };
 
@@ -133,7 +135,7 @@ class BlockKernel {
       for (V& k : force.kick) stdx::where(dry, k) = V(0);
     }
     const Departure<V> after = Operator::collide(f, m, force, uniform.viscosity);
-    watch.see(after);
+    watch.see(m, after);
     if constexpr (kBody) record_exchange(block, n, m, force, after);
     f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {

@@ -102,9 +102,12 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
   if (scene.fluid.wall_placement == scene::WallPlacement::interpolated)
     o.domain.placement = lbm::WallPlacement::interpolated;
   o.time_step = fluid_time_step(scene);
+  o.adaptive_time_step = scene.fluid.adaptive_time_step;
+  o.lattice_velocity = scene.fluid.lattice_velocity;
   o.density = scene.fluid.density;
   o.kinematic_viscosity = scene.fluid.kinematic_viscosity;
   o.gravity = scene.gravity.vector();
+  o.surface_tension = scene.fluid.surface_tension;
   o.collision = collision_of(scene.fluid.collision);
   o.weighting = weighting_of(scene.coupling.body_weighting);
   if (o.weighting == lbm::BodyWeighting::seepage)

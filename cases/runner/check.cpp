@@ -47,7 +47,8 @@ void set_numbers(const scene::Scene& scene, FluidFigures& f) {
   f.reynolds = f.max_speed * f.depth / fluid.kinematic_viscosity;
   f.froude =
       normal_gravity > 0 ? f.max_speed / std::sqrt(normal_gravity * f.depth) : std::numeric_limits<double>::infinity();
-  f.bond = fluid.density * scene.gravity.magnitude * f.depth * f.depth / water_surface_tension;
+  f.bond = fluid.density * scene.gravity.magnitude * f.depth * f.depth /
+           (fluid.surface_tension > 0 ? fluid.surface_tension : water_surface_tension);
 }
 
 void set_flow_law_numbers(const scene::Scene& scene, FluidFigures& f) {

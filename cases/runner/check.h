@@ -38,7 +38,7 @@ struct CheckReport {
   std::vector<std::string> warnings;
 };
 
-/// Surface tension of clean water at 20 degrees C, N/m: for the Bond number alone.
+/// Surface tension of clean water at 20 degrees C, N/m: for the Bond number where none is modelled.
 inline constexpr double water_surface_tension = 0.0728;
 
 /// `threads` is what the estimate of the run time is for.

@@ -7,6 +7,7 @@
 
 #include "cases/scene/geometry.h"
 #include "cases/scene/net_spec.h"
+#include "core/capillary.h"
 #include "dem/time_step.h"
 
 namespace lahar::cases {
@@ -40,8 +41,13 @@ double expected_max_speed(const scene::Scene& scene) {
   return fastest;
 }
 
+double longest_capillary_step(const scene::Scene& scene) {
+  return capillary_time_step(scene.fluid.density, scene.fluid.cell_size, scene.fluid.surface_tension);
+}
+
 double fluid_time_step(const scene::Scene& scene) {
-  return scene.fluid.lattice_velocity * scene.fluid.cell_size / expected_max_speed(scene);
+  return std::min(scene.fluid.lattice_velocity * scene.fluid.cell_size / expected_max_speed(scene),
+                  longest_capillary_step(scene));
 }
 
 std::int64_t net_columns(const scene::Net& net) { return std::llround(net.width / net.ring_pitch); }

@@ -10,8 +10,12 @@ namespace lahar::cases {
 /// the lowest of the domain, sqrt(v0^2 + 2 g h); never less than the speed of a wall.
 double expected_max_speed(const scene::Scene& scene);
 
-/// s: lattice_velocity x cell size / expected speed. The scene must have a fluid.
+/// s: lattice_velocity x cell size / expected speed, or what ripples allow if that is less. The scene must have a
+/// fluid.
 double fluid_time_step(const scene::Scene& scene);
+
+/// s: the longest step with surface tension; infinity without.
+double longest_capillary_step(const scene::Scene& scene);
 
 /// Number of rings across and up, but for the adjustment of the pitch.
 std::int64_t net_columns(const scene::Net& net);

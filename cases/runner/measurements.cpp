@@ -44,6 +44,7 @@ void Measurements<Real>::declare_columns() {
     series_.declare("front_x_m", "m", "fluid front: mean over the width of the foremost bed cell more than half full");
     series_.declare("wet_cells", "1", "liquid and interface cells");
     series_.declare("max_speed_lu", "1", "largest speed in lattice units at the last look");
+    if (scene_.fluid.adaptive_time_step) series_.declare("fluid_time_step_s", "s", "length of the fluid's last step");
     if (section_) series_.declare("section_power_W", "W", "energy flux of the liquid through the outflow section");
   }
   if (step_.solids()) {
@@ -130,6 +131,7 @@ void Measurements<Real>::sample_fluid(std::vector<double>& row, double interval)
   const FlowFigures f = look_at_fluid();
   row.insert(row.end(), {fluid.liquid_mass(), fluid.outflow_mass(), fluid.mass_drift(), f.kinetic, f.potential, f.front,
                          static_cast<double>(fluid.wet_cells()), fluid.max_speed_lu()});
+  if (scene_.fluid.adaptive_time_step) row.push_back(fluid.units().time_step);
   auto& largest_drift = found_["liquid_mass_drift_rel"];
   largest_drift = std::max(largest_drift, std::abs(fluid.mass_drift()));
   auto& speed = found_["max_speed_lu"];
@@ -230,8 +232,16 @@ std::map<std::string, double> Measurements<Real>::metrics() {
   auto all = found_;
   if (step_.fluid() && step_.solids()) all["momentum_audit_rel"] = step_.audit().relative();
   if (step_.fluid()) {
-    all["liquid_mass_start_kg"] =
-        step_.fluid()->liquid_mass() + step_.fluid()->outflow_mass() - step_.fluid()->inflow_mass();
+    all["liquid_mass_start_kg"] = step_.fluid()->liquid_mass() + step_.fluid()->outflow_mass() -
+                                  step_.fluid()->inflow_mass() - step_.fluid()->rescaled_mass();
+    if (scene_.fluid.adaptive_time_step) {
+      const lbm::TimeStepRecord& record = step_.fluid()->time_step_record();
+      all["fluid_time_step_min_s"] = record.shortest;
+      all["fluid_time_step_max_s"] = record.longest;
+      all["fluid_time_step_changes"] = static_cast<double>(record.changes);
+      all["fluid_steps"] = static_cast<double>(step_.fluid()->steps());
+      all["liquid_rescaled_kg"] = step_.fluid()->rescaled_mass();
+    }
     if (!step_.fluid()->options().inflows.empty()) all["liquid_inflow_kg"] = step_.fluid()->inflow_mass();
     if (const double returned = step_.fluid()->account().walls.returned; returned > 0)
       all["liquid_wall_balance_kg"] = returned * step_.fluid()->units().mass();

@@ -18,11 +18,19 @@ std::string fluid_text(const scene::Scene& scene, const FluidFigures& f) {
   t += line("memory", fmt::format("{:.3g} GB at the start, up to about {:.3g} GB", f.start_bytes * 1e-9,
                                   f.expected_bytes * 1e-9));
   t += line("time step", fmt::format("{:.4g} s, {:.0f} steps", f.time_step, f.steps));
+  if (f.time_step >= longest_capillary_step(scene) * (1 - 1e-9))
+    t += line("", "by the surface tension: the shortest ripple may not run farther than half a cell in a step");
+  if (scene.fluid.adaptive_time_step)
+    t += line("", fmt::format("this is the first; it then follows the fastest cell, to about {:g} lu ({:.3g} s at the "
+                              "least)",
+                              scene.fluid.lattice_velocity, f.time_step / 32));
   t += line("largest speed, depth", fmt::format("{:.4g} m/s, {:.4g} m", f.max_speed, f.depth));
   t += line("tau", fmt::format("1/2 + {:.3g} (viscosity {:.3g} lu)", f.tau - 0.5, f.lattice_viscosity));
   t += line("Ma", fmt::format("{:.3g} (compressibility error about {:.2g} %)", f.mach, 100 * f.compressibility_error));
   t += line("Re, Fr, Bo",
-            fmt::format("{:.3g}, {:.3g}, {:.3g} (surface tension is not modelled)", f.reynolds, f.froude, f.bond));
+            fmt::format("{:.3g}, {:.3g}, {:.3g} ({})", f.reynolds, f.froude, f.bond,
+                        scene.fluid.surface_tension > 0 ? "surface tension is modelled, 90 degrees at walls"
+                                                        : "surface tension is not modelled"));
   if (scene.fluid.rheology.law != scene::FlowLaw::newtonian) {
     t += line("Bingham, Hedstrom", fmt::format("{:.3g}, {:.3g}", f.bingham, f.hedstrom));
     t += line("limit viscosity",

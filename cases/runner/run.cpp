@@ -110,10 +110,10 @@ RunResult run_with(const scene::Scene& scene, const RunOptions& options, RunMoni
   SeriesWriter series(options.out / "series.h5");
   Measurements<Real> measurements(scene, step, solvers.net ? &*solvers.net : nullptr, series);
   Outputs<Real> outputs(scene, options.out);
-  const auto steps = static_cast<std::int64_t>(std::ceil(scene.run.duration / step.time_step() - 1e-9));
   double next_sample = 0;
-  for (std::int64_t k = 0;; ++k) {
-    if (step.time() >= next_sample - 1e-12 || k == steps) {
+  while (true) {
+    const bool finished = step.time() >= scene.run.duration - 1e-9 * step.time_step();
+    if (step.time() >= next_sample - 1e-12 || finished) {
       const ScopedTimer timer(timers.section("measurements"));
       measurements.sample();
       note_sizes(step, result.summary.performance);
@@ -124,7 +124,7 @@ RunResult run_with(const scene::Scene& scene, const RunOptions& options, RunMoni
       outputs.write_due(step);
     }
     result.interrupted = interrupted();
-    if (k == steps || result.interrupted) break;
+    if (finished || result.interrupted) break;
     step.advance();
     measurements.after_step();
     remove_leavers(scene, step);

@@ -129,10 +129,12 @@ struct Fluid {
   double cell_size = 0;               ///< m
   double density = 1000;              ///< kg/m^3
   double kinematic_viscosity = 1e-6;  ///< m^2/s
+  double surface_tension = 0;         ///< N/m
   Collision collision = Collision::central_moments;
   double smagorinsky = 0;
   double lattice_velocity = 0.1;
   double max_speed = 0;  ///< m/s, 0 = from the drop height
+  bool adaptive_time_step = false;
   WallPlacement wall_placement = WallPlacement::half_way;
   Rheology rheology;
   std::vector<FluidRegion> regions;

@@ -18,6 +18,7 @@ namespace lahar::lbm {
 struct LiquidAccount {
   double outflow = 0;           ///< left through open faces
   double inflow = 0;            ///< came in through inflow boxes (inflow.h)
+  double rescaled = 0;          ///< added by changes of the time step (rescale.h)
   double pool = 0;              ///< waiting to be paid back to interface cells
   double pooled_total = 0;      ///< sum of all that ever went through the pool (absolute)
   std::int64_t drop_moves = 0;  ///< moves of spray cells (drops.h)

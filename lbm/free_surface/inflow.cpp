@@ -24,9 +24,8 @@ Inflow<Real>::Inflow(InflowOptions options, const Domain& domain, const LatticeU
 
 template <class Real>
 void Inflow<Real>::feed(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity, double time,
-                        std::int64_t step, LiquidAccount& account) {
-  const double volume =
-      options_.discharge.volume_until(time + units_.time_step) - options_.discharge.volume_until(time);
+                        double duration, std::int64_t step, LiquidAccount& account) {
+  const double volume = options_.discharge.volume_until(time + duration) - options_.discharge.volume_until(time);
   owed_ += volume / std::pow(units_.cell_size, 3);
   if (std::abs(owed_) < 1e-12) return;
   collect(grid, conversion, parity);

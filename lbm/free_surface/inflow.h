@@ -30,9 +30,11 @@ class Inflow {
  public:
   Inflow(InflowOptions options, const Domain& domain, const LatticeUnits& units);
 
-  /// Puts in what is due in a step from `time` on. Throws NumericalFailure where the box cannot take the discharge.
-  void feed(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity, double time, std::int64_t step,
-            LiquidAccount& account);
+  /// Puts in what is due in a step of `duration` from `time` on, s. Throws NumericalFailure where the box cannot take
+  /// the discharge.
+  void feed(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity, double time, double duration,
+            std::int64_t step, LiquidAccount& account);
+  void set_units(const LatticeUnits& units) { units_ = units; }
 
  private:
   void collect(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity);

@@ -6,6 +6,7 @@
 
 #include "lbm/collision/stress_limit.h"
 #include "lbm/equilibrium.h"
+#include "lbm/free_surface/curvature.h"
 #include "lbm/free_surface/surface_gradient.h"
 #include "lbm/free_surface/surface_plane.h"
 #include "lbm/free_surface/surroundings.h"
@@ -25,15 +26,16 @@ class RowExchange {
  public:
   using V = Row<Real>;
 
-  RowExchange(const std::array<Block<Real>*, 27>& around, const Surroundings<Real>& near, Parity parity, Real gas_drho,
-              Real largest_gradient)
+  RowExchange(const std::array<Block<Real>*, 27>& around, const Surroundings<Real>& near, Parity parity,
+              const SurfacePhysics<Real>& physics, const Real* capillary)
       : block_(*around[13]),
         near_(near),
         // What is at home in the coming step is away in the one after it, and the reverse.
         home_ahead_(around, parity.next(), nowhere_),
         away_ahead_(around, parity, nowhere_),
-        gas_drho_(gas_drho),
-        largest_gradient_(largest_gradient) {
+        gas_drho_(physics.gas_drho),
+        largest_gradient_(physics.largest_gradient),
+        capillary_(capillary) {
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
       home_[pair] = block_.f(parity.home(D3Q19::forward(pair)));
       away_[pair] = block_.f(parity.away(D3Q19::forward(pair)));
@@ -88,13 +90,14 @@ class RowExchange {
     const Velocity u = outgoing_velocity(row);
     const SurfacePressure s = surface_pressure(row, place, open);
     const Rows rows = Rows::at(kBlockWidth * row, 1);
+    const V gas = capillary_ ? V(gas_drho_ + V(capillary_ + 8 * row, stdx::element_aligned)) : gas_drho_;
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
       const auto from_ahead = open && see(near_.empty, place + step) > V(0);
       const auto from_behind = open && see(near_.empty, place - step) > V(0);
       const V half_way = V(Real(0.5)) * (V(Real(CX)) * s.x + V(Real(CY)) * s.y + V(Real(CZ)) * s.z);
       const auto even = [&](const V& height) __attribute__((always_inline)) {
-        return equilibrium_pair_sum(D3Q19::forward(P), V(gas_drho_ + V(3) * height), u.x, u.y, u.z);
+        return equilibrium_pair_sum(D3Q19::forward(P), V(gas + V(3) * height), u.x, u.y, u.z);
       };
       if (stdx::any_of(from_ahead))
         away_ahead_.template pair<P>().store_chosen(rows, even(s.depth + half_way) - outgoing_a_[P], from_ahead);
@@ -161,25 +164,42 @@ class RowExchange {
   const AwayPopulations<Real> home_ahead_, away_ahead_;
   const V gas_drho_;
   const Real largest_gradient_;
+  const Real* const capillary_;  ///< rho - 1 by surface tension, per cell; null without
   V incoming_a_[D3Q19::pairs], outgoing_b_[D3Q19::pairs], outgoing_a_[D3Q19::pairs], incoming_b_[D3Q19::pairs];
 };
+
+/// rho - 1 of the pressure sigma x curvature, p = rho c_s^2, in the interface cells of a block.
+template <class Real>
+void capillary_densities(const FluidGrid<Real>& grid, BlockIndex b, Real surface_tension, Real (&drho)[kBlockCells]) {
+  const SurfaceFields<Real>& surface = *grid.block(b).surface;
+  const FillAround<Real> around(grid, b);
+  std::fill(drho, drho + kBlockCells, Real(0));
+  for (int k = 0; k < surface.count; ++k) {
+    const int cell = surface.cells[static_cast<std::size_t>(k)];
+    const auto p = cell_position(cell);
+    drho[cell] = Real(3) * surface_tension * curvature(around, p[0], p[1], p[2]);
+  }
+}
 
 }  // namespace
 
 template <class Real>
-void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real gas_drho, Real largest_gradient) {
+void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SurfacePhysics<Real>& physics) {
   Block<Real>& block = grid.block(b);
   if (!block.surface) return;
   SurfaceFields<Real>& surface = *block.surface;
   surface.exposed = 0;
   Surroundings<Real> near;
   LookAround<Real>(grid, b, parity).run(surface.rows, near);
-  RowExchange<Real> exchange(grid.around(b), near, parity, gas_drho, largest_gradient);
+  Real capillary[kBlockCells];
+  const bool tense = physics.surface_tension > 0;
+  if (tense) capillary_densities(grid, b, physics.surface_tension, capillary);
+  RowExchange<Real> exchange(grid.around(b), near, parity, physics, tense ? capillary : nullptr);
   for (int row = 0; row < 64; ++row)
     if (surface.rows >> row & 1) exchange.run(row);
 }
 
-template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, float, float);
-template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, double, double);
+template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, const SurfacePhysics<float>&);
+template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, const SurfacePhysics<double>&);
 
 }  // namespace lahar::lbm

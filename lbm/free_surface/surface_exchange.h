@@ -16,18 +16,27 @@
 // with a = grad p / rho (surface_gradient.h) and d = a . (centre - surface) from the fill level (surface_plane.h):
 // second order in the place of the surface, exact for water at rest at any angle to the lattice, and the plain rule in
 // free fall, where a = 0 (docs/decisions/0007).
+//
+// With surface tension the pressure on the surface is that of the gas plus sigma times the curvature (curvature.h).
 #include "lbm/fluid_grid.h"
 
 namespace lahar::lbm {
 
+/// Lattice units.
+template <class Real>
+struct SurfacePhysics {
+  Real gas_drho = 0;          ///< rho - 1 at the pressure of the gas
+  Real largest_gradient = 0;  ///< of |a|: beyond it densities are sound and splash, no weight of liquid; 0: plain rule
+  Real surface_tension = 0;   ///< sigma over the density; 0 is off
+};
+
 /// Treats the interface cells of one block; marks those that are exposed to gas on half of their sides, whose
-/// relaxation rate is bounded (collision/stress_limit.h). `largest_gradient` bounds |a|, lu: beyond it densities are
-/// sound and splash, no weight of liquid; 0 is the plain rule. Writes mass and rates of this block and locations that
+/// relaxation rate is bounded (collision/stress_limit.h). Writes mass and rates of this block and locations that
 /// belong to its cells alone.
 template <class Real>
-void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Real gas_drho, Real largest_gradient);
+void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SurfacePhysics<Real>& physics);
 
-extern template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, float, float);
-extern template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, double, double);
+extern template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, const SurfacePhysics<float>&);
+extern template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, const SurfacePhysics<double>&);
 
 }  // namespace lahar::lbm

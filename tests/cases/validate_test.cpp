@@ -1,4 +1,4 @@
-// The ladder's own machinery, and the quick form of the entries without a surface.
+// The ladder's own machinery, and the quick form of entries that take seconds.
 #include "cases/validate/entry.h"
 
 #include <gtest/gtest.h>
@@ -80,7 +80,8 @@ TEST_P(QuickEntry, ReachesItsBars) {
 INSTANTIATE_TEST_SUITE_P(Fluid, QuickEntry,
                          testing::Values("fluid.order_taylor_green", "fluid.order_poiseuille", "fluid.order_duct",
                                          "fluid.order_couette", "fluid.taylor_green_re1600", "fluid.cavity_re1000",
-                                         "fluid.determinism", "fluid.hard_h19", "fluid.shear_layer"),
+                                         "fluid.determinism", "fluid.hard_h19", "fluid.shear_layer",
+                                         "fluid.adaptive_time_step", "fluid.laplace_drop"),
                          [](const auto& param) { return std::string(param.param).substr(6); });
 
 }  // namespace

@@ -59,6 +59,29 @@ TEST(CoupledStep, RunsWithFluidAloneAndSolidsAlone) {
   EXPECT_THROW((CoupledStep<float>(std::nullopt, std::nullopt, {})), std::logic_error);
 }
 
+/// The fluid's step changes under way: the sub-steps stay whole and short, and the stone sinks as without.
+TEST(CoupledStep, FollowsTheFluidsTimeStep) {
+  const auto end = [](bool changes) {
+    const auto fluid = tank(Vec3(0.32, 0.32, 0.48), 0.02, 2e-4);
+    CoupledStep<double> step(fluid, grains(fluid, {grain(Vec3(0.15, 0.16, 0.2), 0.04, 2500)}),
+                             {.immersed_grains = true, .wire_drag = false, .substeps = 10});
+    step.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.3)}});
+    for (double factor = 1.25; step.time() < 0.1 - 1e-9; step.advance()) {
+      if (!changes || step.steps() % 100 != 50) continue;
+      step.fluid()->set_time_step(factor * step.fluid()->units().time_step);
+      factor = 1 / factor;
+    }
+    EXPECT_LE(step.solids()->options().time_step, 2e-5 * (1 + 1e-12));
+    EXPECT_NEAR(step.solids()->time(), step.time(), 1e-12);
+    EXPECT_LT(step.audit().relative(), 1e-10);
+    EXPECT_LT(std::abs(step.fluid()->mass_drift()), 1e-10);
+    return step.solids()->particles().velocity.z[0];
+  };
+  const double alone = end(false);
+  EXPECT_LT(alone, -0.1);
+  EXPECT_NEAR(end(true) / alone, 1, 0.02);
+}
+
 TEST(CoupledStep, SameResultWithAnyNumberOfThreads) {
   const auto end = [](int threads) {
     const ThreadLimit limit(threads);

@@ -17,6 +17,7 @@ lbm::FluidOptions options_of(const DamBreak& dam, const Vec3i& cells) {
   lbm::FluidOptions o =
       open_tank(cells, dam.kinematic_viscosity * dt / (dx * dx), Vec3(0, 0, -kGravity * dt * dt / dx));
   o.smagorinsky = dam.smagorinsky;
+  o.adaptive_time_step = dam.adaptive;
   o.domain.faces[2] = o.domain.faces[3] = lbm::FaceKind::periodic;
   if (dam.slip) {
     o.domain.faces[0] = o.domain.faces[4] = lbm::FaceKind::open;
@@ -59,19 +60,22 @@ DamBreakRun run_dam_break(const DamBreak& dam) {
   };
   const double initial = energy();
   DamBreakRun run;
-  for (double t = 0; t < dam.until || static_cast<double>(run.steps) < dam.steps;
-       t = scale * static_cast<double>(run.steps)) {
+  for (double t = 0; t < dam.until || static_cast<double>(run.steps) < dam.steps; t = scale * fluid.time()) {
     if (t < dam.until) {
       run.time.push_back(t);
       run.front.push_back(front_in_bottom_layer(fluid, cells) / dam.width);
     }
     fluid.step();
     if (++run.steps % 20 != 0) continue;
-    run.fastest = std::max(run.fastest, fastest(fluid));
+    run.fastest = std::max(run.fastest, fastest(fluid) * fluid.units().time_step);
     run.energy_rise = std::max(run.energy_rise, energy() / initial - 1);
     run.drift = std::max(run.drift, std::abs(fluid.mass_drift()));
   }
   run.limited = static_cast<double>(fluid.account().limited) / fluid.cell_updates();
+  run.rescaled = fluid.rescaled_mass() / fluid.liquid_mass();
+  run.changes = fluid.time_step_record().changes;
+  run.shortest_step = fluid.time_step_record().shortest;
+  run.longest_step = fluid.time_step_record().longest;
   return run;
 }
 

@@ -14,17 +14,21 @@ struct DamBreak {
   bool slip = true;                   ///< whether the bed and the wall behind the column slip
   double kinematic_viscosity = 1e-6;  ///< m^2/s
   double smagorinsky = 0;
-  double until = 3.38;  ///< T = n t sqrt(g/a), n^2 = 2
-  double steps = 0;     ///< at least as many
+  double until = 3.38;    ///< T = n t sqrt(g/a), n^2 = 2
+  double steps = 0;       ///< at least as many
+  bool adaptive = false;  ///< whether the time step adapts, to 0.1 lu; the lattice velocity then sets the first one
 };
 
 struct DamBreakRun {
   std::vector<double> time, front;  ///< T and Z = x/a, every step until the end of the tank is near
   std::size_t steps = 0;
-  double fastest = 0;      ///< lu, of every 20th step
-  double energy_rise = 0;  ///< largest energy above the initial one, of the initial one
-  double drift = 0;        ///< largest, of the mass
-  double limited = 0;      ///< cell updates with a limited stress, of all
+  double fastest = 0;                          ///< lu of that step, of every 20th step
+  double energy_rise = 0;                      ///< largest energy above the initial one, of the initial one
+  double drift = 0;                            ///< largest, of the mass
+  double limited = 0;                          ///< cell updates with a limited stress, of all
+  double rescaled = 0;                         ///< mass that changes of the time step brought in, of all
+  std::int64_t changes = 0;                    ///< of the time step
+  double shortest_step = 1, longest_step = 1;  ///< of the first
   /// Front at a time T; time at which the front passes Z (the last time if it does not).
   [[nodiscard]] double front_at(double t) const;
   [[nodiscard]] double time_at(double z) const;

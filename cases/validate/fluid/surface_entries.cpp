@@ -9,6 +9,8 @@ std::vector<Entry> surface_entries() {
       {"fluid.hydrostatic", "water at rest", hydrostatic},
       {"fluid.hydrostatic_tilted", "water at rest, tank at 35 degrees to the lattice", hydrostatic_tilted},
       {"fluid.martin_moyce", "Martin & Moyce 1952, n^2 = 2", martin_moyce},
+      {"fluid.adaptive_time_step", "the same flows with the right step throughout", adaptive_time_step},
+      {"fluid.laplace_drop", "Laplace; Lamb 1932, art. 275", laplace_drop},
       {"fluid.mass_ledger", "conservation of mass", mass_ledger},
       {"fluid.hard_h1", "dam break of water, 10 mm; front of Martin & Moyce 1952", hard_h1},
       {"fluid.hard_h2", "dam break on other grids and time steps", hard_h2},

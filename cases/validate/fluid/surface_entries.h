@@ -4,6 +4,8 @@
 
 namespace lahar::validate {
 
+std::vector<Row> adaptive_time_step(const Context& context);
+std::vector<Row> laplace_drop(const Context& context);
 std::vector<Row> gravity_wave(const Context& context);
 std::vector<Row> nusselt_film(const Context& context);
 std::vector<Row> hydrostatic(const Context& context);
