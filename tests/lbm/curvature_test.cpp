@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lahar::lbm {
 namespace {
 
-/// Fill levels of a body given by its signed distance (below 0 inside), from 8 x 8 x 8 points a cell.
+/// Fill levels of a body given by its signed distance (below 0 inside), from 8 x 8 x 8 parts of a cell, each cut by a
+/// plane across it.
 template <class Distance>
 FillAround<double> around(const Distance& distance) {
   FillAround<double> a;
@@ -17,7 +19,9 @@ FillAround<double> around(const Distance& distance) {
       for (int x = -4; x < 12; ++x) {
         double inside = 0;
         for (int k = 0; k < n * n * n; ++k)
-          inside += distance(Vec3(x + (k % n + 0.5) / n, y + (k / n % n + 0.5) / n, z + (k / n / n + 0.5) / n)) < 0;
+          inside += std::clamp(
+              0.5 - n * distance(Vec3(x + (k % n + 0.5) / n, y + (k / n % n + 0.5) / n, z + (k / n / n + 0.5) / n)),
+              0.0, 1.0);
         a.fill[FillAround<double>::at(x, y, z)] = inside / (n * n * n);
       }
   return a;
@@ -33,7 +37,8 @@ void for_interface(const FillAround<double>& a, const Visit& visit) {
       }
 }
 
-/// Part of a large sphere in many directions: 2 / R, negative for a bubble.
+/// Part of a large sphere in many directions: 2 / R, negative for a bubble. The worst, by 11 %, are single cells where
+/// the surface stands at 45 degrees to two axes, and columns cut it over two cells.
 TEST(Curvature, OfSpheresInAllDirections) {
   for (const Vec3& direction : {Vec3(1, 0, 0), Vec3(0, 0, -1), Vec3(1, 1, 0), Vec3(1, 1, 1), Vec3(3, -1, 2)})
     for (const double sign : {1.0, -1.0}) {
@@ -42,8 +47,7 @@ TEST(Curvature, OfSpheresInAllDirections) {
       const auto a = around([&](const Vec3& p) { return sign * ((p - centre).norm() - radius); });
       int cells = 0;
       for_interface(a, [&](int x, int y, int z) {
-        // Fill levels in steps of 1/512 leave noise of about 0.003 in second differences.
-        EXPECT_NEAR(curvature(a, x, y, z), sign * 2 / radius, 0.02) << direction.transpose();
+        EXPECT_NEAR(curvature(a, x, y, z), sign * 2 / radius, 0.0125) << direction.transpose();
         ++cells;
       });
       EXPECT_GT(cells, 20);
@@ -53,7 +57,7 @@ TEST(Curvature, OfSpheresInAllDirections) {
 TEST(Curvature, IsZeroOnPlanes) {
   for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(2, 1, 0), Vec3(1, -2, 3)}) {
     const auto a = around([&](const Vec3& p) { return (p - Vec3(4, 4, 4.2)).dot(normal.normalized()); });
-    for_interface(a, [&](int x, int y, int z) { EXPECT_NEAR(curvature(a, x, y, z), 0, 0.012); });
+    for_interface(a, [&](int x, int y, int z) { EXPECT_NEAR(curvature(a, x, y, z), 0, 0.005); });
   }
 }
 

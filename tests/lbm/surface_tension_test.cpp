@@ -10,26 +10,31 @@
 namespace lahar::lbm {
 namespace {
 
-/// A cube of liquid in lattice units becomes a ball of the pressure 2 sigma / R.
+/// A cube of liquid in lattice units becomes a ball of the pressure 2 sigma / R. It may have moved meanwhile: the edges
+/// of a cube that does not lie on the lattice are not resolved alike.
 TEST(SurfaceTension, ACubeBecomesABall) {
   FluidOptions o = lattice_options(Vec3i::Constant(24), 0.1);
   o.domain.faces.fill(FaceKind::open);
   o.surface_tension = 0.01;
-  Fluid<double> fluid(o);
-  const Vec3 centre(12.2, 12.1, 11.9);
-  fluid.fill({{centre - Vec3::Constant(5), centre + Vec3::Constant(5)}});
-  for (int s = 0; s < 2500; ++s) fluid.step();
-  const double radius = std::cbrt(3 * 1000 / (4 * std::numbers::pi));  // 6.2
-  double least = 1e9, most = 0;
-  fluid.for_each_wet_cell([&](const WetCell& c) {
-    if (c.fill_level < 0.3 || c.fill_level > 0.7) return;
-    least = std::min(least, (c.centre - centre).norm());
-    most = std::max(most, (c.centre - centre).norm());
-  });
-  EXPECT_GT(least, radius - 0.8);  // half a cell's diagonal
-  EXPECT_LT(most, radius + 0.8);   // the corners of the cube are 8.7 away
-  EXPECT_NEAR(fluid.cell_at(centre)->pressure, 2 * 0.01 / radius, 0.1 * 2 * 0.01 / radius);
-  EXPECT_LT(std::abs(fluid.mass_drift()), 1e-10);
+  for (const Vec3& start : {Vec3(12, 12, 12), Vec3(12.2, 12.1, 11.9)}) {
+    Fluid<double> fluid(o);
+    fluid.fill({{start - Vec3::Constant(5), start + Vec3::Constant(5)}});
+    for (int s = 0; s < 1000; ++s) fluid.step();
+    const double radius = std::cbrt(3 * 1000 / (4 * std::numbers::pi));  // 6.2
+    Vec3 centre = Vec3::Zero();
+    fluid.for_each_wet_cell([&](const WetCell& c) { centre += c.liquid_volume / 1000 * c.centre; });
+    double least = 1e9, most = 0;
+    fluid.for_each_wet_cell([&](const WetCell& c) {
+      if (c.fill_level < 0.3 || c.fill_level > 0.7) return;
+      least = std::min(least, (c.centre - centre).norm());
+      most = std::max(most, (c.centre - centre).norm());
+    });
+    EXPECT_GT(least, radius - 0.8);  // half a cell's diagonal
+    EXPECT_LT(most, radius + 0.8);   // the corners of the cube are 8.7 away
+    EXPECT_LT((centre - start).norm(), 2);
+    EXPECT_NEAR(fluid.cell_at(centre)->pressure, 2 * 0.01 / radius, 0.05 * 2 * 0.01 / radius);
+    EXPECT_LT(std::abs(fluid.mass_drift()), 1e-10);
+  }
 }
 
 /// Water at 2 mm: the surface breaks up with ripples on it.

@@ -46,8 +46,10 @@ void ask_laplace(const Context& context, std::vector<Row>& rows) {
     fluid.fill(ellipsoid(centre, radius, radius));
     for (int s = 0; s < (context.quick ? 1500 : 4000); ++s) fluid.step();
     double pressure = 0, count = 0, volume = 0;
+    Vec3 middle = Vec3::Zero();
     fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
       volume += c.liquid_volume;
+      middle += c.liquid_volume * (c.centre - centre);
       if ((c.centre - centre).norm() < 0.5 * radius) pressure += c.pressure, count += 1;
     });
     const double r = std::cbrt(3 * volume / (4 * std::numbers::pi));
@@ -56,6 +58,7 @@ void ask_laplace(const Context& context, std::vector<Row>& rows) {
                                 radius < 8 ? 0.10 : 0.05));
     // In the units of such flows: viscous speed sigma / (rho nu).
     rows.push_back(at_most_row(label + "parasitic current, of sigma / mu", fastest(fluid) / (tension / 0.1), 0.01));
+    rows.push_back(at_most_row(label + "way that it has moved, cells", middle.norm() / volume, 0.5));
     rows.push_back(at_most_row(label + "liquid lost or won, of all", std::abs(fluid.mass_drift()),
                                sizeof(Real) == 8 ? 1e-10 : 1e-6));
   }
