@@ -340,6 +340,11 @@ void Fluid<Real>::release_dry_blocks() {
 }
 
 template <class Real>
+bool Fluid<Real>::is_watched() const {
+  return steps_ % kWatchEvery == 0;
+}
+
+template <class Real>
 void Fluid<Real>::watch() {
   const ScopedTimer timer(timers_.section("fluid.watchdog"));
   const auto& active = grid_.active();

@@ -115,12 +115,19 @@ class Fluid {
   [[nodiscard]] std::optional<WetCell> cell_at(const Vec3& p) const;
   [[nodiscard]] FluidSnapshot snapshot() const;
 
+  /// State of a checkpoint; loading needs a fluid of the same options that was not filled (fluid_transfer.cpp). Throws
+  /// NumericalFailure instead of saving what is not finite.
+  void transfer(Archive& archive);
+  /// Whether the watchdog has looked at the present state.
+  [[nodiscard]] bool is_watched() const;
+
   /// Looks at every wet cell: throws NumericalFailure with cell, step and cause.
   void watch();
   /// Gives back blocks that no wet cell needs.
   void release_dry_blocks();
 
  private:
+  void check_finite() const;
   void sweep();
   void feed();
   void exchange();

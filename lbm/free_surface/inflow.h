@@ -33,6 +33,7 @@ class Inflow {
   /// Puts in what is due in a step from `time` on. Throws NumericalFailure where the box cannot take the discharge.
   void feed(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity, double time, std::int64_t step,
             LiquidAccount& account);
+  void transfer(Archive& archive) { archive.value("owed", owed_); }
 
  private:
   void collect(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity);
