@@ -18,7 +18,7 @@ Solids scene() {
   Bonds bonds;
   BondSort wire;
   wire.axial.stiffness = {1e9, 1e8, 1e8};
-  wire.axial.force_limit = {8, 1e9};
+  wire.axial.force_limit = {2, 1e9};
   wire.axial.plastic_unloading = true;
   wire.shear_stiffness = 1e9;
   wire.bond_radius = 0.003;
@@ -38,6 +38,7 @@ Solids scene() {
   SolidsOptions o;
   o.gravity = {1, 0, -9.81};
   o.time_step = 2e-5;
+  o.watchdog.overlap_limit = 2;  // the beads are small beside the grains
   Materials m;
   m.add({"any", 1e7, 0.25});
   m.set_pair(0, 0, 0.5, 0.5);
@@ -56,7 +57,7 @@ void expect_same_after_restart(Solids& whole, int steps) {
   whole.advance(steps);
   resumed.advance(steps);
   const auto differing = differing_lists(state_of(whole), state_of(resumed));
-  EXPECT_TRUE(differing.empty()) << testing::PrintToString(differing);
+  EXPECT_TRUE(differing.empty()) << ::testing::PrintToString(differing);
   EXPECT_EQ(whole.ledger().total(), resumed.ledger().total());
   EXPECT_EQ(whole.ledger().bond_dissipated, resumed.ledger().bond_dissipated);
 }
@@ -77,7 +78,7 @@ TEST(SolidsTransfer, GoesOnWithContactsBondsAndBrokenBonds) {
   solids.advance(10);
   EXPECT_GT(broken(solids), 3U);
   EXPECT_LT(broken(solids), solids.bonds().size());
-  EXPECT_GT(solids.contacts().stored_contacts().size(), 100U);
+  EXPECT_GT(solids.contacts().stored_contacts().size(), 50U);
   EXPECT_GT(solids.ledger().friction, 0);
   EXPECT_GT(*std::max_element(solids.bonds().plastic_elongation.begin(), solids.bonds().plastic_elongation.end()), 0);
   expect_same_after_restart(solids, 2000);
