@@ -12,6 +12,7 @@
 #include "cases/runner/measurements.h"
 #include "cases/runner/outputs.h"
 #include "cases/runner/schedule.h"
+#include "core/check.h"
 
 namespace lahar::cases {
 

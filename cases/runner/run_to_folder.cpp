@@ -15,6 +15,7 @@
 #include "cases/runner/run.h"
 #include "cases/scene/names.h"
 #include "cases/scene/writer.h"
+#include "core/check.h"
 #include "core/parallel.h"
 
 namespace lahar::cases {
