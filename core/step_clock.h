@@ -2,19 +2,13 @@
 // Time as a count of steps whose length may change.
 #include <cstdint>
 
+#include "core/archive.h"
+
 namespace lahar {
 
 /// Counts from the last change of the step, so that time is exact to one rounding while the step stays the same.
 class StepClock {
  public:
-  /// What a checkpoint must hold.
-  struct State {
-    double time_step = 0;    ///< s, of the coming steps
-    double start = 0;        ///< s, when the step took this length
-    std::int64_t since = 0;  ///< steps at that moment
-    std::int64_t steps = 0;
-  };
-
   explicit StepClock(double time_step = 0) { state_.time_step = time_step; }
 
   void advance() { ++state_.steps; }
@@ -30,10 +24,20 @@ class StepClock {
   [[nodiscard]] double time() const {  ///< s
     return state_.start + static_cast<double>(state_.steps - state_.since) * state_.time_step;
   }
-  [[nodiscard]] const State& state() const { return state_; }
-  void restore(const State& state) { state_ = state; }
+  void transfer(Archive& archive) {
+    archive.value("time_step", state_.time_step);
+    archive.value("start", state_.start);
+    archive.value("since", state_.since);
+    archive.value("steps", state_.steps);
+  }
 
  private:
+  struct State {
+    double time_step = 0;    ///< s, of the coming steps
+    double start = 0;        ///< s, when the step took this length
+    std::int64_t since = 0;  ///< steps at that moment
+    std::int64_t steps = 0;
+  };
   State state_;
 };
 

@@ -5,6 +5,8 @@
 #include <map>
 #include <string>
 
+#include "core/archive.h"
+
 namespace lahar {
 
 /// Named accumulators. Look a section up once (`Timers::section`), then time it with ScopedTimer: no allocation in a
@@ -27,6 +29,14 @@ class Timers {
     std::map<std::string, double> all;
     for (const auto& s : sections_) all[s.name] = s.seconds;
     return all;
+  }
+
+  /// Goes on with the times of an earlier part of the run.
+  void transfer(Archive& archive) {
+    auto all = seconds();
+    archive.numbers("seconds", all);
+    if (archive.loading())
+      for (const auto& [name, seconds] : all) section(name).seconds = seconds;
   }
 
  private:

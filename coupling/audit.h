@@ -2,7 +2,7 @@
 // Momentum exchanged between fluid and solids, booked on both sides.
 #include <algorithm>
 
-#include "core/vector.h"
+#include "core/archive.h"
 
 namespace lahar::coupling {
 
@@ -20,6 +20,11 @@ class MomentumAudit {
     return scale > 0 ? difference_.norm() / scale : 0.0;
   }
   [[nodiscard]] double worst_step() const { return worst_; }
+  void transfer(Archive& archive) {
+    archive.value("difference", difference_);
+    archive.value("exchanged", exchanged_);
+    archive.value("worst", worst_);
+  }
 
  private:
   Vec3 difference_ = Vec3::Zero(), exchanged_ = Vec3::Zero();

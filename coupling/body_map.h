@@ -34,6 +34,10 @@ class BodyMap {
   [[nodiscard]] double wet_volume() const { return wet_volume_; }
   [[nodiscard]] std::size_t pairs() const { return pairs_.size(); }
 
+  /// State of a checkpoint: the last mapping, whose displaced volume the next one is compared with
+  /// (coupled_step_transfer.cpp).
+  void transfer(Archive& archive);
+
  private:
   /// A body and one block that it reaches.
   struct Pair {

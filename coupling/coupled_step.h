@@ -40,6 +40,11 @@ class CoupledStep {
   [[nodiscard]] std::size_t wet_beads() const { return wires_ ? wires_->wet_beads() : 0; }
   [[nodiscard]] Timers& timers() { return timers_; }
 
+  /// State of a checkpoint, of everything that the step owns; loading needs a step of the same scene that was not
+  /// filled (coupled_step_transfer.cpp). Times of the parts are apart: they are not the same twice.
+  void transfer(Archive& archive);
+  void transfer_timers(Archive& archive);
+
  private:
   void follow_time_step();
   void hold_fluid_forces();

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/archive.h"
 #include "core/check.h"
 #include "core/vector.h"
 #include "dem/particles.h"
@@ -55,6 +56,8 @@ struct Bonds {
   double breakage_loss = 0;                ///< J, elastic energy that bonds held when they broke
 
   [[nodiscard]] std::size_t size() const { return i.size(); }
+  /// State of a checkpoint, broken bonds included (solids_transfer.cpp). The sorts are the scene's.
+  void transfer(Archive& archive);
   int add_sort(const BondSort& s) {
     sorts.push_back(s);
     return static_cast<int>(sorts.size() - 1);

@@ -20,9 +20,11 @@ struct ContactSlots {
   std::vector<std::uint8_t> touching;  ///< 1 where history is in use
 
   [[nodiscard]] std::size_t size() const { return partner.size(); }
+  /// State of a checkpoint, given the rows (solids_transfer.cpp).
+  void transfer_histories(Archive& archive);
 };
 
-/// A touching contact as a checkpoint stores it.
+/// A touching contact by the names of its sides.
 struct StoredContact {
   ParticleIndex particle = 0;
   std::uint32_t partner = 0;  ///< particle or wall
@@ -52,6 +54,9 @@ class ContactDetection {
 
   /// All touching contacts with their histories, ordered.
   [[nodiscard]] std::vector<StoredContact> stored_contacts() const;
+  /// State of a checkpoint: the lists as they are, with all histories (solids_transfer.cpp). A list that was built later
+  /// would differ where a bond has broken or a particle was removed since it was built.
+  void transfer(Archive& archive, const Particles& particles);
   /// Puts stored histories into the present lists; contacts that are not listed there are an error.
   void restore(const std::vector<StoredContact>& contacts);
 

@@ -24,6 +24,14 @@ struct ContactEnergy {
   double damping = 0;    ///< dissipated by dampers
   double friction = 0;   ///< dissipated by slip
   double wall_work = 0;  ///< done on particles by walls that move
+
+  void transfer(Archive& archive) {
+    archive.value("elastic_normal", elastic_normal);
+    archive.value("elastic_tangential", elastic_tangential);
+    archive.value("damping", damping);
+    archive.value("friction", friction);
+    archive.value("wall_work", wall_work);
+  }
 };
 
 /// The deepest contact of the last evaluation.
@@ -66,8 +74,8 @@ class ContactForces {
   [[nodiscard]] Vec3 force_on_wall(const ContactDetection& contacts, std::uint32_t wall) const;
   /// Its moment about the origin of the coordinates, N m; each force acts where its sphere is nearest to the wall.
   [[nodiscard]] Vec3 moment_on_wall(const ContactDetection& contacts, const Walls& walls, std::uint32_t wall) const;
-  /// Puts the dissipated sums back (checkpoint).
-  void restore(const ContactEnergy& energy) { energy_ = energy; }
+  /// State of a checkpoint; the histories lie with the contacts.
+  void transfer(Archive& archive) { energy_.transfer(archive); }
 
  private:
   struct PairMaterial {

@@ -91,6 +91,10 @@ void NeighbourList::build(const Particles& particles, const PairSet& excluded) {
 
 void NeighbourList::remember_positions(const Particles& particles) {
   built_x_ = particles.position.x, built_y_ = particles.position.y, built_z_ = particles.position.z;
+  set_move_limits(particles);
+}
+
+void NeighbourList::set_move_limits(const Particles& particles) {
   move_limit2_.resize(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double limit = 0.5 * skin(particles, i);

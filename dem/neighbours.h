@@ -45,6 +45,8 @@ class NeighbourList {
   /// Skin of particle i, m.
   [[nodiscard]] double skin(const Particles& particles, std::size_t i) const;
   [[nodiscard]] std::int64_t builds() const { return builds_; }
+  /// State of a checkpoint: the list and where the particles were when it was built (solids_transfer.cpp).
+  void transfer(Archive& archive, const Particles& particles);
 
  private:
   // A particle as its grid stores it, next to the others of its cell.
@@ -77,6 +79,7 @@ class NeighbourList {
   void search_level(const Level& level, const Member& me, bool same_level, const PairSet& excluded,
                     std::vector<ParticleIndex>& row) const;
   void remember_positions(const Particles& particles);
+  void set_move_limits(const Particles& particles);
 
   NeighbourOptions options_;
   std::vector<Level> levels_;  // ascending exponent

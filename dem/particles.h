@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/archive.h"
 #include "core/vector.h"
 
 namespace lahar::dem {
@@ -41,6 +42,9 @@ struct Particles {
   std::vector<ParticleState> state;
 
   [[nodiscard]] std::size_t size() const { return radius.size(); }
+
+  /// State of a checkpoint (solids_transfer.cpp); on loading there are as many particles as were stored.
+  void transfer(Archive& archive);
 
   ParticleIndex add(const ParticleSpec& s) {
     const double m = 4.0 / 3.0 * std::numbers::pi * s.radius * s.radius * s.radius * s.density;

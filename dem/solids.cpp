@@ -140,18 +140,4 @@ EnergyLedger Solids::ledger() const {
   return ledger;
 }
 
-SolidsState Solids::state() const {
-  return {time_, step_count_, contacts_.stored_contacts(), contact_forces_.energy(), external_work_, removed_energy_};
-}
-
-void Solids::restore(const SolidsState& state) {
-  build_all();  // the forces are those that the particles bring along
-  contacts_.restore(state.contacts);
-  contact_forces_.restore(state.contact_energy);
-  time_ = state.time;
-  step_count_ = state.step_count;
-  external_work_ = state.external_work;
-  removed_energy_ = state.removed_energy;
-}
-
 }  // namespace lahar::dem

@@ -24,15 +24,6 @@ struct SolidsOptions {
   WatchdogOptions watchdog;
 };
 
-/// What a checkpoint must hold beside particles (with their forces) and bonds.
-struct SolidsState {
-  double time = 0;
-  std::int64_t step_count = 0;
-  std::vector<StoredContact> contacts;
-  ContactEnergy contact_energy;
-  double external_work = 0, removed_energy = 0;
-};
-
 /// All solids of a scene. Results do not depend on the number of threads nor on when neighbour lists are rebuilt.
 class Solids {
  public:
@@ -78,9 +69,11 @@ class Solids {
   }
   [[nodiscard]] const Timers& timers() const { return timers_; }
 
-  [[nodiscard]] SolidsState state() const;
-  /// Continues from a checkpoint: particles and bonds must be those that were stored with this state.
-  void restore(const SolidsState& state);
+  [[nodiscard]] Timers& timers() { return timers_; }
+
+  /// State of a checkpoint (solids_transfer.cpp). Loading needs solids of the same scene: materials, walls, bond sorts and
+  /// options are theirs. Throws NumericalFailure instead of saving what is not finite.
+  void transfer(Archive& archive);
 
  private:
   void substep(bool first, bool last);

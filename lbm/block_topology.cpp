@@ -44,6 +44,12 @@ BlockIndex BlockTopology::insert(const Vec3i& place) {
     free_.pop_back();
     coordinates_[static_cast<std::size_t>(b)] = block;
   }
+  enter(block, b);
+  return b;
+}
+
+/// Puts a block that has its index into the tree, the list and its neighbours' tables.
+void BlockTopology::enter(const Vec3i& block, BlockIndex b) {
   tree_->accessor.setValue(coord(block), b);
   active_.insert(std::lower_bound(active_.begin(), active_.end(), b), b);
   auto& mine = neighbours_[static_cast<std::size_t>(b)];
@@ -55,7 +61,6 @@ BlockIndex BlockTopology::insert(const Vec3i& place) {
         if (other != kNoBlock)
           neighbours_[static_cast<std::size_t>(other)][static_cast<std::size_t>(neighbour_slot(-dx, -dy, -dz))] = b;
       }
-  return b;
 }
 
 void BlockTopology::erase(BlockIndex b) {
@@ -68,6 +73,33 @@ void BlockTopology::erase(BlockIndex b) {
   tree_->accessor.setValueOff(coord(coordinate(b)), kNoBlock);
   active_.erase(std::lower_bound(active_.begin(), active_.end(), b));
   free_.insert(std::lower_bound(free_.begin(), free_.end(), b, std::greater<>()), b);
+}
+
+void BlockTopology::transfer(Archive& archive) {
+  require(!archive.loading() || active_.empty(), "BlockTopology::transfer: loads into an empty topology only");
+  std::size_t largest = capacity();
+  std::vector<BlockIndex> indices = active_;
+  archive.value("capacity", largest);
+  archive.list("indices", indices);
+  if (archive.loading()) {
+    const bool ascending = std::adjacent_find(indices.begin(), indices.end(), std::greater_equal<>()) == indices.end();
+    if (!ascending || largest > 0x7fffffff ||
+        (!indices.empty() && (indices.front() < 0 || static_cast<std::size_t>(indices.back()) >= largest)))
+      archive.refuse("indices", "are no indices of blocks");
+    coordinates_.assign(largest, Vec3i::Zero());
+    neighbours_.assign(largest, {});
+  }
+  archive.pieces<std::int32_t>("coordinates", indices.size(), 3, [&](std::size_t k, std::int32_t* at) {
+    if (!archive.loading()) return std::copy_n(coordinate(indices[k]).data(), 3, at), void();
+    const Vec3i block(at[0], at[1], at[2]);
+    if (find(block) != kNoBlock) archive.refuse("coordinates", "name a block twice");
+    coordinates_[static_cast<std::size_t>(indices[k])] = block;
+    enter(block, indices[k]);
+  });
+  if (!archive.loading()) return;
+  free_.clear();
+  for (auto b = static_cast<BlockIndex>(largest); b-- > 0;)
+    if (!std::binary_search(indices.begin(), indices.end(), b)) free_.push_back(b);
 }
 
 }  // namespace lahar::lbm

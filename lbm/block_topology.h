@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/archive.h"
 #include "lbm/cells.h"
 
 namespace lahar::lbm {
@@ -22,6 +23,8 @@ class BlockTopology {
   /// Creates a block (which must not exist) and links it with its neighbours. Freed indices are used again.
   BlockIndex insert(const Vec3i& block);
   void erase(BlockIndex b);
+  /// State of a checkpoint; loading needs an empty topology. Blocks keep their indices, and so the order of sums.
+  void transfer(Archive& archive);
 
   [[nodiscard]] const Vec3i& coordinate(BlockIndex b) const { return coordinates_[static_cast<std::size_t>(b)]; }
   /// Neighbours by slot (see neighbour_slot); kNoBlock where there is none.
@@ -35,6 +38,7 @@ class BlockTopology {
 
  private:
   [[nodiscard]] Vec3i wrapped(Vec3i block) const;
+  void enter(const Vec3i& block, BlockIndex b);
 
   struct Tree;
   Vec3i period_;

@@ -307,6 +307,18 @@ void Fluid<Real>::stretch_kicks(double ratio) {
         for (int n = 0; n < kBlockCells; ++n) field[n] *= static_cast<Real>(ratio);
 }
 
+/// Lattice units are those of the given step.
+template <class Real>
+void Fluid<Real>::take_time_step(double time_step) {
+  options_.time_step = time_step;
+  units_ = units_of(options_);
+  const Parity parity = parameters_.parity;
+  parameters_ = parameters_of(options_, units_);
+  parameters_.parity = parity;
+  grid_.set_velocity_to_lu(units_.velocity_to_lu(1.0));
+  for (Inflow<Real>& inflow : inflows_) inflow.set_units(units_);
+}
+
 /// From here on lattice units are those of the new step.
 template <class Real>
 void Fluid<Real>::rescale(double ratio) {
@@ -316,16 +328,10 @@ void Fluid<Real>::rescale(double ratio) {
       active.size(),
       [&](std::size_t k) { return rescale_block(grid_, active[k], parameters_.parity, parameters_, ratio); },
       kBlocksPerTask);
-  options_.time_step = coming_time_step_;
   // The drag of a packed bed per time, B / (1 - B) per step = eps / (1 - eps) c / (1 + c), is kept.
   const double drag = ratio * options_.seepage_constant / (1 + options_.seepage_constant);
   options_.seepage_constant = drag / std::max(1 - drag, 1e-6);
-  units_ = units_of(options_);
-  const Parity parity = parameters_.parity;
-  parameters_ = parameters_of(options_, units_);
-  parameters_.parity = parity;
-  grid_.set_velocity_to_lu(units_.velocity_to_lu(1.0));
-  for (Inflow<Real>& inflow : inflows_) inflow.set_units(units_);
+  take_time_step(coming_time_step_);
   survey_.speed *= ratio;
   time_steps_.note(options_.time_step);
 }
@@ -425,6 +431,11 @@ void Fluid<Real>::release_dry_blocks() {
   for (const BlockIndex b : grid_.active())
     if (!needed_[static_cast<std::size_t>(b)]) gone.push_back(b);
   for (const BlockIndex b : gone) grid_.release(b);
+}
+
+template <class Real>
+bool Fluid<Real>::is_watched() const {
+  return steps() % kWatchEvery == 0 && survey_.speed < kNotFinite;
 }
 
 template <class Real>

@@ -131,12 +131,19 @@ class Fluid {
   [[nodiscard]] std::optional<WetCell> cell_at(const Vec3& p) const;
   [[nodiscard]] FluidSnapshot snapshot() const;
 
+  /// State of a checkpoint; loading needs a fluid of the same options that was not filled (fluid_transfer.cpp). Throws
+  /// NumericalFailure instead of saving what is not finite.
+  void transfer(Archive& archive);
+  /// Whether the watchdog has looked at the present state.
+  [[nodiscard]] bool is_watched() const;
+
   /// Looks at what the last sweep saw: throws NumericalFailure with cell, step and cause.
   void watch() const;
   /// Gives back blocks that no wet cell needs.
   void release_dry_blocks();
 
  private:
+  void check_finite() const;
   void sweep();
   void feed();
   void exchange();
@@ -144,6 +151,8 @@ class Fluid {
   void book_wall_loads();
   void stretch_kicks(double ratio);
   void rescale(double ratio);
+  void take_time_step(double time_step);
+  void transfer_time(Archive& archive);
   void look();
   void classify_filled(std::vector<BlockIndex>& touched);
   void initialize(CellPlace place, double drho, const Vec3& velocity_lu, const Mat3& stress = Mat3::Zero());

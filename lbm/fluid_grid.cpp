@@ -15,6 +15,13 @@ template <class Real>
 BlockIndex FluidGrid<Real>::require_block(const Vec3i& coordinate) {
   if (const BlockIndex found = topology_.find(coordinate); found != kNoBlock) return found;
   const BlockIndex b = topology_.insert(coordinate);
+  make_block(b);
+  return b;
+}
+
+/// Storage and geometry of a block that the topology knows.
+template <class Real>
+void FluidGrid<Real>::make_block(BlockIndex b) {
   if (topology_.capacity() > blocks_.size()) {
     blocks_.resize(topology_.capacity(), nullptr);
     around_.resize(topology_.capacity());
@@ -38,7 +45,6 @@ BlockIndex FluidGrid<Real>::require_block(const Vec3i& coordinate) {
   }
   cut_geometry(b);
   has_walls_[static_cast<std::size_t>(b)] = !fresh->walls.cells.empty();
-  return b;
 }
 
 template <class Real>

@@ -72,7 +72,15 @@ class FluidGrid {
   }
   [[nodiscard]] std::size_t bytes() const;
 
+  /// State of a checkpoint; loading needs an empty grid of the same domain (fluid_transfer.cpp).
+  void transfer(Archive& archive);
+
  private:
+  void make_block(BlockIndex b);
+  void transfer_types(Archive& archive);
+  void transfer_surfaces(Archive& archive);
+  void transfer_bodies(Archive& archive);
+  void transfer_wall_gains(Archive& archive);
   void cut_geometry(BlockIndex b);
   [[nodiscard]] WallHit wall_hit(const Wall& wall, const Vec3i& place, int i) const;
   void add_wall_links(Block<Real>& block, int cell, const Vec3i& place, const std::array<CellType, 1000>& types);

@@ -1,6 +1,7 @@
 #pragma once
 // What the sweeps of all blocks saw in a step, taken together: the fastest cell, the strongest pressure, whether all is
 // finite.
+#include "core/archive.h"
 #include "lbm/fluid_grid.h"
 #include "lbm/sweep.h"
 
@@ -15,6 +16,16 @@ struct Survey {
   std::size_t held_back = 0;      ///< cells whose speed was limited (collision/cell_state.h)
   std::size_t limited = 0;        ///< cells whose stress was limited (collision/stress_limit.h)
   std::size_t exposed = 0;        ///< interface cells with a bound on their relaxation rate (same place)
+
+  void transfer(Archive& archive) {
+    archive.value("speed", speed);
+    archive.value("compression", compression);
+    archive.value("fastest", fastest);
+    archive.value("wet", wet);
+    archive.value("held_back", held_back);
+    archive.value("limited", limited);
+    archive.value("exposed", exposed);
+  }
 };
 inline constexpr double kNotFinite = 1e30;
 

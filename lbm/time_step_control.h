@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/archive.h"
 #include "lbm/survey.h"
 
 namespace lahar::lbm {
@@ -39,6 +40,11 @@ struct TimeStepRecord {
     longest = std::max(longest, time_step);
     ++changes;
   }
+  void transfer(Archive& archive) {
+    archive.value("shortest", shortest);
+    archive.value("longest", longest);
+    archive.value("changes", changes);
+  }
 };
 
 class TimeStepControl {
@@ -49,16 +55,16 @@ class TimeStepControl {
   double choose(double time_step, const Survey& look) {
     if (look.wet == 0) return time_step;
     const double pressure_speed = std::sqrt(2.0 / 3.0 * look.compression);
-    const double fast = state_.first ? std::max(look.speed, pressure_speed) : look.speed;
-    state_.first = false;
+    const double fast = first_ ? std::max(look.speed, pressure_speed) : look.speed;
+    first_ = false;
     if (fast > kTooFast * limits_.target) {
-      state_.calm_looks = 0;
+      calm_looks_ = 0;
       return bounded(time_step, std::max(kLargestCut, limits_.target / fast));
     }
     const double speed = std::max({look.speed, pressure_speed, other_speed(time_step)});
-    state_.calm_looks = speed < kCalm * limits_.target ? state_.calm_looks + 1 : 0;
-    if (state_.calm_looks < kCalmLooks) return time_step;
-    state_.calm_looks = 0;
+    calm_looks_ = speed < kCalm * limits_.target ? calm_looks_ + 1 : 0;
+    if (calm_looks_ < kCalmLooks) return time_step;
+    calm_looks_ = 0;
     return bounded(time_step, std::min(kLargestGrowth, kAfterGrowth * limits_.target / speed));
   }
 
@@ -66,13 +72,10 @@ class TimeStepControl {
   [[nodiscard]] bool can_shorten(double time_step) const { return time_step > limits_.shortest * (1 + 1e-9); }
   [[nodiscard]] const TimeStepLimits& limits() const { return limits_; }
 
-  /// What a checkpoint must hold.
-  struct State {
-    int calm_looks = 0;
-    bool first = true;
-  };
-  [[nodiscard]] const State& state() const { return state_; }
-  void restore(const State& state) { state_ = state; }
+  void transfer(Archive& archive) {
+    archive.value("calm_looks", calm_looks_);
+    archive.value("first", first_);
+  }
 
  private:
   static constexpr double kTooFast = 1.5, kCalm = 0.7, kAfterGrowth = 0.85;  // of the target
@@ -90,7 +93,8 @@ class TimeStepControl {
   }
 
   TimeStepLimits limits_;
-  State state_;
+  int calm_looks_ = 0;
+  bool first_ = true;
 };
 
 }  // namespace lahar::lbm

@@ -7,27 +7,43 @@
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
+#include "cases/runner/resume.h"
 #include "cases/runner/run.h"
 #include "cases/scene/key_list.h"
 #include "cases/scene/load.h"
+#include "core/check.h"
 
 namespace lahar::cases {
 namespace {
 
 struct Arguments {
-  std::string scene_file;
+  std::string scene_file, folder;
   CommonOptions common;
 };
 
-int run(const Arguments& arguments) {
-  const scene::Scene scene = scene::load(arguments.scene_file, overrides_of(arguments.common));
-  const RunOptions options = run_options(arguments.common, scene);
+int run_with_options(const scene::Scene& scene, const RunOptions& options) {
   watch_for_interrupt();
   const RunResult result = run_to_folder(scene, options, run_scene);
   if (!options.quiet)
     fmt::print("{}{}results are in {}\n", results_table(result.summary), result.interrupted ? "interrupted; " : "",
                options.out.string());
   return result.interrupted ? exit_interrupted : exit_done;
+}
+
+int run(const Arguments& arguments) {
+  const scene::Scene scene = scene::load(arguments.scene_file, overrides_of(arguments.common));
+  return run_with_options(scene, run_options(arguments.common, scene));
+}
+
+int resume(const Arguments& arguments) {
+  if (!arguments.common.out.empty() || arguments.common.overwrite)
+    throw InputError(std::vector<InputMistake>{
+        {"command line", 1, 1, "--out and --overwrite are for new runs; expected DIR alone, a run goes on in its folder"}});
+  const scene::Scene scene = load_resumed(arguments.folder, overrides_of(arguments.common));
+  RunOptions options = run_options(arguments.common, scene);
+  options.out = arguments.folder;
+  options.resume = true;
+  return run_with_options(scene, options);
 }
 
 int check(const Arguments& arguments) {
@@ -59,10 +75,14 @@ int main(int argc, char** argv) {
     return command;
   };
   const CLI::App* run_command = add("run", "Run a scene");
+  CLI::App* resume_command = app.add_subcommand("resume", "Go on with a run from its last checkpoint");
+  resume_command->add_option("folder", arguments.folder, "Folder of the run (its --out)")->required()->type_name("DIR");
+  add_common_options(*resume_command, arguments.common);
   const CLI::App* check_command = add("check", "Validate a scene and print what it will take");
   app.add_subcommand("keys", "Print the reference of all scene keys (Markdown)");
   return parse_and_run(app, argc, argv, [&] {
     if (*run_command) return run(arguments);
+    if (*resume_command) return resume(arguments);
     if (*check_command) return check(arguments);
     return keys();
   });

@@ -66,6 +66,26 @@ hid_t native_type() {
   if constexpr (std::is_same_v<T, std::uint32_t>) return H5T_NATIVE_UINT32;
 }
 
+hid_t native_type(Archive::Number type) {
+  switch (type) {
+    case Archive::Number::u8:
+      return H5T_NATIVE_UINT8;
+    case Archive::Number::i32:
+      return H5T_NATIVE_INT32;
+    case Archive::Number::u32:
+      return H5T_NATIVE_UINT32;
+    case Archive::Number::i64:
+      return H5T_NATIVE_INT64;
+    case Archive::Number::u64:
+      return H5T_NATIVE_UINT64;
+    case Archive::Number::f32:
+      return H5T_NATIVE_FLOAT;
+    case Archive::Number::f64:
+      break;
+  }
+  return H5T_NATIVE_DOUBLE;
+}
+
 // Without locks ParaView and h5dump can look at a run that is still writing.
 Hdf5Handle access_without_locks(const std::filesystem::path& path) {
   Hdf5Handle access = owned(H5Pcreate(H5P_FILE_ACCESS), path, "cannot set up HDF5");
@@ -136,6 +156,34 @@ void Hdf5Column::truncate(std::uint64_t rows) {
   const hsize_t total = rows;
   check(H5Dset_extent(dataset_.id(), &total), path_, "cannot shorten " + name_);
   rows_ = rows;
+}
+
+Hdf5Parts::Hdf5Parts(std::filesystem::path path, std::string name, Hdf5Handle dataset, Archive::Number type,
+                     std::uint64_t count)
+    : path_(std::move(path)), name_(std::move(name)), dataset_(std::move(dataset)), type_(type), count_(count) {}
+
+template <class Pass>
+void Hdf5Parts::pass(std::uint64_t count, const std::string& what, const Pass& transfer) {
+  if (count == 0) return;
+  require(count <= count_ - done_, "Hdf5Parts: more numbers than the dataset has");
+  const hsize_t start = done_, size = count;
+  const Hdf5Handle file_space = owned(H5Dget_space(dataset_.id()), path_, what);
+  check(H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, &start, nullptr, &size, nullptr), path_, what);
+  const Hdf5Handle memory_space = owned(H5Screate_simple(1, &size, nullptr), path_, what);
+  check(transfer(memory_space.id(), file_space.id()), path_, what);
+  done_ += count;
+}
+
+void Hdf5Parts::write(const void* data, std::uint64_t count) {
+  pass(count, "cannot write " + name_, [&](hid_t memory, hid_t file) {
+    return H5Dwrite(dataset_.id(), native_type(type_), memory, file, H5P_DEFAULT, data);
+  });
+}
+
+void Hdf5Parts::read(void* data, std::uint64_t count) {
+  pass(count, "cannot read " + name_, [&](hid_t memory, hid_t file) {
+    return H5Dread(dataset_.id(), native_type(type_), memory, file, H5P_DEFAULT, data);
+  });
 }
 
 Hdf5File Hdf5File::create(const std::filesystem::path& path) {
@@ -236,6 +284,35 @@ Hdf5Column Hdf5File::create_column(const std::string& name, std::uint64_t chunk_
 
 Hdf5Column Hdf5File::open_column(const std::string& name) {
   return {path_, name, owned(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), path_, "cannot open column " + name)};
+}
+
+Hdf5Parts Hdf5File::create_parts(const std::string& name, Archive::Number type, std::uint64_t count) {
+  const std::string what = "cannot write " + name;
+  const hsize_t extent = count;
+  const Hdf5Handle space = owned(H5Screate_simple(1, &extent, nullptr), path_, what);
+  const Hdf5Handle links = links_with_parents(path_);
+  return {path_, name,
+          owned(H5Dcreate2(file_.id(), name.c_str(), native_type(type), space.id(), links.id(), H5P_DEFAULT,
+                           H5P_DEFAULT),
+                path_, what),
+          type, count};
+}
+
+Hdf5Parts Hdf5File::open_parts(const std::string& name, Archive::Number type) const {
+  const std::string what = "cannot read " + name;
+  if (!contains(name)) throw FileError(path_, name + " is missing");
+  const auto extent = dimensions(name);
+  Hdf5Handle dataset = owned(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), path_, what);
+  const Hdf5Handle stored = owned(H5Dget_type(dataset.id()), path_, what);
+  if (extent.size() != 1 || H5Tequal(stored.id(), native_type(type)) <= 0)
+    throw FileError(path_, name + " is of another kind");
+  if (H5Dget_storage_size(dataset.id()) != extent[0] * Archive::bytes_of(type))
+    throw FileError(path_, name + " is not there in full");
+  return {path_, name, std::move(dataset), type, extent[0]};
+}
+
+void Hdf5File::remove(const std::string& name) {
+  check(H5Ldelete(file_.id(), name.c_str(), H5P_DEFAULT), path_, "cannot remove " + name);
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& key, const std::string& text) {

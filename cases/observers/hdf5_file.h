@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cases/observers/output_file.h"
+#include "core/archive.h"
 
 namespace lahar::cases {
 
@@ -50,6 +51,26 @@ class Hdf5Column {
   std::uint64_t rows_ = 0;
 };
 
+/// A one-dimensional dataset of fixed length that is written or read part by part. Not compressed: the low bits of
+/// populations are noise.
+class Hdf5Parts {
+ public:
+  Hdf5Parts(std::filesystem::path path, std::string name, Hdf5Handle dataset, Archive::Number type, std::uint64_t count);
+  /// The next `count` numbers. Throw FileError.
+  void write(const void* data, std::uint64_t count);
+  void read(void* data, std::uint64_t count);
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+
+ private:
+  template <class Pass>
+  void pass(std::uint64_t count, const std::string& what, const Pass& transfer);
+  std::filesystem::path path_;
+  std::string name_;
+  Hdf5Handle dataset_;
+  Archive::Number type_;
+  std::uint64_t count_, done_ = 0;
+};
+
 /// An HDF5 file. T is one of float, double, std::int32_t, std::int64_t, std::uint8_t, std::uint32_t. Every function
 /// throws FileError when the library or the disk refuses.
 class Hdf5File {
@@ -78,6 +99,13 @@ class Hdf5File {
   /// A new growing column, stored in chunks of `chunk_rows`.
   [[nodiscard]] Hdf5Column create_column(const std::string& name, std::uint64_t chunk_rows);
   [[nodiscard]] Hdf5Column open_column(const std::string& name);
+
+  /// Datasets that go in parts.
+  [[nodiscard]] Hdf5Parts create_parts(const std::string& name, Archive::Number type, std::uint64_t count);
+  /// Throws FileError if the dataset is missing, of another type, or not there in full.
+  [[nodiscard]] Hdf5Parts open_parts(const std::string& name, Archive::Number type) const;
+  /// Removes a dataset or a group from the names of the file; its space is not given back.
+  void remove(const std::string& name);
 
   /// Attributes of a group or dataset ("/" is the file itself).
   void set_attribute(const std::string& object, const std::string& key, const std::string& text);

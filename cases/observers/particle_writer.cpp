@@ -25,15 +25,15 @@ std::vector<std::uint8_t> as_bytes(const std::vector<Enum>& values) {
 }  // namespace
 
 ParticleWriter::ParticleWriter(const std::filesystem::path& directory)
-    : directory_(directory), file_(Hdf5File::create(directory / "particles.h5")) {}
+    : directory_(directory) {}
 
 template <class T>
 XdmfArray ParticleWriter::store(const std::string& name, const std::vector<T>& values, int width, const char* unit) {
   XdmfArray array{"particles.h5:" + name, values.size() / static_cast<std::size_t>(width), width, xdmf_type<T>()};
   std::vector<std::uint64_t> dimensions{array.rows};
   if (width > 1) dimensions.push_back(static_cast<std::uint64_t>(width));
-  file_.write(name, std::span<const T>(values), dimensions);
-  file_.set_attribute(name, "unit", std::string(unit));
+  file_->write(name, std::span<const T>(values), dimensions);
+  file_->set_attribute(name, "unit", std::string(unit));
   return array;
 }
 
@@ -92,18 +92,36 @@ void ParticleWriter::write_bonds(const std::string& group, XdmfGrid& grid, const
   grid.fields.push_back({"intact", XdmfCentre::cell, store(group + "intact", bonds.intact, 1, "0 broken, 1 intact")});
 }
 
+void ParticleWriter::transfer(Archive& archive) {
+  archive.value("frames", frames_);
+  archive.text("particle_grids", particle_grids_);
+  archive.text("bond_grids", bond_grids_);
+  if (!archive.loading()) return;
+  constants_from_ = frames_;
+  if (frames_ == 0) return;
+  file_ = Hdf5File::open_for_appending(directory_ / "particles.h5");
+  drop_later_frames();
+}
+
+void ParticleWriter::drop_later_frames() {
+  for (const char* group : {"/frames", "/constant"})
+    for (const std::string& frame : file_->members(group))
+      if (std::stoull(frame) >= frames_) file_->remove(std::string(group) + "/" + frame);
+}
+
 void ParticleWriter::write(double time_s, const dem::Particles& particles, const dem::Bonds& bonds) {
-  if (frames_ == 0 || particles.size() != particles_ || bonds.size() != bonds_) write_constants(particles, bonds);
+  if (!file_) file_ = Hdf5File::create(directory_ / "particles.h5");
+  if (frames_ == constants_from_ || particles.size() != particles_ || bonds.size() != bonds_) write_constants(particles, bonds);
   const std::string group = fmt::format("/frames/{:06}/", frames_);
   XdmfGrid grid;
   grid.time_s = time_s;
   grid.points = store_vectors(group + "position", particles.position, "m");
-  file_.set_attribute(group, "time_s", time_s);
+  file_->set_attribute(group, "time_s", time_s);
   XdmfGrid bond_grid = grid;
   grid.name = "particles", bond_grid.name = "bonds";
   write_particles(group, grid, particles);
   write_bonds(group, bond_grid, bonds);
-  file_.flush();
+  file_->flush();
   ++frames_;
   // A grid without elements upsets the readers: such a time is left out.
   if (particles.size() > 0) particle_grids_ += xdmf_grid(grid);

@@ -7,6 +7,7 @@
 // Numbers are float32 or integers in SI units; every dataset has the attribute `unit`.
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,17 @@ class ParticleWriter {
   /// Starts particles.h5 in an existing directory. Throws FileError.
   explicit ParticleWriter(const std::filesystem::path& directory);
 
+  /// State of a checkpoint. Loading goes on with the file in the directory: frames that came later are dropped, constants
+  /// are stored again with the next frame. Throws FileError.
+  void transfer(Archive& archive);
+
   /// Adds a frame. Throws FileError.
   void write(double time_s, const dem::Particles& particles, const dem::Bonds& bonds);
   [[nodiscard]] std::uint64_t frames() const { return frames_; }
   /// Flushes and closes; nothing may be written afterwards.
-  void close() { file_.close(); }
+  void close() {
+    if (file_) file_->close();
+  }
 
  private:
   template <class T>
@@ -37,11 +44,12 @@ class ParticleWriter {
   XdmfArray store_scalars(const std::string& name, const std::vector<double>& values, const char* unit);
   void write_constants(const dem::Particles& particles, const dem::Bonds& bonds);
   void write_particles(const std::string& group, XdmfGrid& grid, const dem::Particles& particles);
+  void drop_later_frames();
   void write_bonds(const std::string& group, XdmfGrid& grid, const dem::Bonds& bonds);
 
   std::filesystem::path directory_;
-  Hdf5File file_;
-  std::uint64_t frames_ = 0;
+  std::optional<Hdf5File> file_;  ///< none until the first frame
+  std::uint64_t frames_ = 0, constants_from_ = 0;  ///< written; the frame that needs constants whatever is known
   std::size_t particles_ = 0, bonds_ = 0;  // sizes that the constants belong to
   XdmfArray ids_, connectivity_;
   std::vector<XdmfField> particle_constants_, bond_constants_;

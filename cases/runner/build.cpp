@@ -74,9 +74,25 @@ dem::PackingSpec packing_spec(const scene::Scene& scene, const scene::Packing& p
   return spec;
 }
 
-void add_grains(const scene::Scene& scene, dem::Particles& particles) {
-  for (const auto& packing : scene.grains.packings)
+/// As many grains as a packing has, anywhere.
+void add_placeholders(const dem::PackingSpec& packing, dem::Particles& particles) {
+  for (const auto& c : packing.classes)
+    for (int k = 0; k < c.count; ++k) {
+      dem::ParticleSpec grain;
+      grain.radius = c.radius;
+      grain.density = c.density;
+      particles.add(grain);
+    }
+}
+
+void add_grains(const scene::Scene& scene, dem::Particles& particles, GrainStart start) {
+  for (const auto& packing : scene.grains.packings) {
+    if (start == GrainStart::placeholders) {
+      add_placeholders(packing_spec(scene, packing), particles);
+      continue;
+    }
     for (const dem::ParticleSpec& grain : dem::pack(packing_spec(scene, packing))) particles.add(grain);
+  }
   for (const auto& s : scene.grains.spheres) {
     dem::ParticleSpec grain;
     grain.position = s.position;
@@ -125,10 +141,10 @@ std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene) {
   return regions;
 }
 
-BuiltSolids build_solids(const scene::Scene& scene) {
+BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   dem::Particles particles;
   dem::Bonds bonds;
-  add_grains(scene, particles);
+  add_grains(scene, particles, grains);
   std::optional<barrier::Net> net;
   if (scene.barrier.enabled) net = barrier::build_net(scene::make_net_spec(scene), particles, bonds);
   dem::SolidsOptions options;

@@ -22,9 +22,12 @@ struct BuiltSolids {
   std::optional<barrier::Net> net;
 };
 
+/// Whether grains are packed, or only stand for those that a checkpoint brings along.
+enum class GrainStart { packed, placeholders };
+
 /// Packs the grains and builds the barrier; the scene must have solids. Throws InputError if grains do not fit or the
 /// net cannot be built.
-BuiltSolids build_solids(const scene::Scene& scene);
+BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains = GrainStart::packed);
 
 /// Number of particle steps in a fluid step, or 1 without fluid.
 int substeps_of(const scene::Scene& scene);

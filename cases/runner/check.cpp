@@ -102,6 +102,23 @@ SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<Flui
   return s;
 }
 
+/// Bytes of a checkpoint: 19 populations and the type of every cell, three numbers of the surface, ten of the bodies;
+/// what is known of a particle with its neighbours and contacts, of a bond, and of a grain's mapping into the fluid.
+double checkpoint_bytes(const scene::Scene& scene, const CheckReport& report, double blocks) {
+  constexpr double small_parts = 1e5, particle = 450, bond = 150, mapping = 250;
+  double bytes = small_parts;
+  if (report.fluid) {
+    const double number = scene.run.precision == scene::Precision::float32 ? sizeof(float) : sizeof(double);
+    bytes += blocks * 512 * ((19 + 3 + (report.solids && scene.coupling.enabled ? 10 : 0)) * number + 1);
+  }
+  if (report.solids) {
+    bytes += particle * static_cast<double>(report.solids->grains + report.solids->beads);
+    bytes += bond * static_cast<double>(report.solids->beads);
+    if (report.fluid) bytes += mapping * static_cast<double>(report.solids->grains);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 CheckReport check_scene(const scene::Scene& scene, int threads) {
@@ -113,6 +130,8 @@ CheckReport check_scene(const scene::Scene& scene, int threads) {
   if (report.solids)
     report.run_time += report.solids->steps * static_cast<double>(report.solids->grains + report.solids->beads) /
                        (n * particle_steps_per_second);
+  report.checkpoint_bytes = checkpoint_bytes(scene, report, report.fluid ? report.fluid->start_blocks : 0);
+  report.expected_checkpoint_bytes = checkpoint_bytes(scene, report, report.fluid ? report.fluid->expected_blocks : 0);
   report.warnings = warnings(scene, report);
   return report;
 }

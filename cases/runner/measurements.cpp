@@ -300,6 +300,22 @@ std::vector<ChartLine> Measurements<Real>::cable_chart() const {
   return lines;
 }
 
+template <class Real>
+void Measurements<Real>::transfer(Archive& archive) {
+  archive.value("last_time", last_time_);
+  archive.list_of("crossed", crossed_, crossed_.size());
+  archive.value("grain_energy_out", grain_energy_out_);
+  archive.value("fluid_energy_out", fluid_energy_out_);
+  archive.value("fluid_mass_passed", fluid_mass_passed_);
+  archive.value("grain_front", grain_front_);
+  archive.value("grain_energy", grain_energy_);
+  archive.numbers("found", found_);
+  archive.list("times", times_);
+  for (std::size_t c = 0; c < force_sums_.size(); ++c) archive.list("force_sums_" + std::to_string(c), force_sums_[c]);
+  archive.part("probes", *probes_);
+  archive.part("sections", *sections_);
+}
+
 template class Measurements<float>;
 template class Measurements<double>;
 

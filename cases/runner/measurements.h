@@ -37,6 +37,10 @@ class Measurements {
   void after_step() { probes_->after_step(); }
   /// Takes a row of all series at the present time.
   void sample();
+  /// Sums, peaks and crossings so far, for a checkpoint.
+  void transfer(Archive& archive);
+  /// Time of the last row, s.
+  [[nodiscard]] double last_time() const { return last_time_; }
   /// Closes the books: everything that the run has found.
   [[nodiscard]] std::map<std::string, double> metrics();
   /// Rings that have gone through each other since the start, in words; empty if none or no net.

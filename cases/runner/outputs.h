@@ -6,6 +6,7 @@
 #include "cases/observers/camera.h"
 #include "cases/observers/particle_writer.h"
 #include "cases/observers/vdb_writer.h"
+#include "cases/runner/schedule.h"
 #include "cases/scene/scene.h"
 #include "core/geometry.h"
 #include "coupling/coupled_step.h"
@@ -20,8 +21,11 @@ class Outputs {
   void write_due(coupling::CoupledStep<Real>& step);
   /// Writes a last frame, if one is wanted and the last is older than the present time.
   void finish(coupling::CoupledStep<Real>& step);
+  /// Frame numbers of a checkpoint. Loading drops frames that came later: they will be written again.
+  void transfer(Archive& archive);
 
  private:
+  void remove_later_files() const;
   void write_fields(coupling::CoupledStep<Real>& step);
   void write_picture(coupling::CoupledStep<Real>& step);
 
@@ -30,8 +34,7 @@ class Outputs {
   Walls walls_;
   std::optional<ParticleWriter> particles_;
   std::optional<VdbWriter> volumes_;
-  std::int64_t pictures_ = 0, frames_ = 0;
-  double last_frame_ = -1, last_picture_ = -1;
+  Schedule frames_, pictures_;
 };
 
 extern template class Outputs<float>;

@@ -87,6 +87,14 @@ void Probes<Real>::sample(std::vector<double>& row, double interval, std::map<st
   }
 }
 
+template <class Real>
+void Probes<Real>::transfer(Archive& archive) {
+  for (ForceProbe& probe : forces_) {
+    archive.part(probe.name + "_fluid_before", probe.fluid_before);
+    archive.part(probe.name + "_grains", probe.grains);
+  }
+}
+
 template class Probes<float>;
 template class Probes<double>;
 

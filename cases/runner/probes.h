@@ -18,6 +18,8 @@ class Probes {
 
   /// To be called after every step: grains push only while they touch.
   void after_step();
+  /// Sums since the last row, for a checkpoint.
+  void transfer(Archive& archive);
   /// Appends the present values to a row, in the order of the columns. Forces are means over the `interval` (s) since
   /// the last row.
   void sample(std::vector<double>& row, double interval, std::map<std::string, double>& metrics);
@@ -25,6 +27,10 @@ class Probes {
  private:
   struct Load {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< times time, about the origin
+    void transfer(Archive& archive) {
+      archive.value("force", force);
+      archive.value("moment", moment);
+    }
   };
   struct ForceProbe {
     std::string name;

@@ -19,11 +19,11 @@ std::string time_text(double seconds) {
   return fmt::format("{} s", s);
 }
 
-std::string progress_text(double simulated, double duration, double wall) {
+std::string progress_text(double simulated, double duration, double wall, double from) {
   const double part = std::clamp(simulated / duration, 0.0, 1.0);
   std::string text = fmt::format("{:3.0f} %  t = {:.4g} s of {:.4g} s", 100 * part, simulated, duration);
-  if (simulated <= 0 || wall <= 0) return text;
-  const double rate = simulated / wall;
+  if (simulated <= from || wall <= 0) return text;
+  const double rate = (simulated - from) / wall;
   return text + fmt::format("  {:.3g} s/s  {} left", rate, time_text(std::max(0.0, duration - simulated) / rate));
 }
 
@@ -44,7 +44,7 @@ void Progress::update(double simulated) {
 
 void Progress::print(double simulated, Clock::time_point now) {
   last_ = now;
-  const std::string text = progress_text(simulated, duration_, std::chrono::duration<double>(now - start_).count());
+  const std::string text = progress_text(simulated, duration_, std::chrono::duration<double>(now - start_).count(), from_);
   if (style_ == ProgressStyle::live) {
     // Padded, so that nothing of a longer line before it remains.
     line_width_ = std::max(line_width_, text.size());

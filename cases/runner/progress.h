@@ -12,7 +12,8 @@ enum class ProgressStyle { silent, lines, live };
 ProgressStyle progress_style(bool quiet, std::FILE* stream);
 
 /// " 42 %  t = 0.840 s of 2 s  0.0123 s/s  1 min 34 s left". Rate and time left are absent before there is a rate.
-std::string progress_text(double simulated, double duration, double wall);
+/// `from` is where a resumed run began.
+std::string progress_text(double simulated, double duration, double wall, double from = 0);
 
 /// "1 h 02 min", "3 min 05 s", "12 s".
 std::string time_text(double seconds);
@@ -26,6 +27,8 @@ class Progress {
 
   /// To be told the simulated time (s) after each step; cheap, and allocates only when something is printed.
   void update(double simulated);
+  /// The run goes on from there (s).
+  void start_from(double simulated) { from_ = simulated; }
   /// Ends the live line.
   void finish();
 
@@ -33,7 +36,7 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   void print(double simulated, Clock::time_point now);
 
-  double duration_;
+  double duration_, from_ = 0;
   ProgressStyle style_;
   std::FILE* stream_;
   Clock::time_point start_, last_;

@@ -67,6 +67,8 @@ std::string report_text(const scene::Scene& scene, const CheckReport& report) {
   std::string text = fmt::format("{}{}\n", scene.identity.name, title);
   if (report.fluid) text += fluid_text(scene, *report.fluid);
   if (report.solids) text += solids_text(*report.solids);
+  text += fmt::format("checkpoint: {:.3g} MB at the start, up to about {:.3g} MB\n", report.checkpoint_bytes * 1e-6,
+                      report.expected_checkpoint_bytes * 1e-6);
   text += fmt::format("run time, a rough estimate: {}\n", time_text(report.run_time));
   for (const std::string& w : report.warnings) text += "warning: " + w + "\n";
   return text;

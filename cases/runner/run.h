@@ -2,6 +2,7 @@
 // A scene from start to end.
 #include <spdlog/logger.h>
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 
@@ -16,12 +17,18 @@ struct RunOptions {
   int threads = 0;            ///< 0 = all of the machine
   bool quiet = false;
   bool overwrite = false;  ///< replace a former run in `out`
+  bool resume = false;     ///< go on from the checkpoint in `out` (resume.h)
 };
 
 /// What a run tells while it is under way.
 struct RunMonitor {
   Progress& progress;
   spdlog::logger& log;  ///< run.log
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  /// Wall time since the start, s.
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
 };
 
 struct RunResult {
@@ -29,6 +36,7 @@ struct RunResult {
   /// known without it.
   Summary summary;
   bool interrupted = false;  ///< ended early by a signal, outputs whole
+  double earlier_seconds = 0;  ///< wall time before the checkpoint that the run went on from
 };
 
 /// Builds the solvers of a scene and runs them until its duration is over or interrupted() says so, writing series and
@@ -37,8 +45,9 @@ RunResult run_scene(const scene::Scene& scene, const RunOptions& options, RunMon
 
 using Runner = std::function<RunResult(const scene::Scene&, const RunOptions&, RunMonitor&)>;
 
-/// A whole run: prepares the folder (see prepare_output), writes scene.resolved.toml, opens run.log, limits the
-/// threads, runs, and writes summary.json. A failure is logged and passed on; summary.json is then absent.
+/// A whole run: prepares the folder (see prepare_output) unless it is resumed, writes scene.resolved.toml, opens run.log,
+/// limits the threads, runs, and writes summary.json. A failure is logged and passed on, with the name of the last
+/// checkpoint if there is one; summary.json is then that of an earlier part of the run, or absent.
 RunResult run_to_folder(const scene::Scene& scene, const RunOptions& options, const Runner& runner);
 
 }  // namespace lahar::cases

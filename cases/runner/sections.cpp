@@ -131,6 +131,15 @@ void Sections<Real>::sample_grains(Counter& counter, std::vector<double>& row, d
   metrics[counter.name + "_grains_energy_kJ"] += energy / 1000;
 }
 
+template <class Real>
+void Sections<Real>::transfer(Archive& archive) {
+  for (Counter& counter : counters_) {
+    archive.value(counter.name + "_volume_before", counter.before.volume);
+    archive.value(counter.name + "_energy_before", counter.before.energy);
+    archive.list(counter.name + "_places", counter.places);
+  }
+}
+
 template Flux liquid_flux<float>(const lbm::Fluid<float>&, const SectionFrame&, const scene::Domain&, const Vec3&,
                                  double);
 template Flux liquid_flux<double>(const lbm::Fluid<double>&, const SectionFrame&, const scene::Domain&, const Vec3&,

@@ -40,6 +40,8 @@ class Sections {
   /// Declares a column per quantity. `up` and `datum` as in liquid_flux.
   Sections(const scene::Scene& scene, coupling::CoupledStep<Real>& step, SeriesWriter& series, const Vec3& up,
            double datum);
+  /// What the next row is compared with, for a checkpoint.
+  void transfer(Archive& archive);
   /// Appends the present values to a row, in the order of the columns; `interval` (s) is that since the last row.
   void sample(std::vector<double>& row, double interval, std::map<std::string, double>& metrics);
 

@@ -22,6 +22,7 @@ void add_times(const scene::Scene& s, List& list) {
   longer(s.run.series_interval, "series_interval_s");
   longer(s.run.output_interval, "output_interval_s");
   longer(s.run.image_interval, "image_interval_s");
+  longer(s.run.checkpoint_interval, "checkpoint_interval_s");
 }
 
 void add_fluid(const scene::Scene& s, const FluidFigures& f, List& list) {

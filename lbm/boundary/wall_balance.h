@@ -16,6 +16,11 @@ namespace lahar::lbm {
 struct WallAccount {
   double owed = 0;      ///< gained by cells and not yet taken back (rounding), lu
   double returned = 0;  ///< sum of |what was given back or taken| so far, lu
+
+  void transfer(Archive& archive) {
+    archive.value("owed", owed);
+    archive.value("returned", returned);
+  }
 };
 
 template <class Real>

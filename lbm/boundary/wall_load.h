@@ -4,7 +4,7 @@
 // are stored less their weights, so the sum is that of the pressure above ambient: air presses on the dry side too.
 #include <vector>
 
-#include "core/vector.h"
+#include "core/archive.h"
 
 namespace lahar::lbm {
 
@@ -12,6 +12,11 @@ namespace lahar::lbm {
 struct WallLoad {
   Vec3 impulse = Vec3::Zero();
   Vec3 angular_impulse = Vec3::Zero();  ///< about the origin of the coordinates
+
+  void transfer(Archive& archive) {
+    archive.value("impulse", impulse);
+    archive.value("angular_impulse", angular_impulse);
+  }
 };
 
 /// The loads on the few walls that a block touches, in one step, lattice units. Positions are those of the middle of

@@ -25,6 +25,18 @@ struct LiquidAccount {
   std::int64_t limited = 0;     ///< cell updates with a limited stress (collision/stress_limit.h)
   std::int64_t exposed = 0;     ///< cell updates with a bounded relaxation rate (same place)
   WallAccount walls;            ///< mass that interpolated walls took and gave (boundary/wall_balance.h)
+
+  void transfer(Archive& archive) {
+    archive.value("outflow", outflow);
+    archive.value("inflow", inflow);
+    archive.value("rescaled", rescaled);
+    archive.value("pool", pool);
+    archive.value("pooled_total", pooled_total);
+    archive.value("drop_moves", drop_moves);
+    archive.value("limited", limited);
+    archive.value("exposed", exposed);
+    archive.part("walls", walls);
+  }
 };
 
 /// What is to become of the interface cells of one block.
@@ -50,6 +62,11 @@ class CellConversion {
   void run(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes, LiquidAccount& account);
   /// Makes a gas cell an interface cell without liquid, in the equilibrium of given moments; before a step.
   void wet(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments);
+  /// State of a checkpoint: what outlives a step.
+  void transfer(Archive& archive) {
+    archive.value("round", round_);
+    archive.value("pool_cursor", pool_cursor_);
+  }
 
  private:
   struct Excess {

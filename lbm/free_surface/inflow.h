@@ -35,6 +35,7 @@ class Inflow {
   void feed(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity, double time, double duration,
             std::int64_t step, LiquidAccount& account);
   void set_units(const LatticeUnits& units) { units_ = units; }
+  void transfer(Archive& archive) { archive.value("owed", owed_); }
 
  private:
   void collect(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity);

@@ -142,6 +142,29 @@ TEST_F(Cli, AnInterruptedRunEndsWithReadableFiles) {
   }
 }
 
+TEST_F(Cli, AnInterruptedRunGoesOn) {
+  const Outcome first = run("run --threads 1 --quiet --set run.duration_s=1e6 --set run.series_interval_s=1e3 --out out '" +
+                                case_file("bouncing_sphere/scene.toml").string() + "'",
+                            "timeout --preserve-status -s INT 0.5 ");
+  EXPECT_EQ(first.code, 130);
+  const auto summary = [&] { return nlohmann::json::parse(file_text(folder_.path() / "out/summary.json")); };
+  const double until = summary()["simulated_seconds"].get<double>(), wall = summary()["wall_seconds"].get<double>();
+  const Outcome rest = run("resume out --threads 2 --set run.duration_s=" + std::to_string(until + 0.1));
+  EXPECT_EQ(rest.code, 0) << rest.err;
+  EXPECT_NE(rest.out.find("results are in out"), std::string::npos) << rest.out;
+  EXPECT_NEAR(summary()["simulated_seconds"].get<double>(), until + 0.1, 1e-3);
+  EXPECT_GT(summary()["wall_seconds"].get<double>(), wall);
+}
+
+TEST_F(Cli, ResumeRefusesWhatItCannotDo) {
+  for (const char* arguments : {"resume", "resume nowhere", "resume nowhere --out elsewhere", "resume . --overwrite"}) {
+    const Outcome o = run(arguments);
+    EXPECT_EQ(o.code, 2) << arguments;
+    EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 1) << o.err;
+    EXPECT_EQ(files(), 0u);
+  }
+}
+
 TEST_F(Cli, ExistingResultsAreKept) {
   folder_.write("scene.toml", small_scene);
   std::filesystem::create_directory(folder_.path() / "out");

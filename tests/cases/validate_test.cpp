@@ -80,7 +80,7 @@ TEST_P(QuickEntry, ReachesItsBars) {
 INSTANTIATE_TEST_SUITE_P(Fluid, QuickEntry,
                          testing::Values("fluid.order_taylor_green", "fluid.order_poiseuille", "fluid.order_duct",
                                          "fluid.order_couette", "fluid.taylor_green_re1600", "fluid.cavity_re1000",
-                                         "fluid.determinism", "fluid.hard_h19", "fluid.shear_layer",
+                                         "fluid.determinism", "fluid.hard_h12", "fluid.hard_h19", "fluid.shear_layer",
                                          "fluid.adaptive_time_step", "fluid.laplace_drop"),
                          [](const auto& param) { return std::string(param.param).substr(6); });
 

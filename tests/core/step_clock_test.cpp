@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/memory_archive.h"
+
 namespace lahar {
 namespace {
 
@@ -21,7 +23,8 @@ TEST(StepClock, GoesOnWithAnotherStep) {
   EXPECT_EQ(clock.time(), 1.25);
   EXPECT_EQ(clock.time_step(), 0.25);
   StepClock other(7);
-  other.restore(clock.state());
+  StoredState stored = state_of(clock);
+  load_state(stored, other);
   other.advance();
   EXPECT_EQ(other.time(), 1.5);
   EXPECT_EQ(other.steps(), 4);

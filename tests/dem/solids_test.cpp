@@ -198,23 +198,6 @@ TEST(Solids, results_do_not_depend_on_when_lists_are_built) {
   expect_identical(thick, thin);
 }
 
-TEST(Solids, continues_from_a_stored_state_as_if_nothing_had_happened) {
-  Solids all = mixed_scene();
-  all.advance(3000);
-  const SolidsState state = all.state();
-  Solids part(all.particles(), all.bonds(), all.materials(), all.walls(), all.options());
-  part.restore(state);
-  EXPECT_EQ(part.step_count(), 3000);
-  all.advance(1000);
-  part.advance(1000);
-  for (const auto field : {&Particles::position, &Particles::velocity, &Particles::angular_velocity}) {
-    const Vec3Field &f = all.particles().*field, &g = part.particles().*field;
-    EXPECT_TRUE(f.x == g.x && f.y == g.y && f.z == g.z);
-  }
-  EXPECT_EQ(all.time(), part.time());
-  EXPECT_EQ(all.ledger().friction, part.ledger().friction);
-}
-
 TEST(Solids, held_external_forces_give_exactly_force_times_time) {
   Particles p;
   p.add(sphere({0, 0, 0}, 0.02, 2650));

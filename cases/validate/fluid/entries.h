@@ -19,4 +19,7 @@ Entry shear_layer();
 Entry bingham_channel();
 Entry log_law_channel();
 
+// A restart.
+Entry hard_h12();
+
 }  // namespace lahar::validate

@@ -1,0 +1,152 @@
+#include "cases/runner/checkpoint.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+#include <vector>
+
+#include "cases/observers/checkpoint_file.h"
+#include "cases/observers/output_file.h"
+#include "cases/runner/machine.h"
+#include "cases/scene/writer.h"
+#include "core/check.h"
+
+namespace lahar::cases {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kExpected = ", expected a checkpoint that this version wrote for this scene";
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& why) {
+  throw InputError(std::vector<InputMistake>{{file.string(), 1, 1, why}});
+}
+
+/// What cannot be read becomes a mistake of the input.
+template <class Read>
+auto guarded_read(const fs::path& file, const Read& read) {
+  try {
+    return read();
+  } catch (const FileError& e) {
+    const std::string text = e.what(), name = e.path().string() + ": ";
+    const std::string cause = "(" + (text.starts_with(name) ? text.substr(name.size()) : text) + ")";
+    if (e.path() != file) refuse(e.path(), "cannot be gone on with " + cause + ", expected the file of the run");
+    refuse(file, "is damaged or not whole " + cause + kExpected);
+  } catch (const ArchiveError& e) {
+    refuse(file, std::string("is damaged or of another version (") + e.what() + ")" + kExpected);
+  }
+}
+
+std::string check_sum(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::vector<char> buffer(std::size_t{1} << 20);
+  CheckSum sum;
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0)
+    sum.add(buffer.data(), static_cast<std::size_t>(in.gcount()));
+  return sum.text();
+}
+
+/// To the disk, not only to the operating system.
+void sync(const fs::path& file) {
+  const int handle = ::open(file.c_str(), O_RDONLY);
+  const bool synced = handle >= 0 && ::fsync(handle) == 0;
+  if (handle >= 0) ::close(handle);
+  if (!synced) throw FileError(file, "cannot be brought to the disk");
+}
+
+/// The first line in which two texts differ, as "[table] key = value".
+std::string first_difference(const std::string& now, const std::string& stored) {
+  std::istringstream a(now), b(stored);
+  std::string table, line, other;
+  while (std::getline(a, line)) {
+    if (line.starts_with("[")) table = line + " ";
+    if (!std::getline(b, other) || line != other) return table + line + " in place of " + (other.empty() ? "nothing" : other);
+  }
+  return "less than before";
+}
+
+}  // namespace
+
+std::string physics_of(const scene::Scene& scene) {
+  scene::Scene copy = scene;
+  scene::Run run;
+  run.duration = 1;
+  run.seed = scene.run.seed;
+  run.precision = scene.run.precision;
+  copy.run = run;
+  copy.identity.title.clear();
+  std::string text = scene::to_toml(copy);
+  const auto add = [&](const std::string& file) {
+    if (!file.empty()) text += fmt::format("# {}: {}\n", file, check_sum(file));
+  };
+  for (const auto& w : scene.walls) add(w.file.file);
+  for (const auto& r : scene.fluid.regions) add(r.file.file);
+  return text;
+}
+
+void write_checkpoint(const fs::path& folder, const scene::Scene& scene, const CheckpointHead& head,
+                      const std::function<void(Archive&)>& transfer) {
+  replace_file(folder / kCheckpointFile, [&](const fs::path& temporary) {
+    {
+      CheckpointWriter archive(temporary);
+      std::string physics = physics_of(scene);
+      archive.text("scene", physics);
+      transfer(archive);
+      Hdf5File& file = archive.file();
+      file.set_attribute("/", "time_s", head.time);
+      file.set_attribute("/", "last_row_s", head.last_row);
+      file.set_attribute("/", "version", version());
+      file.set_attribute("/", "commit", commit());
+      file.set_attribute("/", "format", static_cast<double>(kCheckpointFormat));
+      file.close();
+    }
+    sync(temporary);
+  });
+}
+
+CheckpointHead read_head(const fs::path& folder, const scene::Scene& scene) {
+  const fs::path path = folder / kCheckpointFile;
+  if (!fs::is_regular_file(path)) refuse(path, "there is no such file, expected the checkpoint of a run");
+  CheckpointHead head;
+  std::string stored;
+  double format = 0;
+  std::string written_by;
+  guarded_read(path, [&] {
+    CheckpointReader archive(path);
+    const Hdf5File& file = archive.file();
+    format = file.number_attribute("/", "format");
+    written_by = file.text_attribute("/", "version");
+    head = {file.number_attribute("/", "time_s"), file.number_attribute("/", "last_row_s"),
+            file.text_attribute("/", "commit")};
+    if (format == kCheckpointFormat) archive.text("scene", stored);
+  });
+  if (format != kCheckpointFormat)
+    refuse(path, fmt::format("is of format {:g}, written by Lahar {} ({}), expected format {}", format, written_by,
+                             head.commit, kCheckpointFormat));
+  if (const std::string now = physics_of(scene); now != stored)
+    refuse(path, fmt::format("is of another scene ({}), expected the scene of the run", first_difference(now, stored)));
+  return head;
+}
+
+void load_checkpoint(const fs::path& folder, const std::function<void(Archive&)>& transfer) {
+  const fs::path path = folder / kCheckpointFile;
+  guarded_read(path, [&] {
+    CheckpointReader archive(path);
+    transfer(archive);
+  });
+}
+
+std::optional<double> last_checkpoint(const fs::path& folder) {
+  try {
+    if (!fs::is_regular_file(folder / kCheckpointFile)) return std::nullopt;
+    return Hdf5File::open_for_reading(folder / kCheckpointFile).number_attribute("/", "time_s");
+  } catch (const FileError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace lahar::cases

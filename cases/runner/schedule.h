@@ -1,0 +1,52 @@
+#pragma once
+// When something that is written at intervals is due.
+#include <cstdint>
+
+#include "core/archive.h"
+
+namespace lahar::cases {
+
+class Schedule {
+ public:
+  /// Every `interval` s of simulated time from 0 on; never for 0.
+  explicit Schedule(double interval) : interval_(interval) {}
+
+  [[nodiscard]] bool due(double time) const {
+    return interval_ > 0 && time + kRounding >= from_ + static_cast<double>(since_) * interval_;
+  }
+  /// Whether the end of a run at `time` has none of its own yet.
+  [[nodiscard]] bool wants_last(double time) const { return interval_ > 0 && last_ < time; }
+  /// One was written.
+  void note(double time) {
+    ++done_;
+    last_ = time;
+    skip_until(time);
+  }
+  /// Leaves out those that were due until a time.
+  void skip_until(double time) {
+    while (due(time)) ++since_;
+  }
+  /// How many were written.
+  [[nodiscard]] std::int64_t done() const { return done_; }
+
+  /// An interval that was changed for the rest of a run counts from the last one written, or from the next step on.
+  void transfer(Archive& archive) {
+    double interval = interval_;
+    archive.value("interval", interval);
+    archive.value("from", from_);
+    archive.value("done", done_);
+    archive.value("since", since_);
+    archive.value("last", last_);
+    if (interval == interval_) return;
+    from_ = last_ >= 0 ? last_ + interval_ : 0;
+    since_ = 0;
+  }
+
+ private:
+  static constexpr double kRounding = 1e-9;  ///< s, so that none is missed by rounding
+
+  double interval_, from_ = 0, last_ = -1;
+  std::int64_t done_ = 0, since_ = 0;
+};
+
+}  // namespace lahar::cases

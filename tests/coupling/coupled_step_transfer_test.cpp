@@ -1,0 +1,88 @@
+// A debris flow in small - water, grains, a wire whose bonds break - that was stored and loaded goes on with the same
+// bits.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "core/memory_archive.h"
+#include "coupling/coupled_step.h"
+#include "tests/coupling/tanks.h"
+
+namespace lahar::coupling {
+namespace {
+
+const std::vector<lbm::LiquidRegion> kWater{{Vec3::Zero(), Vec3(0.24, 0.16, 0.2)}};
+
+/// Three strings of beads across the tank at three heights, fixed at both ends.
+void add_strings(dem::Particles& p, dem::Bonds& bonds) {
+  dem::BondSort wire;
+  wire.axial.stiffness = {1e9, 1e9, 1e9};
+  wire.shear_stiffness = 1e9;
+  wire.bond_radius = 0.003;
+  wire.damping_ratio = 0.05;
+  wire.tensile_strength = wire.shear_strength = 3e5;
+  bonds.add_sort(wire);
+  for (int k = 0; k < 3; ++k)
+    for (int n = 0; n < 26; ++n) {
+      dem::ParticleSpec bead = grain({0.4, 0.005 + 0.006 * n, 0.02 + 0.04 * k}, 0.003, 7850);
+      bead.kind = dem::ParticleKind::bead;
+      bead.body = k;
+      bead.state = n % 25 == 0 ? dem::ParticleState::fixed : dem::ParticleState::free;
+      const dem::ParticleIndex i = p.add(bead);
+      if (n > 0) bonds.add({i - 1, i, 0}, p);
+    }
+}
+
+template <class Real>
+std::unique_ptr<CoupledStep<Real>> scene() {
+  dem::Particles p;
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 2; ++y)
+      for (int z = 0; z < 3; ++z) p.add(grain({0.05 + 0.075 * x, 0.045 + 0.07 * y, 0.04 + 0.075 * z}, 0.03, 2500));
+  dem::Bonds bonds;
+  add_strings(p, bonds);
+  Walls walls;
+  walls.add({"bed", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}});
+  walls.add({"right", HalfSpace{Vec3::Zero(), Vec3::UnitY()}});
+  walls.add({"left", HalfSpace{Vec3(0, 0.16, 0), -Vec3::UnitY()}});
+  dem::SolidsOptions options;
+  options.gravity = Vec3(4, 0, -9.0);
+  options.time_step = 1;  // set by the coupled step
+  options.watchdog.overlap_limit = 1;
+  lbm::FluidOptions fluid = tank(Vec3(0.64, 0.16, 0.4), 0.02, 2e-4);
+  fluid.gravity = options.gravity;
+  fluid.domain.faces[1] = lbm::FaceKind::open;
+  fluid.weighting = lbm::BodyWeighting::seepage;
+  fluid.seepage_constant = 0.01;
+  return std::make_unique<CoupledStep<Real>>(fluid, dem::Solids(p, bonds, rock(), walls, options),
+                                             CouplingOptions{.substeps = 20});
+}
+
+template <class Real>
+void expect_same_after_restart() {
+  const auto whole = scene<Real>(), resumed = scene<Real>();
+  whole->fill(kWater);
+  const auto broken = [&] {
+    const auto& intact = whole->solids()->bonds().intact;
+    return std::count(intact.begin(), intact.end(), 0);
+  };
+  for (int n = 0; n < 1600 && broken() < 3; ++n) whole->advance();
+  ASSERT_GE(broken(), 3);
+  EXPECT_GT(whole->wet_beads(), 10U);
+  StoredState state = state_of(*whole);
+  load_state(state, *resumed);
+  EXPECT_TRUE(differing_lists(state, state_of(*resumed)).empty()) << "what was loaded is not what was stored";
+  for (int n = 0; n < 151; ++n) whole->advance(), resumed->advance();
+  const auto differing = differing_lists(state_of(*whole), state_of(*resumed));
+  EXPECT_TRUE(differing.empty()) << testing::PrintToString(differing);
+  EXPECT_EQ(whole->audit().relative(), resumed->audit().relative());
+  EXPECT_EQ(whole->time(), resumed->time());
+}
+
+TEST(CoupledStepTransfer, GoesOnInDouble) { expect_same_after_restart<double>(); }
+
+TEST(CoupledStepTransfer, GoesOnInFloat) { expect_same_after_restart<float>(); }
+
+}  // namespace
+}  // namespace lahar::coupling
