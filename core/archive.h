@@ -78,8 +78,8 @@ class Archive {
   template <class T>
   void list_of(std::string_view name, std::vector<T>& values, std::size_t size) {
     list(name, values);
-    if (loading() && values.size() != size) refuse(name, "has " + std::to_string(values.size()) + " numbers, not " +
-                                                             std::to_string(size));
+    if (loading() && values.size() != size)
+      refuse(name, "has " + std::to_string(values.size()) + " numbers, not " + std::to_string(size));
   }
 
   /// `count` pieces of `size` numbers each that do not lie in one list: visit(k, T buffer[size]) fills the buffer when
@@ -131,13 +131,20 @@ class Archive {
 
   template <class T>
   static constexpr Number number_of() {
-    if constexpr (std::is_enum_v<T>) return number_of<std::underlying_type_t<T>>();
-    else if constexpr (std::is_same_v<T, float>) return Number::f32;
-    else if constexpr (std::is_same_v<T, double>) return Number::f64;
-    else if constexpr (std::is_integral_v<T> && sizeof(T) == 1) return Number::u8;
-    else if constexpr (std::is_integral_v<T> && sizeof(T) == 4) return std::is_signed_v<T> ? Number::i32 : Number::u32;
-    else if constexpr (std::is_integral_v<T> && sizeof(T) == 8) return std::is_signed_v<T> ? Number::i64 : Number::u64;
-    else static_assert(!sizeof(T), "no number that an archive knows");
+    if constexpr (std::is_enum_v<T>)
+      return number_of<std::underlying_type_t<T>>();
+    else if constexpr (std::is_same_v<T, float>)
+      return Number::f32;
+    else if constexpr (std::is_same_v<T, double>)
+      return Number::f64;
+    else if constexpr (std::is_integral_v<T> && sizeof(T) == 1)
+      return Number::u8;
+    else if constexpr (std::is_integral_v<T> && sizeof(T) == 4)
+      return std::is_signed_v<T> ? Number::i32 : Number::u32;
+    else if constexpr (std::is_integral_v<T> && sizeof(T) == 8)
+      return std::is_signed_v<T> ? Number::i64 : Number::u64;
+    else
+      static_assert(!sizeof(T), "no number that an archive knows");
   }
 
   template <class T>

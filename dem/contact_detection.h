@@ -54,8 +54,8 @@ class ContactDetection {
 
   /// All touching contacts with their histories, ordered.
   [[nodiscard]] std::vector<StoredContact> stored_contacts() const;
-  /// State of a checkpoint: the lists as they are, with all histories (solids_transfer.cpp). A list that was built later
-  /// would differ where a bond has broken or a particle was removed since it was built.
+  /// State of a checkpoint: the lists as they are, with all histories (solids_transfer.cpp). A list that was built
+  /// later would differ where a bond has broken or a particle was removed since it was built.
   void transfer(Archive& archive, const Particles& particles);
   /// Puts stored histories into the present lists; contacts that are not listed there are an error.
   void restore(const std::vector<StoredContact>& contacts);

@@ -71,8 +71,8 @@ class Solids {
 
   [[nodiscard]] Timers& timers() { return timers_; }
 
-  /// State of a checkpoint (solids_transfer.cpp). Loading needs solids of the same scene: materials, walls, bond sorts and
-  /// options are theirs. Throws NumericalFailure instead of saving what is not finite.
+  /// State of a checkpoint (solids_transfer.cpp). Loading needs solids of the same scene: materials, walls, bond sorts
+  /// and options are theirs. Throws NumericalFailure instead of saving what is not finite.
   void transfer(Archive& archive);
 
  private:

@@ -1,8 +1,8 @@
 // What the particles hand to a checkpoint and take from it.
 //
 // Beside positions, velocities and bonds, a restart needs the forces (the first half kick), what every touching contact
-// remembers, and the contact lists as they are: a list built at the restart would hold a pair whose bond broke since the
-// last build, and the two would touch some steps too early.
+// remembers, and the contact lists as they are: a list built at the restart would hold a pair whose bond broke since
+// the last build, and the two would touch some steps too early.
 #include <algorithm>
 #include <utility>
 
@@ -65,11 +65,12 @@ void NeighbourList::transfer(Archive& archive, const Particles& particles) {
   if (!archive.loading()) return;
   if (n > 0) set_move_limits(particles);
   const auto bad = [&](std::uint32_t j) { return j >= particles.size(); };
-  const bool rows = offset_.empty() ? neighbour_.empty()
-                                    : offset_.size() == n + 1 && offset_.front() == 0 &&
-                                          std::is_sorted(offset_.begin(), offset_.end()) &&
-                                          offset_.back() == neighbour_.size();
-  if (!rows || std::any_of(neighbour_.begin(), neighbour_.end(), bad)) archive.refuse("offset", "is no list of neighbours");
+  const bool rows = offset_.empty()
+                        ? neighbour_.empty()
+                        : offset_.size() == n + 1 && offset_.front() == 0 &&
+                              std::is_sorted(offset_.begin(), offset_.end()) && offset_.back() == neighbour_.size();
+  if (!rows || std::any_of(neighbour_.begin(), neighbour_.end(), bad))
+    archive.refuse("offset", "is no list of neighbours");
 }
 
 void ContactSlots::transfer_histories(Archive& archive) {
@@ -105,8 +106,8 @@ struct WallContacts {
     archive.list("offset", slots.offset);
     archive.list("partner", slots.partner);
     const auto& offset = slots.offset;
-    if (!offset.empty() && (offset.front() != 0 || !std::is_sorted(offset.begin(), offset.end()) ||
-                            offset.back() != slots.partner.size()))
+    if (!offset.empty() &&
+        (offset.front() != 0 || !std::is_sorted(offset.begin(), offset.end()) || offset.back() != slots.partner.size()))
       archive.refuse("offset", "is no list of contacts");
     slots.transfer_histories(archive);
   }

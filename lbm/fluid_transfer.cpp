@@ -111,7 +111,7 @@ void FluidGrid<Real>::transfer_bodies(Archive& archive) {
       transfer_chosen(archive, "has_body", active(), [&](BlockIndex b) { return block(b).body != nullptr; });
   if (archive.loading())
     for (const BlockIndex b : blocks) require_body(b);
-  const auto field = [&](const char* name, Real (BodyFields<Real>::*member)[kBlockCells]) {
+  const auto field = [&](const char* name, Real(BodyFields<Real>::*member)[kBlockCells]) {
     transfer_field<Real>(archive, name, blocks, [&](BlockIndex b) -> Real* { return block(b).body->*member; });
   };
   using Fields = BodyFields<Real>;
@@ -200,14 +200,14 @@ void Fluid<Real>::transfer(Archive& archive) {
 }
 
 // The classes are instantiated elsewhere, without what is defined here.
-#define LAHAR_INSTANTIATE(Real)                                    \
-  template void FluidGrid<Real>::transfer(Archive&);               \
-  template void FluidGrid<Real>::transfer_types(Archive&);         \
-  template void FluidGrid<Real>::transfer_surfaces(Archive&);      \
-  template void FluidGrid<Real>::transfer_bodies(Archive&);        \
-  template void FluidGrid<Real>::transfer_wall_gains(Archive&);    \
-  template void Fluid<Real>::check_finite() const;                 \
-  template void Fluid<Real>::transfer_time(Archive&);              \
+#define LAHAR_INSTANTIATE(Real)                                 \
+  template void FluidGrid<Real>::transfer(Archive&);            \
+  template void FluidGrid<Real>::transfer_types(Archive&);      \
+  template void FluidGrid<Real>::transfer_surfaces(Archive&);   \
+  template void FluidGrid<Real>::transfer_bodies(Archive&);     \
+  template void FluidGrid<Real>::transfer_wall_gains(Archive&); \
+  template void Fluid<Real>::check_finite() const;              \
+  template void Fluid<Real>::transfer_time(Archive&);           \
   template void Fluid<Real>::transfer(Archive&);
 LAHAR_INSTANTIATE(float)
 LAHAR_INSTANTIATE(double)

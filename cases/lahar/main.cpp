@@ -38,7 +38,8 @@ int run(const Arguments& arguments) {
 int resume(const Arguments& arguments) {
   if (!arguments.common.out.empty() || arguments.common.overwrite)
     throw InputError(std::vector<InputMistake>{
-        {"command line", 1, 1, "--out and --overwrite are for new runs; expected DIR alone, a run goes on in its folder"}});
+        {"command line", 1, 1,
+         "--out and --overwrite are for new runs; expected DIR alone, a run goes on in its folder"}});
   const scene::Scene scene = load_resumed(arguments.folder, overrides_of(arguments.common));
   RunOptions options = run_options(arguments.common, scene);
   options.out = arguments.folder;

@@ -291,11 +291,11 @@ Hdf5Parts Hdf5File::create_parts(const std::string& name, Archive::Number type, 
   const hsize_t extent = count;
   const Hdf5Handle space = owned(H5Screate_simple(1, &extent, nullptr), path_, what);
   const Hdf5Handle links = links_with_parents(path_);
-  return {path_, name,
-          owned(H5Dcreate2(file_.id(), name.c_str(), native_type(type), space.id(), links.id(), H5P_DEFAULT,
-                           H5P_DEFAULT),
-                path_, what),
-          type, count};
+  return {
+      path_, name,
+      owned(H5Dcreate2(file_.id(), name.c_str(), native_type(type), space.id(), links.id(), H5P_DEFAULT, H5P_DEFAULT),
+            path_, what),
+      type, count};
 }
 
 Hdf5Parts Hdf5File::open_parts(const std::string& name, Archive::Number type) const {

@@ -55,7 +55,8 @@ class Hdf5Column {
 /// populations are noise.
 class Hdf5Parts {
  public:
-  Hdf5Parts(std::filesystem::path path, std::string name, Hdf5Handle dataset, Archive::Number type, std::uint64_t count);
+  Hdf5Parts(std::filesystem::path path, std::string name, Hdf5Handle dataset, Archive::Number type,
+            std::uint64_t count);
   /// The next `count` numbers. Throw FileError.
   void write(const void* data, std::uint64_t count);
   void read(void* data, std::uint64_t count);

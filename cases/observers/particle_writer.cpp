@@ -24,8 +24,7 @@ std::vector<std::uint8_t> as_bytes(const std::vector<Enum>& values) {
 
 }  // namespace
 
-ParticleWriter::ParticleWriter(const std::filesystem::path& directory)
-    : directory_(directory) {}
+ParticleWriter::ParticleWriter(const std::filesystem::path& directory) : directory_(directory) {}
 
 template <class T>
 XdmfArray ParticleWriter::store(const std::string& name, const std::vector<T>& values, int width, const char* unit) {
@@ -111,7 +110,8 @@ void ParticleWriter::drop_later_frames() {
 
 void ParticleWriter::write(double time_s, const dem::Particles& particles, const dem::Bonds& bonds) {
   if (!file_) file_ = Hdf5File::create(directory_ / "particles.h5");
-  if (frames_ == constants_from_ || particles.size() != particles_ || bonds.size() != bonds_) write_constants(particles, bonds);
+  if (frames_ == constants_from_ || particles.size() != particles_ || bonds.size() != bonds_)
+    write_constants(particles, bonds);
   const std::string group = fmt::format("/frames/{:06}/", frames_);
   XdmfGrid grid;
   grid.time_s = time_s;

@@ -25,8 +25,8 @@ class ParticleWriter {
   /// Starts particles.h5 in an existing directory. Throws FileError.
   explicit ParticleWriter(const std::filesystem::path& directory);
 
-  /// State of a checkpoint. Loading goes on with the file in the directory: frames that came later are dropped, constants
-  /// are stored again with the next frame. Throws FileError.
+  /// State of a checkpoint. Loading goes on with the file in the directory: frames that came later are dropped,
+  /// constants are stored again with the next frame. Throws FileError.
   void transfer(Archive& archive);
 
   /// Adds a frame. Throws FileError.
@@ -48,9 +48,9 @@ class ParticleWriter {
   void write_bonds(const std::string& group, XdmfGrid& grid, const dem::Bonds& bonds);
 
   std::filesystem::path directory_;
-  std::optional<Hdf5File> file_;  ///< none until the first frame
+  std::optional<Hdf5File> file_;                   ///< none until the first frame
   std::uint64_t frames_ = 0, constants_from_ = 0;  ///< written; the frame that needs constants whatever is known
-  std::size_t particles_ = 0, bonds_ = 0;  // sizes that the constants belong to
+  std::size_t particles_ = 0, bonds_ = 0;          // sizes that the constants belong to
   XdmfArray ids_, connectivity_;
   std::vector<XdmfField> particle_constants_, bond_constants_;
   std::string particle_grids_, bond_grids_;

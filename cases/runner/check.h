@@ -34,7 +34,7 @@ struct SolidsFigures {
 struct CheckReport {
   std::optional<FluidFigures> fluid;
   std::optional<SolidsFigures> solids;
-  double run_time = 0;  ///< s, estimated
+  double run_time = 0;                                         ///< s, estimated
   double checkpoint_bytes = 0, expected_checkpoint_bytes = 0;  ///< at the start; when the liquid has spread
   std::vector<std::string> warnings;
 };

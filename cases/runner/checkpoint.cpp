@@ -64,7 +64,8 @@ std::string first_difference(const std::string& now, const std::string& stored) 
   std::string table, line, other;
   while (std::getline(a, line)) {
     if (line.starts_with("[")) table = line + " ";
-    if (!std::getline(b, other) || line != other) return table + line + " in place of " + (other.empty() ? "nothing" : other);
+    if (!std::getline(b, other) || line != other)
+      return table + line + " in place of " + (other.empty() ? "nothing" : other);
   }
   return "less than before";
 }

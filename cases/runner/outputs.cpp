@@ -24,7 +24,9 @@ Camera camera_of(const scene::Scene& scene, const PictureStyle& style) {
 
 template <class Real>
 Outputs<Real>::Outputs(const scene::Scene& scene, std::filesystem::path folder)
-    : scene_(scene), folder_(std::move(folder)), walls_(scene::make_walls(scene)),
+    : scene_(scene),
+      folder_(std::move(folder)),
+      walls_(scene::make_walls(scene)),
       frames_(scene.run.output_interval),
       pictures_(scene.run.image_interval) {
   if (scene.run.output_interval <= 0) return;
@@ -93,7 +95,8 @@ void Outputs<Real>::remove_later_files() const {
     const std::string name = entry.path().filename().string();
     long long n = 0;
     const bool volume = std::sscanf(name.c_str(), "fluid_%6lld", &n) == 1 && name == fmt::format("fluid_{:06d}.vdb", n);
-    const bool picture = std::sscanf(name.c_str(), "image_%6lld", &n) == 1 && name == fmt::format("image_{:06d}.png", n);
+    const bool picture =
+        std::sscanf(name.c_str(), "image_%6lld", &n) == 1 && name == fmt::format("image_{:06d}.png", n);
     if ((volume && n >= frames_.done()) || (picture && n >= pictures_.done())) later.push_back(entry.path());
   }
   for (const auto& path : later) std::filesystem::remove(path);

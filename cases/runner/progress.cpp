@@ -44,7 +44,8 @@ void Progress::update(double simulated) {
 
 void Progress::print(double simulated, Clock::time_point now) {
   last_ = now;
-  const std::string text = progress_text(simulated, duration_, std::chrono::duration<double>(now - start_).count(), from_);
+  const std::string text =
+      progress_text(simulated, duration_, std::chrono::duration<double>(now - start_).count(), from_);
   if (style_ == ProgressStyle::live) {
     // Padded, so that nothing of a longer line before it remains.
     line_width_ = std::max(line_width_, text.size());

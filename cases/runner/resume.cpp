@@ -26,29 +26,31 @@ std::string key_of(const std::string& assignment) {
 }  // namespace
 
 const std::vector<std::string>& resumable_keys() {
-  static const std::vector<std::string> keys{"run.duration_s",       "run.series_interval_s",     "run.output_interval_s",
-                                             "run.image_interval_s", "run.checkpoint_interval_s", "run.checkpoint_wall_s",
-                                             "scene.title"};
+  static const std::vector<std::string> keys{
+      "run.duration_s",       "run.series_interval_s",     "run.output_interval_s",
+      "run.image_interval_s", "run.checkpoint_interval_s", "run.checkpoint_wall_s",
+      "scene.title"};
   return keys;
 }
 
 scene::Scene load_resumed(const std::filesystem::path& folder, const std::vector<std::string>& overrides) {
   std::vector<InputMistake> mistakes;
-  if (!holds_run(folder)) mistakes.push_back({folder.string(), 1, 1, "holds no run, expected the --out folder of a run"});
+  if (!holds_run(folder))
+    mistakes.push_back({folder.string(), 1, 1, "holds no run, expected the --out folder of a run"});
   const auto& keys = resumable_keys();
   for (const std::string& text : overrides)
     // The precision may be named: one that is not that of the checkpoint is another scene.
     if (key_of(text) != "run.precision" && std::find(keys.begin(), keys.end(), key_of(text)) == keys.end())
-      mistakes.push_back({"--set " + text, 1, 1,
-                          "cannot change in a run that goes on, expected one of " + list_text(keys)});
+      mistakes.push_back(
+          {"--set " + text, 1, 1, "cannot change in a run that goes on, expected one of " + list_text(keys)});
   if (!mistakes.empty()) throw InputError(mistakes);
   scene::Scene scene = scene::load(folder / "scene.resolved.toml", overrides);
   const CheckpointHead head = read_head(folder, scene);
   if (scene.run.duration < head.time * (1 - 1e-9))
-    throw InputError(std::vector<InputMistake>{
-        {(folder / "scene.resolved.toml").string(), 1, 1,
-         "run.duration_s is " + std::to_string(scene.run.duration) + ", expected at least the " +
-             std::to_string(head.time) + " s that the checkpoint has reached"}});
+    throw InputError(std::vector<InputMistake>{{(folder / "scene.resolved.toml").string(), 1, 1,
+                                                "run.duration_s is " + std::to_string(scene.run.duration) +
+                                                    ", expected at least the " + std::to_string(head.time) +
+                                                    " s that the checkpoint has reached"}});
   return scene;
 }
 

@@ -35,7 +35,7 @@ struct RunResult {
   /// A solver fills simulated_seconds, metrics, checks, timers and performance (but for the peak memory); the rest is
   /// known without it.
   Summary summary;
-  bool interrupted = false;  ///< ended early by a signal, outputs whole
+  bool interrupted = false;    ///< ended early by a signal, outputs whole
   double earlier_seconds = 0;  ///< wall time before the checkpoint that the run went on from
 };
 
@@ -45,9 +45,9 @@ RunResult run_scene(const scene::Scene& scene, const RunOptions& options, RunMon
 
 using Runner = std::function<RunResult(const scene::Scene&, const RunOptions&, RunMonitor&)>;
 
-/// A whole run: prepares the folder (see prepare_output) unless it is resumed, writes scene.resolved.toml, opens run.log,
-/// limits the threads, runs, and writes summary.json. A failure is logged and passed on, with the name of the last
-/// checkpoint if there is one; summary.json is then that of an earlier part of the run, or absent.
+/// A whole run: prepares the folder (see prepare_output) unless it is resumed, writes scene.resolved.toml, opens
+/// run.log, limits the threads, runs, and writes summary.json. A failure is logged and passed on, with the name of the
+/// last checkpoint if there is one; summary.json is then that of an earlier part of the run, or absent.
 RunResult run_to_folder(const scene::Scene& scene, const RunOptions& options, const Runner& runner);
 
 }  // namespace lahar::cases

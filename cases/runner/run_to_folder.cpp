@@ -23,7 +23,8 @@ namespace {
 
 /// Not registered by name: two runs in one process must not share a log.
 spdlog::logger open_log(const std::filesystem::path& folder, bool append) {
-  spdlog::logger log("run", std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "run.log").string(), !append));
+  spdlog::logger log("run",
+                     std::make_shared<spdlog::sinks::basic_file_sink_mt>((folder / "run.log").string(), !append));
   log.set_pattern("%Y-%m-%d %H:%M:%S.%e %l: %v");
   log.flush_on(spdlog::level::info);
   return log;

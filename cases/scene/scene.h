@@ -30,10 +30,10 @@ struct Identity {
 };
 
 struct Run {
-  double duration = 0;            ///< s
-  double series_interval = 0.01;  ///< s
-  double output_interval = 0;     ///< s, 0 = off
-  double image_interval = 0;      ///< s, 0 = off
+  double duration = 0;             ///< s
+  double series_interval = 0.01;   ///< s
+  double output_interval = 0;      ///< s, 0 = off
+  double image_interval = 0;       ///< s, 0 = off
   double checkpoint_interval = 0;  ///< s, 0 = off
   double checkpoint_wall = 600;    ///< s of wall time, 0 = off
   std::int64_t seed = 1;

@@ -33,8 +33,9 @@ void describe(V& v, Run& s) {
   v.value("image_interval_s", s.image_interval, {non_negative()}, "Time between images; 0 = none.");
   v.value("checkpoint_interval_s", s.checkpoint_interval, {non_negative()},
           "Simulated time between checkpoints, from which `lahar resume` goes on; 0 = only by wall time.");
-  v.value("checkpoint_wall_s", s.checkpoint_wall, {non_negative()},
-          "Wall time between checkpoints; 0 = only by simulated time. With both 0 one is written only on interruption.");
+  v.value(
+      "checkpoint_wall_s", s.checkpoint_wall, {non_negative()},
+      "Wall time between checkpoints; 0 = only by simulated time. With both 0 one is written only on interruption.");
   v.value("seed", s.seed, {non_negative()}, "Seed of everything random.");
   v.value("precision", s.precision, {}, "Number format of the fluid's populations.");
 }

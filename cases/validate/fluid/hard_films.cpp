@@ -101,8 +101,8 @@ double arrival_on_slope(bool lattice_tilted) {
   return static_cast<double>(fluid.steps());
 }
 
-/// Water behind a wall of 12 cells with a slot of 3 at its foot overtops it, drains through the slot and off an open end;
-/// then the tank is filled again.
+/// Water behind a wall of 12 cells with a slot of 3 at its foot overtops it, drains through the slot and off an open
+/// end; then the tank is filled again.
 struct Vessel {
   bool slip;  ///< of bed and wall; then the upper end is open too: nothing holds the last drops
   lbm::LiquidRegion reservoir{Vec3::Zero(), Vec3(30, 8 - 1e-9, 24)};
@@ -179,7 +179,8 @@ std::vector<Row> hard_h13(const Context& context) {
       }
       fluid.fill({vessel.reservoir});
       drain(fluid, context.quick ? 500 : 3000, worst);
-      rows.push_back(at_least_row(name + "wet cells after the second filling", static_cast<double>(fluid.wet_cells()), 100));
+      rows.push_back(
+          at_least_row(name + "wet cells after the second filling", static_cast<double>(fluid.wet_cells()), 100));
       rows.push_back(at_most_row(name + "in - out - left, of in, with the second filling", worst, 1e-4));
     }
     return rows;

@@ -47,7 +47,8 @@ void restart(Owner& from, Owner& into) {
 template <class Owner>
 void compare(std::vector<Row>& rows, const std::string& name, Owner& whole, Owner& resumed) {
   const StoredState a = state_of(whole), b = state_of(resumed);
-  rows.push_back(at_most_row(name + ": lists of the state that differ in any bit", static_cast<double>(differing_lists(a, b).size()), 0));
+  rows.push_back(at_most_row(name + ": lists of the state that differ in any bit",
+                             static_cast<double>(differing_lists(a, b).size()), 0));
   rows.push_back(at_least_row(name + ": bytes compared, MB", static_cast<double>(a.bytes()) * 1e-6, 1));
 }
 
