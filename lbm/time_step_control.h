@@ -7,7 +7,8 @@
 //   one cell, walls and inflows
 // stayed under 0.7 times the target, the step grows, by at most a quarter, so that this speed comes to 0.85 times the
 // target. The gap between 0.85 and 1.5 keeps the step from swinging (Thuerey et al. 2006 use one number for both). The
-// pressure shortens a step only at the first look: later it may be a hammer of the lattice fluid, which is sound.
+// pressure shortens a step only at the first look: later it may be a hammer of the lattice fluid, which is sound. That
+// first cut may be of any size: liquid that is too compressed would expand before the next look.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -56,10 +57,11 @@ class TimeStepControl {
     if (look.wet == 0) return time_step;
     const double pressure_speed = std::sqrt(2.0 / 3.0 * look.compression);
     const double fast = first_ ? std::max(look.speed, pressure_speed) : look.speed;
+    const double largest_cut = first_ ? 0 : kLargestCut;
     first_ = false;
     if (fast > kTooFast * limits_.target) {
       calm_looks_ = 0;
-      return bounded(time_step, std::max(kLargestCut, limits_.target / fast));
+      return bounded(time_step, std::max(largest_cut, limits_.target / fast));
     }
     const double speed = std::max({look.speed, pressure_speed, other_speed(time_step)});
     calm_looks_ = speed < kCalm * limits_.target ? calm_looks_ + 1 : 0;

@@ -145,7 +145,7 @@ End dam_break(int threads, double lattice_velocity) {
 TEST(AdaptiveTimeStep, DamBreakKeepsItsLedger) {
   for (const double lattice_velocity : {0.4, 0.025}) {
     const End one = dam_break<double>(1, lattice_velocity), two = dam_break<double>(2, lattice_velocity);
-    EXPECT_GE(one.changes, 2);
+    EXPECT_GE(one.changes, 1);
     EXPECT_LT(std::abs(one.mass_drift), 1e-10);
     EXPECT_GT(std::abs(one.rescaled), 1e-5);  // or there is nothing to book
     EXPECT_EQ(one.time_step, two.time_step);

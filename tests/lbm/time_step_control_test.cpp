@@ -67,8 +67,8 @@ TEST(TimeStepControl, NothingGrowsOnPressureFallWallsOrAnEmptyTank) {
 
 TEST(TimeStepControl, PressureShortensAtTheFirstLookAlone) {
   TimeStepControl control(limits());
-  EXPECT_NEAR(control.choose(1e-3, look(0, 0.06)), 0.5e-3, 1e-9);  // sqrt(0.04) = 0.2 lu
-  EXPECT_EQ(control.choose(1e-3, look(0, 0.06)), 1e-3);
+  EXPECT_NEAR(control.choose(1e-3, look(0, 0.24)), 0.25e-3, 1e-9);  // sqrt(0.16) = 0.4 lu
+  EXPECT_EQ(control.choose(1e-3, look(0, 0.24)), 1e-3);
 }
 
 TEST(TimeStepControl, StaysWithinItsLimits) {
