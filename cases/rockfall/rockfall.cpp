@@ -84,7 +84,8 @@ void check(const Rockfall& r) {
   };
   unless(r.dissipator_stiffness.size() == 2, "dissipators.stiffness_N_m3 does not have 2 entries, expected two stages");
   unless(r.ball_diameter < r.net_width, "ball.diameter_m is not below net.width_m, expected a ball that the net catches");
-  unless(r.ball_diameter > r.ring_diameter, "ball.diameter_m is not above net.ring_diameter_m: it would fall through");
+  unless(r.ball_diameter > r.ring_diameter,
+         "ball.diameter_m is not above net.ring_diameter_m, expected a ball that no ring lets through");
   if (!wrong.empty()) throw InputError(wrong);
 }
 
@@ -126,10 +127,12 @@ SettledNet::SettledNet(const Rockfall& r, const std::function<bool(double)>& pro
       p.guides.apply(solids.particles());
       solids.step();
     }
+    p.interrupted = !progress(solids.time());
+    // It first falls freely: with drag from the start it would take longer to sag than the ball takes to fall.
+    if (solids.time() < 2.0 / 3.0 * r.settling_time) continue;
     for (auto* field : {&solids.particles().velocity, &solids.particles().angular_velocity})
       for (auto* v : {&field->x, &field->y, &field->z})
         for (double& x : *v) x *= braked;
-    p.interrupted = !progress(solids.time());
   }
   p.particles = solids.particles();
   p.bonds = solids.bonds();

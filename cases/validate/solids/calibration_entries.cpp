@@ -18,6 +18,8 @@ std::vector<Entry> calibration_entries() {
   return {
       {"solids.ring_pull", "Li, Zhao & Kwan 2020, section 3.1; ring theory with shear", ring_pull},
       {"solids.energy_dissipator", "Li, Zhao & Kwan 2020, Eq. (1), section 3.2, Table 2", energy_dissipator},
+      {"solids.rockfall", "Li, Zhao & Kwan 2020, section 3.3, Table 3, Fig. 7", rockfall},
+      {"solids.net_at_rest", "energy balance; linking numbers", net_at_rest},
   };
 }
 
