@@ -28,8 +28,8 @@ void Guides::apply(dem::Particles& particles) {
       const Vec3 across = -weight * (k * aside + damping * moving_aside);
       // The weight changes along the axis, and the energy of the spring with it.
       const double slope = (along > 0 ? -1.0 : 1.0) / g.spacing;
-      particles.external_force.set(i, particles.external_force[i] + across -
-                                          0.5 * k * aside.squaredNorm() * slope * g.axis);
+      particles.external_force.set(
+          i, particles.external_force[i] + across - 0.5 * k * aside.squaredNorm() * slope * g.axis);
       held_.push_back(i);
       energy_ += 0.5 * weight * k * aside.squaredNorm();
       sum += across;

@@ -10,8 +10,8 @@
 namespace lahar::barrier {
 
 struct GuideStiffness {
-  double stiffness = 1e7;       ///< N/m, against sideways motion
-  double damping_ratio = 0.3;   ///< of critical for one bead, sideways
+  double stiffness = 1e7;      ///< N/m, against sideways motion
+  double damping_ratio = 0.3;  ///< of critical for one bead, sideways
 };
 
 /// A damped spring from the cable to the guide's axis. A bead at the distance s from the guide along its axis counts

@@ -41,7 +41,7 @@ struct RingNetSpec {
   double density = 7800;          ///< kg/m^3, of a bead
   int material = 0;               ///< index into dem::Materials
   NetFit fit = NetFit::inside;
-  bool free_net = false;        ///< rings only: no cables, nothing fixed
+  bool free_net = false;  ///< rings only: no cables, nothing fixed
   /// m, by which all four cables go on beyond the corners of the net, where they cross: room for dissipators, which
   /// draw a cable out through its guides (see guide.h). 0: cables end at the corners.
   double cable_extension = 0;

@@ -167,7 +167,8 @@ CableEnds cable_ends(const NetLayout& layout, const RingPattern& pattern, Side s
   const double dy = 0.5 * layout.pitch_up * pattern.cable_distance;
   const double right = (layout.columns - 1) * layout.pitch_across + dx;
   const double top = (layout.rows - 1) * layout.pitch_up + dy;
-  const double over = layout.cable_overhang, aside = layout.crossing ? 0.5 * (1 + wanted_gap) * layout.wire_diameter : 0;
+  const double over = layout.cable_overhang,
+               aside = layout.crossing ? 0.5 * (1 + wanted_gap) * layout.wire_diameter : 0;
   const double beyond = layout.crossing ? over : -1.05 * layout.wire_diameter;  // of lateral cables
   switch (side) {
     case Side::lower:

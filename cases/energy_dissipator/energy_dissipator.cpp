@@ -182,7 +182,8 @@ BrakeCurve stretch(const EnergyDissipator& brake) {
   const double way_back = plastic ? brake.displacement_at(force) - brake.elongation_at(force) + force / law.k1 : end;
   const double slow = brake.speed * std::min(1.0, 10 * way_back / end);
   for (std::int64_t k = 1; pull.force() > 0; ++k) {
-    const auto steps = static_cast<std::int64_t>(std::ceil(way_back / static_cast<double>(brake.samples) / (slow * dt)));
+    const auto steps =
+        static_cast<std::int64_t>(std::ceil(way_back / static_cast<double>(brake.samples) / (slow * dt)));
     for (std::int64_t s = 0; s < steps && pull.force() > 0; ++s) pull.step(-slow);
     curve.unloading.push_back(pull.point());
   }

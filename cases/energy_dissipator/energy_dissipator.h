@@ -17,14 +17,14 @@ struct EnergyDissipator {
   std::vector<double> force_limit{78e3, 98.2e3};        ///< N, at the ends of all stages but the last
   double last_force = 261e3;                            ///< N, up to which the last stage is followed
   BrakeUnloading unloading = BrakeUnloading::elastic;
-  double bond_radius = 0.00785;    ///< m; not in the paper, taken from the ring of section 3.1
-  double bead_diameter = 0.0157;   ///< m; not in the paper, likewise
-  double density = 7800;           ///< kg/m^3; not in the paper
-  std::int64_t cable_beads = 1;    ///< on either side of the dissipator; their bonds have the first stiffness
-  double damping_ratio = 0.05;     ///< of the bonds; not in the paper
-  double speed = 0.5;              ///< m/s, of the pulled end; not in the paper
-  std::int64_t samples = 600;      ///< points of the curve while it is stretched
-  double safety = 0.5;             ///< share of the critical time step
+  double bond_radius = 0.00785;   ///< m; not in the paper, taken from the ring of section 3.1
+  double bead_diameter = 0.0157;  ///< m; not in the paper, likewise
+  double density = 7800;          ///< kg/m^3; not in the paper
+  std::int64_t cable_beads = 1;   ///< on either side of the dissipator; their bonds have the first stiffness
+  double damping_ratio = 0.05;    ///< of the bonds; not in the paper
+  double speed = 0.5;             ///< m/s, of the pulled end; not in the paper
+  std::int64_t samples = 600;     ///< points of the curve while it is stretched
+  double safety = 0.5;            ///< share of the critical time step
   bool operator==(const EnergyDissipator&) const = default;
 
   [[nodiscard]] dem::AxialLaw law() const;
@@ -54,16 +54,16 @@ struct BrakePoint {
 
 struct BrakeCurve {
   std::vector<BrakePoint> loading, unloading;
-  double work_in = 0, work_out = 0;      ///< J, of the pulled end
-  double stored = 0;                     ///< J, in the dissipator at the largest force
-  double plastic = 0;                    ///< J, dissipated by plastic elongation
-  double damped = 0;                     ///< J, in all bonds
-  double cable_energy = 0;               ///< J, in the other bonds at the largest force
-  double time_step = 0;                  ///< s
-  double simulated = 0;                  ///< s
-  double largest_force = 0;              ///< N, in the dissipator when the pulled end stopped
-  double largest_elongation = 0;         ///< m, then
-  double ledger_gap = 0;                 ///< J
+  double work_in = 0, work_out = 0;  ///< J, of the pulled end
+  double stored = 0;                 ///< J, in the dissipator at the largest force
+  double plastic = 0;                ///< J, dissipated by plastic elongation
+  double damped = 0;                 ///< J, in all bonds
+  double cable_energy = 0;           ///< J, in the other bonds at the largest force
+  double time_step = 0;              ///< s
+  double simulated = 0;              ///< s
+  double largest_force = 0;          ///< N, in the dissipator when the pulled end stopped
+  double largest_elongation = 0;     ///< m, then
+  double ledger_gap = 0;             ///< J
 };
 
 /// Stretches the cable until the dissipator carries last_force, then lets it go to no force.

@@ -45,13 +45,13 @@ std::vector<ResultCheck> dissipator_checks(const BrakeCurve& curve, const Energy
   std::vector<ResultCheck> checks;
   for (std::size_t k = 0; k < brake.stiffness.size(); ++k) {
     const std::string stage = "stage_" + std::to_string(k + 1);
-    checks.push_back(relative(stage + "_slope_N_m", stage_slope(brake, curve.loading, k), brake.stage_stiffness(k),
-                              0.005, table));
+    checks.push_back(
+        relative(stage + "_slope_N_m", stage_slope(brake, curve.loading, k), brake.stage_stiffness(k), 0.005, table));
     checks.push_back(relative(stage + "_cable_slope_N_m", cable_slope(brake, curve.loading, k),
                               brake.cable_stiffness(k), 0.005, "all bonds in series"));
     if (k + 1 < brake.stiffness.size())
-      checks.push_back(relative(stage + "_end_force_N", knee(brake, curve.loading, k), brake.force_limit[k], 0.005,
-                                table));
+      checks.push_back(
+          relative(stage + "_end_force_N", knee(brake, curve.loading, k), brake.force_limit[k], 0.005, table));
   }
   const double area = area_under(curve.loading), exact = brake.energy_to(brake.last_force);
   checks.push_back(relative("largest_force_N", curve.largest_force, brake.last_force, 0.005, table));

@@ -51,7 +51,8 @@ std::vector<ResultCheck> ring_pull_checks(const PullCurve& curve, const RingPull
   const double first = first_stiffness(ring), last = last_stiffness(ring), end = curve.displacement.back();
   std::vector<ResultCheck> checks{
       within("first_stiffness_N_m", measured_first_stiffness(curve, ring), first, 0.02 * first, theory),
-      within("end_imbalance", worst_imbalance(curve), 0, 0.01, "both ends carry the same force where it is quasi-static"),
+      within("end_imbalance", worst_imbalance(curve), 0, 0.01,
+             "both ends carry the same force where it is quasi-static"),
       within("ledger_gap", std::abs(curve.ledger_gap) / curve.work, 0, 1e-3, "energy balance"),
   };
   if (ring.stroke > 1.15 * straight_displacement(ring)) {

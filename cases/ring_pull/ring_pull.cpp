@@ -36,8 +36,8 @@ dem::Solids build(const RingPull& ring, Ends& ends) {
   dem::Particles particles;
   dem::Bonds bonds;
   const barrier::RingShape shape{ring.perimeter / pi, static_cast<int>(ring.beads), 0, 0};
-  const barrier::Wire wire_of_ring =
-      barrier::add_ring(shape, {}, {ring.bead_diameter(), ring.density, wire}, bonds.add_sort(sort), 0, particles, bonds);
+  const barrier::Wire wire_of_ring = barrier::add_ring(shape, {}, {ring.bead_diameter(), ring.density, wire},
+                                                       bonds.add_sort(sort), 0, particles, bonds);
   ends = {wire_of_ring.first_bead + wire_of_ring.beads / 2, wire_of_ring.first_bead};  // at x = -R and x = R
   for (const dem::ParticleIndex end : {ends.held, ends.pulled}) {
     particles.state[end] = dem::ParticleState::fixed;

@@ -7,11 +7,11 @@ namespace lahar::cases {
 
 /// The defaults are section 3.1 and Table 1 of the paper; what it does not say is marked.
 struct RingPull {
-  double perimeter = 0.9425;        ///< m, of the wire's centre-line
-  std::int64_t beads = 60;          ///< even
+  double perimeter = 0.9425;          ///< m, of the wire's centre-line
+  std::int64_t beads = 60;            ///< even
   std::int64_t reference_beads = 60;  ///< number of beads that density and stiffnesses are given for, see scaled()
-  double density = 1000;            ///< kg/m^3, of a bead
-  double youngs_modulus = 5e6;      ///< Pa, of contacts between beads
+  double density = 1000;              ///< kg/m^3, of a bead
+  double youngs_modulus = 5e6;        ///< Pa, of contacts between beads
   double poisson_ratio = 0.3;
   double bond_radius = 0.9425 / 120;  ///< m; not in the paper: that of a bead of the reference
   double normal_stiffness = 1.3e12;   ///< N/m^3
@@ -49,10 +49,10 @@ struct WireStiffness {
 
 /// What came out. Each point is the mean over its stretch of the stroke.
 struct PullCurve {
-  std::vector<double> displacement, force;      ///< m, N: at the pulled bead
-  std::vector<double> anchor_force;             ///< N, at the fixed bead
-  std::vector<double> axial, shear, bending;    ///< J, in the bonds
-  double time_step = 0;                         ///< s
+  std::vector<double> displacement, force;    ///< m, N: at the pulled bead
+  std::vector<double> anchor_force;           ///< N, at the fixed bead
+  std::vector<double> axial, shear, bending;  ///< J, in the bonds
+  double time_step = 0;                       ///< s
   std::int64_t steps = 0;
   double ledger_gap = 0;  ///< J: work of the pull less what was stored and dissipated
   double work = 0;        ///< J

@@ -76,7 +76,8 @@ void describe(V& v, RockfallRun& part) {
   using scene::non_negative, scene::positive;
   Rockfall& s = part.all;
   v.value("settling_time_s", s.settling_time, {non_negative()}, "For which the net sags before the ball comes.");
-  v.value("settling_drag_1_s", s.settling_drag, {non_negative()}, "Drag in the last third of that time, deceleration per velocity.");
+  v.value("settling_drag_1_s", s.settling_drag, {non_negative()},
+          "Drag in the last third of that time, deceleration per velocity.");
   v.value("duration_s", s.duration, {positive()}, "From the moment when the ball's bottom is in the net's plane.");
   v.value("time_step_s", s.time_step, {non_negative()}, "0 = 0.7 of the smallest limit of a bond.");
   v.value("sample_interval_s", s.sample_interval, {positive()}, "Time between entries of the series.");

@@ -5,9 +5,9 @@
 
 int main(int argc, char** argv) {
   using namespace lahar::cases;
-  return procedure_main<Rockfall>(
-      argc, argv, "rockfall", "Drops a ball onto a ring net in braked cables (Li, Zhao & Kwan 2020, section 3.3)",
-      [](const Rockfall& rockfall, const Workplace& place, Summary& summary) {
-        return run_rockfall_to(rockfall, place.out, place.quiet, summary);
-      });
+  return procedure_main<Rockfall>(argc, argv, "rockfall",
+                                  "Drops a ball onto a ring net in braked cables (Li, Zhao & Kwan 2020, section 3.3)",
+                                  [](const Rockfall& rockfall, const Workplace& place, Summary& summary) {
+                                    return run_rockfall_to(rockfall, place.out, place.quiet, summary);
+                                  });
 }

@@ -24,18 +24,18 @@ ResultCheck at_least(const std::string& name, double value, double bar, const ch
 }
 
 std::vector<CurveColumn> columns_of(const RockfallSeries& s) {
-  return {{"ball_displacement_m", "m", "of the ball since its bottom was in the net's plane, upwards",
-           s.ball_displacement},
-          {"ball_energy_J", "J", "kinetic and potential energy of the ball about the net's plane", s.ball_energy},
-          {"ball_force_N", "N", "of the net on the ball, upwards", s.ball_force},
-          {"brake_elongation_m", "m", "mean over the dissipators", s.brake_elongation},
-          {"brake_energy_J", "J", "area under the curves of all dissipators", s.brake_energy},
-          {"bond_energy_J", "J", "elastic energy of all bonds", s.bond_energy},
-          {"friction_loss_J", "J", "dissipated by slip", s.friction_loss},
-          {"contact_loss_J", "J", "dissipated by contact damping", s.contact_loss},
-          {"bond_loss_J", "J", "dissipated in bonds", s.bond_loss},
-          {"ledger_gap_J", "J", "total energy less that at time zero", s.ledger_gap},
-          {"ring_travel_m", "m", "mean sliding of the edge rings along their cables", s.ring_travel}};
+  return {
+      {"ball_displacement_m", "m", "of the ball since its bottom was in the net's plane, upwards", s.ball_displacement},
+      {"ball_energy_J", "J", "kinetic and potential energy of the ball about the net's plane", s.ball_energy},
+      {"ball_force_N", "N", "of the net on the ball, upwards", s.ball_force},
+      {"brake_elongation_m", "m", "mean over the dissipators", s.brake_elongation},
+      {"brake_energy_J", "J", "area under the curves of all dissipators", s.brake_energy},
+      {"bond_energy_J", "J", "elastic energy of all bonds", s.bond_energy},
+      {"friction_loss_J", "J", "dissipated by slip", s.friction_loss},
+      {"contact_loss_J", "J", "dissipated by contact damping", s.contact_loss},
+      {"bond_loss_J", "J", "dissipated in bonds", s.bond_loss},
+      {"ledger_gap_J", "J", "total energy less that at time zero", s.ledger_gap},
+      {"ring_travel_m", "m", "mean sliding of the edge rings along their cables", s.ring_travel}};
 }
 
 }  // namespace
@@ -71,13 +71,12 @@ void draw_rockfall(const std::filesystem::path& folder, const RockfallResult& re
                                      mark(0.25, -result.depth, 0, "paper: lowest point")};
   write_chart(folder / "rockfall_displacement.png", way,
               {.title = "Ball on a ring net", .x_label = "time / s", .y_label = "displacement / m"});
-  const std::array<ChartLine, 6> energy{
-      scaled_line("ball", s.time, s.ball_energy, 1, 1e-3),
-      scaled_line("bonds", s.time, s.bond_energy, 1, 1e-3),
-      scaled_line("of which dissipators", s.time, s.brake_energy, 1, 1e-3, true),
-      scaled_line("lost to friction", s.time, s.friction_loss, 1, 1e-3),
-      scaled_line("lost in contacts", s.time, s.contact_loss, 1, 1e-3),
-      scaled_line("lost in bonds", s.time, s.bond_loss, 1, 1e-3)};
+  const std::array<ChartLine, 6> energy{scaled_line("ball", s.time, s.ball_energy, 1, 1e-3),
+                                        scaled_line("bonds", s.time, s.bond_energy, 1, 1e-3),
+                                        scaled_line("of which dissipators", s.time, s.brake_energy, 1, 1e-3, true),
+                                        scaled_line("lost to friction", s.time, s.friction_loss, 1, 1e-3),
+                                        scaled_line("lost in contacts", s.time, s.contact_loss, 1, 1e-3),
+                                        scaled_line("lost in bonds", s.time, s.bond_loss, 1, 1e-3)};
   write_chart(folder / "rockfall_energy.png", energy,
               {.title = "Ball on a ring net", .x_label = "time / s", .y_label = "energy / kJ"});
 }
@@ -116,9 +115,9 @@ bool run_rockfall_to(const Rockfall& rockfall, const std::filesystem::path& fold
                      {"time_step_s", result.time_step}};
   summary.timers = timers.seconds();
   const double settling = rockfall.settling_time / result.time_step;
-  summary.performance.dem_particle_steps_per_second =
-      (settling + static_cast<double>(result.steps)) * static_cast<double>(result.beads) /
-      summary.timers.at("particles");
+  summary.performance.dem_particle_steps_per_second = (settling + static_cast<double>(result.steps)) *
+                                                      static_cast<double>(result.beads) /
+                                                      summary.timers.at("particles");
   if (result.interrupted) return false;
   summary.checks = rockfall_sanity(result, rockfall);
   // The paper's figures belong to the paper's parameters.

@@ -65,8 +65,8 @@ barrier::Guides guides_of(const Rockfall& r, const barrier::Net& net, const dem:
 double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Particles& particles) {
   const double limit = dem::bond_time_step(bonds, particles);
   if (r.time_step > limit)
-    throw InputError("run.time_step_s is " + std::to_string(1e6 * r.time_step) + "e-6, expected at most the limit of the " +
-                     "bonds, " + std::to_string(1e6 * limit) + "e-6");
+    throw InputError("run.time_step_s is " + std::to_string(1e6 * r.time_step) +
+                     "e-6, expected at most the limit of the " + "bonds, " + std::to_string(1e6 * limit) + "e-6");
   if (0.7 * limit < 1e-8)
     throw InputError("bonds as stiff as these need a time step of " + std::to_string(1e9 * limit) +
                      "e-9 s, expected stiffnesses per unit area (N/m^3) that allow 1e-8 s");
@@ -83,7 +83,8 @@ void check(const Rockfall& r) {
     if (!fine) wrong.push_back({"rockfall", 1, 1, message});
   };
   unless(r.dissipator_stiffness.size() == 2, "dissipators.stiffness_N_m3 does not have 2 entries, expected two stages");
-  unless(r.ball_diameter < r.net_width, "ball.diameter_m is not below net.width_m, expected a ball that the net catches");
+  unless(r.ball_diameter < r.net_width,
+         "ball.diameter_m is not below net.width_m, expected a ball that the net catches");
   unless(r.ball_diameter > r.ring_diameter,
          "ball.diameter_m is not above net.ring_diameter_m, expected a ball that no ring lets through");
   if (!wrong.empty()) throw InputError(wrong);
@@ -202,8 +203,7 @@ void Strike::sample_brakes() {
   for (const std::size_t b : net_.dissipators) {
     const double elongation = bonds.elongation[b];
     const dem::BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
-    const dem::AxialCurve curve =
-        dem::axial_curve(sort.axial, std::numbers::pi * sort.bond_radius * sort.bond_radius);
+    const dem::AxialCurve curve = dem::axial_curve(sort.axial, std::numbers::pi * sort.bond_radius * sort.bond_radius);
     sum += elongation;
     energy += dem::curve_energy(curve, elongation);
     active += elongation > curve.e1;
@@ -309,7 +309,9 @@ RockfallResult SettledNet::strike(const Rockfall& r, const std::function<bool(do
 }
 
 RockfallResult run_rockfall(const Rockfall& rockfall, const std::function<bool(double)>& progress) {
-  return SettledNet(rockfall, progress).strike(rockfall, [&](double t) { return progress(rockfall.settling_time + t); });
+  return SettledNet(rockfall, progress).strike(rockfall, [&](double t) {
+    return progress(rockfall.settling_time + t);
+  });
 }
 
 }  // namespace lahar::cases

@@ -24,10 +24,10 @@ std::vector<Row> energy_dissipator(const Context& context) {
       const cases::BrakeCurve curve = cases::stretch(b);
       for (Row& row : rows_of(cases::dissipator_checks(curve, b), what + ": ")) rows.push_back(std::move(row));
       if (!context.plots.empty())
-        cases::draw_dissipator(context.plots / ("energy_dissipator_" + std::to_string(b.stiffness.size()) +
-                                                (b.unloading == cases::BrakeUnloading::elastic ? "" : "_plastic") +
-                                                ".png"),
-                               curve, b);
+        cases::draw_dissipator(
+            context.plots / ("energy_dissipator_" + std::to_string(b.stiffness.size()) +
+                             (b.unloading == cases::BrakeUnloading::elastic ? "" : "_plastic") + ".png"),
+            curve, b);
     }
   return rows;
 }

@@ -66,8 +66,8 @@ Fall watch(HangingNet& hanging, double duration, double interval, int samples_pe
     fall.largest_rise = std::max(fall.largest_rise, now.stored() - std::exchange(stored, now.stored()));
     fall.largest_gap = std::max(fall.largest_gap, std::abs(now.total() - first.total()));
     if (sample % samples_per_link_check == 0)
-      fall.linked = fall.linked &&
-                    same_links(hanging.topology, find_topology(hanging.net, solids.particles(), solids.bonds()));
+      fall.linked =
+          fall.linked && same_links(hanging.topology, find_topology(hanging.net, solids.particles(), solids.bonds()));
   }
   fall.released = first.stored() - stored;
   return fall;
@@ -79,12 +79,13 @@ std::vector<Row> net_at_rest(const Context& context) {
   HangingNet hanging = context.quick ? hang(3, 2) : hang(6, 4);
   const Fall fall = watch(hanging, context.quick ? 0.12 : 4.0, 0.01, context.quick ? 1 : 20);
   std::vector<Row> rows{
-      at_most_row("largest rise of the stored energy in 10 ms, of what is lost", fall.largest_rise / fall.released, 1e-4),
+      at_most_row("largest rise of the stored energy in 10 ms, of what is lost", fall.largest_rise / fall.released,
+                  1e-4),
       at_most_row("gap of the energy ledger, of what is lost", fall.largest_gap / fall.released, 1e-3),
       at_least_row("all links kept (1 = yes)", fall.linked ? 1 : 0, 1)};
   if (!context.quick)
-    rows.push_back(at_most_row("kinetic energy after 4 s, of the largest", fall.last_kinetic / fall.largest_kinetic,
-                               1e-3));
+    rows.push_back(
+        at_most_row("kinetic energy after 4 s, of the largest", fall.last_kinetic / fall.largest_kinetic, 1e-3));
   return rows;
 }
 
