@@ -92,9 +92,13 @@ double PullCurve::force_at(double d) const {
 
 double PullCurve::slope(double from, double to) const { return (force_at(to) - force_at(from)) / (to - from); }
 
-PullCurve pull_ring(const RingPull& unscaled) {
-  if (unscaled.beads % 2 != 0)
+void check(const RingPull& ring) {
+  if (ring.beads % 2 != 0)
     throw InputError("ring.beads is odd, expected an even number: the pulled bead lies opposite the held one");
+}
+
+PullCurve pull_ring(const RingPull& unscaled) {
+  check(unscaled);
   const RingPull ring = unscaled.scaled();
   Ends ends{};
   dem::Solids solids = build(ring, ends);

@@ -63,6 +63,9 @@ struct PullCurve {
   [[nodiscard]] double slope(double from, double to) const;
 };
 
+/// Throws InputError for what cannot be run.
+void check(const RingPull& ring);
+
 /// Pulls the ring. Deterministic.
 [[nodiscard]] PullCurve pull_ring(const RingPull& ring);
 

@@ -73,11 +73,8 @@ double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Parti
   return r.time_step > 0 ? r.time_step : 0.7 * limit;
 }
 
-}  // namespace
-
-double Rockfall::impact_speed() const { return std::sqrt(2 * kGravity * drop_height); }
-
-void check(const Rockfall& r) {
+/// Of single values and pairs of them.
+void check_values(const Rockfall& r) {
   std::vector<InputMistake> wrong;
   const auto unless = [&](bool fine, const char* message) {
     if (!fine) wrong.push_back({"rockfall", 1, 1, message});
@@ -88,6 +85,18 @@ void check(const Rockfall& r) {
   unless(r.ball_diameter > r.ring_diameter,
          "ball.diameter_m is not above net.ring_diameter_m, expected a ball that no ring lets through");
   if (!wrong.empty()) throw InputError(wrong);
+}
+
+}  // namespace
+
+double Rockfall::impact_speed() const { return std::sqrt(2 * kGravity * drop_height); }
+
+void check(const Rockfall& r) {
+  check_values(r);
+  dem::Particles particles;
+  dem::Bonds bonds;
+  (void)barrier::build_net(net_spec(r), particles, bonds);
+  (void)time_step_of(r, bonds, particles);
 }
 
 /// What settles.
@@ -114,7 +123,7 @@ SettledNet::~SettledNet() = default;
 
 SettledNet::SettledNet(const Rockfall& r, const std::function<bool(double)>& progress)
     : parts_(std::make_unique<Parts>()) {
-  check(r);
+  check_values(r);
   Parts& p = *parts_;
   p.net = barrier::build_net(net_spec(r), p.particles, p.bonds);
   p.topology = barrier::find_topology(p.net, p.particles, p.bonds);

@@ -45,7 +45,7 @@ struct Rockfall {
   [[nodiscard]] double impact_speed() const;  ///< m/s
 };
 
-/// Throws InputError for what cannot be run.
+/// Throws InputError for what cannot be run, such as a net that cannot be built.
 void check(const Rockfall& rockfall);
 
 /// Everything over the time since time zero.
