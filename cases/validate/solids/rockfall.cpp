@@ -46,6 +46,8 @@ std::vector<Row> rockfall(const Context& context) {
   fast.tied = true;
   const cases::RockfallResult tied = net.strike(fast, go_on);
   for (Row& row : rows_of(cases::rockfall_sanity(tied, fast), "rings tied: ")) rows.push_back(std::move(row));
+  rows.push_back(at_least_row("curtain effect: ball stopped later than with rings tied by, s",
+                              slides.lowest_time - tied.lowest_time, 0.001));
   rows.push_back(reported("depth, m, against rings tied", slides.depth, tied.depth));
   rows.push_back(reported("largest cable tension, kN, against rings tied", 1e-3 * slides.largest_tension,
                           1e-3 * tied.largest_tension));
