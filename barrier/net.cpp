@@ -53,6 +53,7 @@ void check(const RingNetSpec& s) {
   wrong.unless(s.ring_diameter > 3 * s.wire_diameter, "a ring must be wider than three wires");
   wrong.unless(s.ring_pitch > 0 && s.width >= s.ring_pitch && s.height >= s.ring_pitch,
                "width and height must hold at least one ring pitch");
+  wrong.unless(s.cable_extension >= 0, "the extension of the cables must not be negative");
   wrong.unless(s.beads_per_ring >= 8, "a ring needs at least 8 beads");
   wrong.raise();
   const double spacing = bead_spacing({s.ring_diameter, s.beads_per_ring}) / s.wire_diameter;
@@ -100,6 +101,7 @@ NetLayout layout_of(const RingNetSpec& spec) {
   const Filling across = fill(spec, spec.width, "width"), up = fill(spec, spec.height, "height");
   layout.columns = across.count, layout.pitch_across = across.pitch;
   layout.rows = up.count, layout.pitch_up = up.pitch;
+  layout.crossing = spec.cable_extension > 0;
   for (const Side side : all_sides)
     layout.cables[static_cast<std::size_t>(side)] = !spec.free_net && cable_spec(spec, side).present;
   return layout;
@@ -107,6 +109,8 @@ NetLayout layout_of(const RingNetSpec& spec) {
 
 /// Lower and upper cables end at the frame, lateral ones at them.
 void reach_for_frame(const RingNetSpec& spec, const RingPattern& pattern, NetLayout& layout) {
+  layout.cable_overhang = spec.cable_extension;
+  if (spec.cable_extension > 0) return;
   const double span = (layout.columns - 1 + pattern.cable_distance) * layout.pitch_across;
   const double bead = spec.fit == NetFit::inside ? 0.51 * spec.wire_diameter : 0.0;
   layout.cable_overhang = std::max(0.0, 0.5 * (spec.width - span) - bead);
@@ -171,6 +175,11 @@ struct Builder {
       const Polyline line = placed(cable_line({.start = start, .end = end}, spec.wire_diameter), place);
       net.cables.push_back(add_cable(line, cable.support, properties, sorts, next_body(), particles, bonds));
       net.cable_sides.push_back(side);
+      NetLayout without = layout;
+      without.cable_overhang = 0;
+      const auto [first, last] = cable_ends(without, net.pattern, side);
+      const std::vector<Vec3> corners = placed(Polyline{{first, last}, false}, place).points;
+      net.corners.push_back({corners[0], corners[1]});
       note_dissipators(net.cables.back(), sorts.dissipator);
     }
   }

@@ -41,7 +41,10 @@ struct RingNetSpec {
   double density = 7800;          ///< kg/m^3, of a bead
   int material = 0;               ///< index into dem::Materials
   NetFit fit = NetFit::inside;
-  bool free_net = false;        ///< rings only: no cables, nothing fixed
+  bool free_net = false;  ///< rings only: no cables, nothing fixed
+  /// m, by which all four cables go on beyond the corners of the net, where they cross: room for dissipators, which
+  /// draw a cable out through its guides (see guide.h). 0: cables end at the corners.
+  double cable_extension = 0;
   std::int32_t first_body = 0;  ///< number of the first ring; rings come first, then the cables
   /// Bond sorts; bond_radius 0 stands for half the wire diameter.
   dem::BondSort ring = wire_bond(3e11, 0);
@@ -63,6 +66,7 @@ struct Net {
   std::vector<Wire> rings;                      ///< row by row from below, from left to right
   std::vector<Wire> cables;                     ///< those present, in the order lower, upper, left, right
   std::vector<Side> cable_sides;                ///< side of each cable
+  std::vector<CableEnds> corners;               ///< m, where each cable passes the corners of the net, as built
   std::vector<std::size_t> dissipators;         ///< bonds
   std::vector<dem::ParticleIndex> fixed_beads;  ///< ascending
   dem::ParticleIndex first_bead = 0;

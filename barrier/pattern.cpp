@@ -167,18 +167,20 @@ CableEnds cable_ends(const NetLayout& layout, const RingPattern& pattern, Side s
   const double dy = 0.5 * layout.pitch_up * pattern.cable_distance;
   const double right = (layout.columns - 1) * layout.pitch_across + dx;
   const double top = (layout.rows - 1) * layout.pitch_up + dy;
-  const double over = layout.cable_overhang, short_of = 1.05 * layout.wire_diameter;
+  const double over = layout.cable_overhang,
+               aside = layout.crossing ? 0.5 * (1 + wanted_gap) * layout.wire_diameter : 0;
+  const double beyond = layout.crossing ? over : -1.05 * layout.wire_diameter;  // of lateral cables
   switch (side) {
     case Side::lower:
-      return {{-dx - over, -dy, 0}, {right + over, -dy, 0}};
+      return {{-dx - over, -dy, aside}, {right + over, -dy, aside}};
     case Side::upper:
-      return {{-dx - over, top, 0}, {right + over, top, 0}};
+      return {{-dx - over, top, aside}, {right + over, top, aside}};
     case Side::left:
-      return {{-dx, -dy + short_of, 0}, {-dx, top - short_of, 0}};
+      return {{-dx, -dy - beyond, -aside}, {-dx, top + beyond, -aside}};
     case Side::right:
       break;
   }
-  return {{right, -dy + short_of, 0}, {right, top - short_of, 0}};
+  return {{right, -dy - beyond, -aside}, {right, top + beyond, -aside}};
 }
 
 std::vector<Polyline> draw_rings(const NetLayout& layout, const RingPattern& pattern) {

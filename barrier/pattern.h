@@ -26,6 +26,7 @@ struct NetLayout {
   double pitch_across = 0, pitch_up = 0;               ///< m
   std::array<bool, 4> cables{true, true, true, true};  ///< by Side
   double cable_overhang = 0;  ///< m, by which lower and upper cables go on beyond the lateral ones
+  bool crossing = false;      ///< lateral cables go on as far; they then pass behind the others, not end at them
 };
 
 /// What is found.
@@ -39,7 +40,8 @@ struct RingPattern {
 [[nodiscard]] bool is_threaded(const NetLayout& layout, Side side, int column, int row);
 
 /// Ends of the cable on a side, from left to right or from below to above. Lateral cables end a bead short of the
-/// others, so that no cable crosses another.
+/// others, so that no cable crosses another; or, where they are to cross, lie just behind the others (along -z), each
+/// half of that way out of the net's plane.
 struct CableEnds {
   Vec3 start, end;
 };

@@ -16,6 +16,14 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Explicit damping of ratio d lowers the limit of an oscillator by this factor.
 double lowered_by(double d) { return std::sqrt(1 + d * d) - d; }
 
+/// Bending and torsion of a bond against the moment of inertia of a bead. They bind only where the bond is thicker than
+/// the bead: k I / (0.4 m r^2) is (R / r)^2 / 1.6 times k A / m.
+double turning_time_step(const BondSort& sort, double inertia) {
+  const double second_moment = 0.25 * std::numbers::pi * std::pow(sort.bond_radius, 4);
+  const double stiffest = std::max(sort.axial.stiffness[0], 2 * sort.shear_stiffness) * second_moment;
+  return stiffest > 0 ? std::sqrt(inertia / stiffest) * lowered_by(sort.damping_ratio) : kInfinity;
+}
+
 }  // namespace
 
 double damped_share(double restitution) { return lowered_by(damping_ratio(restitution)); }
@@ -55,9 +63,12 @@ double bond_time_step(const Bonds& bonds, const Particles& particles) {
   double least = kInfinity;
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     if (!bonds.intact[b]) continue;
-    const double inverse_mass = std::max(particles.inverse_mass[bonds.i[b]], particles.inverse_mass[bonds.j[b]]);
-    if (inverse_mass > 0)
-      least = std::min(least, bond_time_step(bonds.sorts[static_cast<std::size_t>(bonds.sort[b])], 1 / inverse_mass));
+    const BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
+    for (const ParticleIndex end : {bonds.i[b], bonds.j[b]}) {
+      if (particles.inverse_mass[end] == 0) continue;
+      least = std::min({least, bond_time_step(sort, 1 / particles.inverse_mass[end]),
+                        turning_time_step(sort, particles.inertia[end])});
+    }
   }
   return least;
 }

@@ -27,7 +27,8 @@ double hertz_contact_time(double effective_mass, double effective_radius, double
 /// K_n uses the stiffest branch. Bond damping lowers the limit by sqrt(1 + d^2) - d.
 double bond_time_step(const BondSort& sort, double mass);
 
-/// The smallest limit of all intact bonds, s (mass of the lighter end that is free); infinity if there are none.
+/// The smallest limit of all intact bonds, s, each end that is free taken by itself, also in bending and torsion (which
+/// bind where a bond is thicker than its beads); infinity if there are none.
 double bond_time_step(const Bonds& bonds, const Particles& particles);
 
 }  // namespace lahar::dem

@@ -8,6 +8,7 @@
 #include "cases/scene/cross_checks.h"
 #include "cases/scene/geometry.h"
 #include "cases/scene/net_spec.h"
+#include "dem/time_step.h"
 
 namespace lahar::scene {
 namespace {
@@ -147,6 +148,25 @@ void check_dissipators(const BarrierBonds& bonds, Findings& findings) {
     findings.mistake(path, path + " does not rise, expected the second above the first");
 }
 
+/// A stiffness that no run could follow: most likely meant in another unit.
+void check_bond_steps(const Scene& scene, Findings& findings) {
+  if (!findings.sound({"barrier", "materials", "solids"})) return;
+  constexpr double least = 1e-8;  // s; the paper's is 5e-7
+  const barrier::RingNetSpec spec = make_net_spec(scene);
+  const double mass = scene.barrier.net.density * std::numbers::pi / 6 * std::pow(scene.barrier.net.wire_diameter, 3);
+  const auto refuse = [&](const dem::BondSort& sort, const std::string& key) {
+    const double step = dem::bond_time_step(sort, mass);
+    if (step < least)
+      findings.mistake("barrier.bonds." + key,
+                       fmt::format("barrier.bonds.{} needs a time step of {:.2g} s with beads of {:.2g} kg, expected a "
+                                   "stiffness per unit area (N/m^3) that allows {:g} s",
+                                   key, step, mass, least));
+  };
+  refuse(spec.ring, "ring_stiffness_N_m3");
+  refuse(spec.cable, "cable_stiffness_N_m3");
+  if (!scene.barrier.bonds.dissipator_stiffness.empty()) refuse(spec.dissipator, "dissipator_stiffness_N_m3");
+}
+
 void check_section(const Scene& scene, Findings& findings) {
   const Measure& m = scene.measure;
   const std::optional<double> section = section_of(scene);
@@ -174,6 +194,7 @@ void check_grains(const Scene& scene, Findings& findings) {
 void check_barrier(const Scene& scene, Findings& findings) {
   if (!scene.barrier.enabled) return;
   check_dissipators(scene.barrier.bonds, findings);
+  check_bond_steps(scene, findings);
   if (!findings.sound({"barrier.net"}) || !check_directions(scene.barrier.net, findings)) return;
   check_frame(scene.barrier.net, findings);
   if (findings.sound({"domain", "barrier.net.width_m", "barrier.net.height_m"})) check_net_place(scene, findings);

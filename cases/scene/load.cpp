@@ -3,6 +3,7 @@
 #include "cases/scene/cross_checks.h"
 #include "cases/scene/load_shapes.h"
 #include "cases/scene/reader.h"
+#include "cases/scene/rigid_barrier.h"
 
 namespace lahar::scene {
 namespace {
@@ -27,6 +28,7 @@ Scene load(const std::filesystem::path& file, const std::vector<std::string>& ov
   Reader reader(root, "", findings);
   describe(reader, scene);
   reader.refuse_unknown();
+  build_rigid_barrier(scene, findings);
   load_shapes(scene, findings);
   check_together(scene, findings);
   if (const auto mistakes = findings.mistakes(); !mistakes.empty()) throw InputError(mistakes);

@@ -29,7 +29,7 @@ barrier::CableSupport support(const Scene& scene, std::vector<double> fixed_at) 
   const bool braked = !scene.barrier.bonds.dissipator_stiffness.empty();
   return {.fixed_at = std::move(fixed_at),
           .fixed_all = false,
-          .dissipators_at = braked ? std::vector<double>{0, 1} : std::vector<double>{}};
+          .dissipators_at = braked ? scene.barrier.bonds.dissipator_places : std::vector<double>{}};
 }
 
 }  // namespace
@@ -53,12 +53,13 @@ barrier::RingNetSpec make_net_spec(const Scene& scene) {
   spec.ring = wire(scene, scene.barrier.bonds.ring_stiffness);
   spec.cable = wire(scene, scene.barrier.bonds.cable_stiffness);
   if (!scene.barrier.bonds.dissipator_stiffness.empty()) spec.dissipator = dissipator(scene);
-  spec.upper.support = support(scene, {0, 1});
+  spec.upper.support = support(scene, anchors.cable_places);
   spec.lower.support = anchors.bottom_cable_fixed
                            ? barrier::CableSupport{.fixed_at = {}, .fixed_all = true, .dissipators_at = {}}
-                           : support(scene, {0, 1});
-  const std::vector<double> lateral =
-      anchors.lateral_cable_middles_fixed ? std::vector<double>{0, 0.5, 1} : std::vector<double>{0, 1};
+                           : support(scene, anchors.cable_places);
+  std::vector<double> lateral = anchors.cable_places;
+  if (anchors.lateral_cable_middles_fixed) lateral.push_back(0.5);
+  std::ranges::sort(lateral);
   spec.left.support = spec.right.support = support(scene, lateral);
   return spec;
 }

@@ -213,6 +213,7 @@ struct BarrierBonds {
   double ring_stiffness = 0, cable_stiffness = 0;  ///< N/m^3
   std::vector<double> dissipator_stiffness;        ///< N/m^3, empty = no dissipators
   std::vector<double> dissipator_force_limit;      ///< N
+  std::vector<double> dissipator_places{0, 1};     ///< fractions of a cable's length
   bool plastic_unloading = false;
   bool operator==(const BarrierBonds&) const = default;
 };
@@ -220,6 +221,7 @@ struct BarrierBonds {
 struct Anchors {
   bool bottom_cable_fixed = false;
   bool lateral_cable_middles_fixed = false;
+  std::vector<double> cable_places{0, 1};  ///< fractions of a cable's length
   bool operator==(const Anchors&) const = default;
 };
 
@@ -229,6 +231,18 @@ struct Barrier {
   BarrierBonds bonds;
   Anchors anchors;
   bool operator==(const Barrier&) const = default;
+};
+
+/// Only in the file: a loaded scene has walls instead, see rigid_barrier.h.
+struct RigidBarrier {
+  bool enabled = false;
+  Vec3 origin = Vec3::Zero();                   ///< m, the lower corner, upstream
+  double width = 0, height = 0, thickness = 0;  ///< m, along y, z, x
+  std::int64_t slits = 0;
+  double slit_width = 0;  ///< m
+  std::string material;
+  WallSlip slip = WallSlip::no_slip;
+  bool operator==(const RigidBarrier&) const = default;
 };
 
 struct Coupling {
@@ -274,6 +288,7 @@ struct Scene {
   Solids solids;
   Grains grains;
   Barrier barrier;
+  RigidBarrier rigid_barrier;
   Coupling coupling;
   Measure measure;
   std::vector<Probe> probes;

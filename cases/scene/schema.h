@@ -272,10 +272,13 @@ void describe(V& v, BarrierBonds& s) {
           "Normal and shear stiffness of ring bonds, per unit area.");
   v.value("cable_stiffness_N_m3", s.cable_stiffness, required(positive()), "The same of cable bonds.");
   v.value("dissipator_stiffness_N_m3", s.dissipator_stiffness, {.range = positive(), .max_count = 3},
-          "Stiffness of the two or three stages of the energy dissipators next to the fixed cable ends; empty = no "
-          "dissipators.");
+          "Stiffness of the two or three stages of the energy dissipators in the cables; empty = no dissipators.");
   v.value("dissipator_force_limit_N", s.dissipator_force_limit, {.range = positive(), .max_count = 2},
           "Force at which each stage but the last ends, rising.");
+  v.value(
+      "dissipator_places", s.dissipator_places, {.range = between(0, 1)},
+      "Where along each cable the dissipators are, as fractions of its length: the nearest bonds. A bottom cable that "
+      "is fixed has none.");
   v.value("plastic_unloading", s.plastic_unloading, {},
           "Dissipators unload with the stiffness of the first stage instead of back along the curve.");
 }
@@ -284,7 +287,9 @@ template <class V>
 void describe(V& v, Anchors& s) {
   v.value("bottom_cable_fixed", s.bottom_cable_fixed, {}, "The whole bottom cable is fixed to the bed.");
   v.value("lateral_cable_middles_fixed", s.lateral_cable_middles_fixed, {},
-          "The middles of the two lateral cables are fixed. The ends of all cables always are.");
+          "The middles of the two lateral cables are fixed too.");
+  v.value("cable_places", s.cable_places, {.range = between(0, 1)},
+          "Where each cable is fixed, as fractions of its length: the nearest beads.");
 }
 
 template <class V>
@@ -294,6 +299,21 @@ void describe(V& v, Barrier& s) {
     v.table("net", s.net, Presence::needed, "The ring net.");
     v.table("bonds", s.bonds, Presence::needed, "Stiffness of wire, cables and dissipators.");
     v.table("anchors", s.anchors, Presence::optional, "What is fixed.");
+  });
+}
+
+template <class V>
+void describe(V& v, RigidBarrier& s) {
+  v.value("enabled", s.enabled, required(), "Whether there is a rigid barrier.");
+  v.when_on(s.enabled, [&] {
+    v.value("origin_m", s.origin, required(), "Lower corner of its upstream face, at the lower y.");
+    v.value("width_m", s.width, required(positive()), "Extent along y, slits included.");
+    v.value("height_m", s.height, required(positive()), "Extent along z.");
+    v.value("thickness_m", s.thickness, required(positive()), "Extent along x.");
+    v.value("slits", s.slits, {between(0, 1000)}, "Number of slits from top to bottom, evenly spaced; 0 = a wall.");
+    v.value("slit_width_m", s.slit_width, {non_negative()}, "Width of a slit.");
+    v.value("material", s.material, {}, "Name of a material; needed where the scene has grains or a barrier.");
+    v.value("slip", s.slip, {}, "How water slides along it.");
   });
 }
 
@@ -352,6 +372,10 @@ void describe(V& v, Scene& s) {
   v.table("solids", s.solids, Presence::optional, "Time step and softening of grains and barrier.");
   v.table("grains", s.grains, Presence::optional, "Boulders and grains.");
   v.table("barrier", s.barrier, Presence::optional, "The flexible ring net. Off when left out.");
+  v.table(
+      "rigid_barrier", s.rigid_barrier, Presence::optional,
+      "A wall or slit barrier across x, for comparison. It becomes walls named rigid_barrier_0, rigid_barrier_1, ..., "
+      "whose force a probe can take. Off when left out.");
   v.table("coupling", s.coupling, Presence::optional, "Fluid and particles together. Off when left out.");
   v.table("measure", s.measure, Presence::optional, "Where arrival, inflow and outflow are measured.");
   v.array("probe", s.probes, "Points and walls of which a time series is taken.");

@@ -1,80 +1,12 @@
 #include "cases/scene/writer.h"
 
-#include <cctype>
-#include <optional>
-#include <string_view>
-
-#include "cases/scene/schema.h"
-#include "cases/scene/value.h"
+#include "cases/scene/toml_writer.h"
 
 namespace lahar::scene {
-namespace {
-
-std::string key_text(const std::string& key) {
-  for (const char c : key)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '_' && c != '-') return string_text(key);
-  return key.empty() ? "\"\"" : key;
-}
-
-/// The visitor that writes. Values of a table come before the tables inside it, as TOML demands.
-class Writer {
- public:
-  explicit Writer(std::string path) : path_(std::move(path)) {}
-
-  template <class T>
-  void value(std::string_view key, const T& field, const Rule&, std::string_view) {
-    values_ += std::string(key) + " = " + toml_text(field) + "\n";
-  }
-  template <class T>
-  void value(std::string_view key, const std::optional<T>& field, const Rule& rule, std::string_view doc) {
-    if (field) value(key, *field, rule, doc);
-  }
-  template <class T>
-  void table(std::string_view key, T& part, Presence, std::string_view) {
-    inner_ += write(path_of(key), "[" + path_of(key) + "]\n", part);
-  }
-  template <class T>
-  void array(std::string_view key, std::vector<T>& parts, std::string_view) {
-    for (T& part : parts) inner_ += write(path_of(key), "[[" + path_of(key) + "]]\n", part);
-  }
-  template <class T>
-  void named(std::string_view key, std::vector<T>& parts, std::string_view) {
-    for (T& part : parts) {
-      const std::string path = path_of(key) + "." + key_text(part.name);
-      inner_ += write(path, "[" + path + "]\n", part);
-    }
-  }
-  template <class Body>
-  void for_shape(bool holds, std::string_view, const Body& body) {
-    if (holds) body();
-  }
-  template <class Body>
-  void when_on(bool enabled, const Body& body) {
-    if (enabled) body();
-  }
-  [[nodiscard]] std::string text(const std::string& header) const {
-    return (values_.empty() ? "" : "\n" + header + values_) + inner_;
-  }
-
- private:
-  template <class T>
-  static std::string write(const std::string& path, const std::string& header, T& part) {
-    Writer inner(path);
-    describe(inner, part);
-    return inner.text(header);
-  }
-  [[nodiscard]] std::string path_of(std::string_view key) const {
-    return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
-  }
-
-  std::string path_, values_, inner_;
-};
-
-}  // namespace
 
 std::string to_toml(const Scene& scene) {
   Scene copy = scene;  // the description is one for readers and writers, and so takes what could be written to
-  Writer writer("");
+  TomlWriter writer("");
   describe(writer, copy);
   return std::string(resolved_mark) + " Every default is filled in; running it again reproduces the run.\n" +
          writer.text("");

@@ -35,6 +35,14 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"barrier.net.ring_diameter_m=0.062", "barrier.net.beads_per_ring=32"}, "barrier.net: ", "interlock"},
         Rejection{{"barrier.net.beads_per_ring=20"}, "barrier.net: beads of a ring", "pass through each other"},
         Rejection{{"barrier.net.beads_per_ring=60"}, "barrier.net: beads of a ring", "overlap"},
+        Rejection{{"barrier.net.ring_pitch_m=0.03"}, "barrier.net: ", "interlock"},
+        Rejection{{"barrier.net.ring_diameter_m=0"}, "barrier.net.ring_diameter_m", "above 0"},
+        Rejection{{"barrier.anchors.cable_places=[0, 1.2]"}, "barrier.anchors.cable_places", "from 0 to 1"},
+        Rejection{{"barrier.bonds.dissipator_places=[-0.1]"}, "barrier.bonds.dissipator_places", "from 0 to 1"},
+        Rejection{{"barrier.bonds.cable_stiffness_N_m3=1e18"}, "barrier.bonds.cable_stiffness_N_m3", "allows 1e-08 s"},
+        Rejection{{"barrier.bonds.dissipator_stiffness_N_m3=[1e19, 1]"},
+                  "barrier.bonds.dissipator_stiffness_N_m3",
+                  "needs a time step"},
         Rejection{
             {"barrier.bonds.dissipator_stiffness_N_m3=[8e11]"}, "barrier.bonds.dissipator_stiffness_N_m3", "1 entry"},
         Rejection{

@@ -48,6 +48,16 @@ TEST(NetSpec, WithoutDissipatorsCablesAreWireThroughout) {
   EXPECT_FALSE(spec.lower.support.fixed_all);
 }
 
+TEST(NetSpec, CablesAreFixedAndBrakedWhereTheSceneSays) {
+  const barrier::RingNetSpec spec =
+      make_net_spec(load(case_file("hanging_net/scene.toml"),
+                         {"barrier.bonds.dissipator_places=[0.1, 0.9]", "barrier.anchors.cable_places=[0, 0.3, 1]",
+                          "barrier.anchors.lateral_cable_middles_fixed=true"}));
+  EXPECT_EQ(spec.upper.support.dissipators_at, (std::vector<double>{0.1, 0.9}));
+  EXPECT_EQ(spec.lower.support.fixed_at, (std::vector<double>{0, 0.3, 1}));
+  EXPECT_EQ(spec.left.support.fixed_at, (std::vector<double>{0, 0.3, 0.5, 1}));
+}
+
 TEST(NetSpec, ALyingNet) {
   const barrier::RingNetSpec spec =
       make_net_spec(load(case_file("hanging_net/scene.toml"),

@@ -64,5 +64,22 @@ TEST(TimeStep, the_lightest_free_end_of_an_intact_bond_counts) {
   EXPECT_EQ(bond_time_step(bonds, p), std::numeric_limits<double>::infinity());
 }
 
+TEST(TimeStep, bonds_thicker_than_their_beads_are_bound_by_bending) {
+  Particles p;
+  p.add(testing::sphere({0, 0, 0}, 0.01, 2650));
+  p.add(testing::sphere({0.02, 0, 0}, 0.01, 2650));
+  Bonds bonds;
+  BondSort sort;
+  sort.axial.stiffness = {1e9, 1e9, 1e9};
+  sort.bond_radius = 0.02;
+  bonds.add_sort(sort);
+  bonds.add({0, 1, 0}, p);
+  const double second_moment = 0.25 * std::numbers::pi * std::pow(0.02, 4);
+  EXPECT_NEAR(bond_time_step(bonds, p), std::sqrt(p.inertia[0] / (1e9 * second_moment)), 1e-15);
+  EXPECT_LT(bond_time_step(bonds, p), bond_time_step(sort, p.mass[0]));
+  bonds.sorts[0].shear_stiffness = 2e9;  // then torsion does: twice the second moment
+  EXPECT_NEAR(bond_time_step(bonds, p), std::sqrt(p.inertia[0] / (4e9 * second_moment)), 1e-15);
+}
+
 }  // namespace
 }  // namespace lahar::dem

@@ -1,9 +1,13 @@
 #include "cases/validate/solids/entries.h"
 
+#include "cases/validate/solids/calibration_entries.h"
+
 namespace lahar::validate {
 
 std::vector<Entry> solids_entries() {
-  return {};
+  std::vector<Entry> entries;
+  for (Entry& e : calibration_entries()) entries.push_back(std::move(e));
+  return entries;
 }
 
 }  // namespace lahar::validate

@@ -1,0 +1,69 @@
+#include "barrier/threading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/check.h"
+
+namespace lahar::barrier {
+
+namespace {
+
+/// Share of the way from p to q at which that segment goes through the triangle abc (Moeller & Trumbore 1997, J.
+/// Graphics Tools 2:21), or nothing.
+std::optional<double> pierced_at(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 way = q - p, ab = b - a, ac = c - a, h = way.cross(ac), from = p - a;
+  const double volume = ab.dot(h);
+  if (volume == 0) return std::nullopt;
+  const Vec3 k = from.cross(ab);
+  const double u = from.dot(h) / volume, v = way.dot(k) / volume, t = ac.dot(k) / volume;
+  if (u < 0 || v < 0 || u + v > 1 || t < 0 || t >= 1) return std::nullopt;
+  return t;
+}
+
+}  // namespace
+
+std::vector<Threading> threadings(const Net& net) {
+  std::vector<Threading> all;
+  for (std::size_t c = 0; c < net.cables.size(); ++c)
+    for (std::size_t r = 0; r < net.rings.size(); ++r) {
+      const int column = static_cast<int>(r) % net.columns, row = static_cast<int>(r) / net.columns;
+      const Side side = net.cable_sides[c];
+      if ((side == Side::lower && row == 0) || (side == Side::upper && row + 1 == net.rows) ||
+          (side == Side::left && column == 0) || (side == Side::right && column + 1 == net.columns))
+        all.push_back({r, c});
+    }
+  return all;
+}
+
+std::optional<double> place_on_cable(const Polyline& ring, const Polyline& cable) {
+  const BoundingSphere sphere = bounding_sphere(ring);
+  std::vector<double> places;
+  for (std::size_t s = 0; s < cable.segments(); ++s) {
+    const Vec3 &p = cable.start(s), &q = cable.end(s);
+    if ((0.5 * (p + q) - sphere.centre).norm() > sphere.radius + 0.5 * (q - p).norm()) continue;
+    for (std::size_t k = 0; k < ring.segments(); ++k)
+      if (const auto t = pierced_at(p, q, sphere.centre, ring.start(k), ring.end(k)))
+        places.push_back(static_cast<double>(s) + *t);
+  }
+  if (places.empty()) return std::nullopt;
+  std::ranges::sort(places);
+  return places[places.size() / 2];
+}
+
+void tie_to_cables(const Net& net, const dem::Particles& particles, int sort, dem::Bonds& bonds) {
+  for (const auto& [r, c] : threadings(net)) {
+    const Wire &ring = net.rings[r], &cable = net.cables[c];
+    double nearest = std::numeric_limits<double>::infinity();
+    dem::BondSpec tie{0, 0, sort};
+    for (dem::ParticleIndex i = ring.first_bead; i < ring.first_bead + ring.beads; ++i)
+      for (dem::ParticleIndex j = cable.first_bead; j < cable.first_bead + cable.beads; ++j) {
+        const double distance = (particles.position[i] - particles.position[j]).norm();
+        if (distance < nearest) nearest = distance, tie.i = i, tie.j = j;
+      }
+    bonds.add(tie, particles);
+  }
+}
+
+}  // namespace lahar::barrier

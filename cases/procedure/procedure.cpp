@@ -1,0 +1,57 @@
+#include "cases/procedure/procedure.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "cases/observers/output_file.h"
+#include "cases/runner/interrupt.h"
+#include "cases/runner/machine.h"
+#include "cases/runner/output_folder.h"
+#include "core/parallel.h"
+
+namespace lahar::cases {
+
+int run_in_folder(const Workplace& place, bool overwrite, const std::string& resolved,
+                  const std::function<bool(Summary&)>& body) {
+  using Clock = std::chrono::steady_clock;
+  const auto start = Clock::now();
+  prepare_output(place.out, overwrite);
+  replace_text_file(place.out / "scene.resolved.toml", resolved);
+  watch_for_interrupt();
+  const ThreadLimit limit(place.threads);
+  Summary summary;
+  const bool finished = body(summary);
+  summary.case_name = place.name;
+  summary.version = version();
+  summary.commit = commit();
+  summary.machine = machine_name();
+  summary.threads = place.threads;
+  summary.precision = "double";
+  summary.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  summary.performance.peak_rss_bytes = peak_rss_bytes();
+  write_summary(place.out, summary);
+  if (!place.quiet)
+    fmt::print("{}{}results are in {}\n", results_table(summary), finished ? "" : "interrupted; ", place.out.string());
+  return finished ? exit_done : exit_interrupted;
+}
+
+void add_procedure_options(CLI::App& app, ProcedureArguments& arguments) {
+  app.set_version_flag("--version", app.get_name() + " " + version() + " (" + commit() + ")");
+  app.add_option("parameters", arguments.file, "Parameter file (default: the paper's values)")
+      ->type_name("PARAMETERS.toml");
+  add_common_options(app, arguments.common);
+  app.get_option("--precision")->description("Taken like everywhere; solids are computed in double");
+}
+
+Workplace workplace_of(const ProcedureArguments& arguments, const std::string& name) {
+  const CommonOptions& o = arguments.common;
+  Workplace place{o.out, name, o.threads, o.quiet};
+  if (o.out.empty()) place.out = std::filesystem::path("results") / name;
+  if (o.threads <= 0) place.threads = static_cast<int>(std::thread::hardware_concurrency());
+  return place;
+}
+
+}  // namespace lahar::cases

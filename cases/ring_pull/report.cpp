@@ -1,0 +1,129 @@
+#include "cases/ring_pull/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cases/procedure/curves.h"
+#include "core/timers.h"
+
+namespace lahar::cases {
+
+namespace {
+
+ResultCheck within(const std::string& name, double value, double reference, double tolerance, const char* source) {
+  return {name, value, reference, tolerance, std::abs(value - reference) <= tolerance, source};
+}
+
+/// Stiffness at no displacement, from the secants at 5 and 10 mm per 0.3 m of ring: inertia spoils anything nearer.
+double measured_first_stiffness(const PullCurve& curve, const RingPull& ring) {
+  const double d = ring.perimeter / 188.5;
+  return 2 * curve.force_at(d) / d - curve.force_at(2 * d) / (2 * d);
+}
+
+double worst_imbalance(const PullCurve& curve) {
+  double worst = 0;
+  for (std::size_t k = curve.force.size() / 10; k < curve.force.size(); ++k)
+    worst = std::max(worst, std::abs(curve.force[k] - curve.anchor_force[k]) / curve.force[k]);
+  return worst;
+}
+
+std::vector<double> times(const PullCurve& curve, const RingPull& ring) {
+  std::vector<double> t;
+  for (const double d : curve.displacement) t.push_back(d / ring.speed);
+  return t;
+}
+
+void print_curve(const PullCurve& curve, const RingPull& ring) {
+  fmt::print("  displacement   force\n");
+  for (int k = 1; k <= 10; ++k) {
+    const double d = 0.1 * k * ring.stroke;
+    fmt::print("  {:7.1f} mm  {:9.3f} kN\n", 1e3 * d, 1e-3 * curve.force_at(d));
+  }
+}
+
+}  // namespace
+
+std::vector<ResultCheck> ring_pull_checks(const PullCurve& curve, const RingPull& ring) {
+  constexpr const char* theory = "ring theory with shear (Timoshenko 1955)";
+  const double first = first_stiffness(ring), last = last_stiffness(ring), end = curve.displacement.back();
+  std::vector<ResultCheck> checks{
+      within("first_stiffness_N_m", measured_first_stiffness(curve, ring), first, 0.02 * first, theory),
+      within("end_imbalance", worst_imbalance(curve), 0, 0.01,
+             "both ends carry the same force where it is quasi-static"),
+      within("ledger_gap", std::abs(curve.ledger_gap) / curve.work, 0, 1e-3, "energy balance"),
+  };
+  if (ring.stroke > 1.15 * straight_displacement(ring)) {
+    checks.push_back(within("last_stiffness_N_m", curve.slope(0.97 * end, end), last, 0.02 * last,
+                            "two straight strands: 4 EA / perimeter"));
+    checks.push_back(within("transition_tenfold_tangent_m", transition_of(curve, ring).tenfold_tangent,
+                            paper_transition, 0.01, "Li, Zhao & Kwan 2020, section 3.1: about 140 mm"));
+  }
+  return checks;
+}
+
+double largest_difference(const PullCurve& a, const PullCurve& b, double stroke) {
+  double worst = 0;
+  for (int k = 10; k < 100; ++k) {
+    const double d = 0.01 * k * stroke;
+    worst = std::max(worst, std::abs(a.force_at(d) - b.force_at(d)) / a.force_at(d));
+  }
+  return worst;
+}
+
+void draw_ring_pull(const std::filesystem::path& folder, const PullCurve& curve, const RingPull& ring) {
+  const ChartLine line = scaled_line("", curve.displacement, curve.force, 1e3, 1e-3);
+  const double straight = 1e3 * straight_displacement(ring), top = 1e-3 * curve.force.back();
+  const std::array<ChartLine, 3> whole{ChartLine{"ring", line.x, line.y},
+                                       ChartLine{"paper: end of the first stage", {140, 140}, {0, top}, true},
+                                       ChartLine{"straight without stretching", {straight, straight}, {0, top}, true}};
+  write_chart(folder / "ring_pull.png", whole,
+              {.title = "Ring pulled open", .x_label = "displacement / mm", .y_label = "force / kN"});
+  std::array<ChartLine, 2> first{ChartLine{"ring", {}, {}}, ChartLine{"theory of small displacements", {}, {}, true}};
+  for (std::size_t k = 0; k < line.x.size() && line.x[k] < 0.95 * straight; ++k) {
+    first[0].x.push_back(line.x[k]), first[0].y.push_back(line.y[k]);
+    first[1].x.push_back(line.x[k]), first[1].y.push_back(1e-6 * first_stiffness(ring) * line.x[k]);
+  }
+  write_chart(folder / "ring_pull_first_stage.png", first,
+              {.title = "Ring pulled open: first stage", .x_label = "displacement / mm", .y_label = "force / kN"});
+}
+
+bool run_ring_pull(const RingPull& ring, const std::filesystem::path& folder, bool quiet, Summary& summary) {
+  Timers timers;
+  PullCurve curve;
+  {
+    const ScopedTimer timer(timers.section("pull"));
+    curve = pull_ring(ring);
+  }
+  draw_ring_pull(folder, curve, ring);
+  write_series(folder, times(curve, ring),
+               {{"displacement_m", "m", "of the pulled bead", curve.displacement},
+                {"force_N", "N", "at the pulled bead", curve.force},
+                {"anchor_force_N", "N", "at the held bead", curve.anchor_force},
+                {"axial_energy_J", "J", "in the bonds", curve.axial},
+                {"shear_energy_J", "J", "in the bonds", curve.shear},
+                {"bending_energy_J", "J", "in the bonds", curve.bending}});
+  const Transition t = transition_of(curve, ring);
+  const WireStiffness wire = wire_stiffness(ring);
+  summary.simulated_seconds = static_cast<double>(curve.steps) * curve.time_step;
+  summary.metrics = {{"largest_force_N", curve.force.back()},
+                     {"work_J", curve.work},
+                     {"transition_tenfold_tangent_m", t.tenfold_tangent},
+                     {"transition_half_axial_m", t.half_axial},
+                     {"transition_tangents_cross_m", t.tangents_cross},
+                     {"straight_displacement_m", straight_displacement(ring)},
+                     {"wire_axial_stiffness_N", wire.axial},
+                     {"wire_bending_stiffness_N_m2", wire.bending},
+                     {"wire_shear_stiffness_N", wire.shear},
+                     {"time_step_s", curve.time_step}};
+  summary.checks = ring_pull_checks(curve, ring);
+  summary.timers = timers.seconds();
+  const double work = static_cast<double>(curve.steps) * static_cast<double>(ring.beads);
+  summary.performance.dem_particle_steps_per_second = work / summary.timers.at("pull");
+  if (!quiet) print_curve(curve, ring);
+  return true;
+}
+
+}  // namespace lahar::cases

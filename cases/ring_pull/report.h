@@ -1,0 +1,26 @@
+#pragma once
+// What a ring pull is held against, and its files.
+#include <filesystem>
+#include <vector>
+
+#include "cases/ring_pull/ring_pull.h"
+#include "cases/runner/summary.h"
+
+namespace lahar::cases {
+
+/// Displacement of the end of the first stage in the paper's section 3.1, m.
+inline constexpr double paper_transition = 0.140;
+
+/// Held against ring theory, the ledger and the paper.
+[[nodiscard]] std::vector<ResultCheck> ring_pull_checks(const PullCurve& curve, const RingPull& ring);
+
+/// Largest relative difference of two curves' forces at every hundredth of the stroke from the tenth on.
+[[nodiscard]] double largest_difference(const PullCurve& a, const PullCurve& b, double stroke);
+
+/// ring_pull.png: force over displacement, whole and the first stage enlarged (ring_pull_first_stage.png).
+void draw_ring_pull(const std::filesystem::path& folder, const PullCurve& curve, const RingPull& ring);
+
+/// Runs ring_pull into a folder.
+bool run_ring_pull(const RingPull& ring, const std::filesystem::path& folder, bool quiet, Summary& summary);
+
+}  // namespace lahar::cases

@@ -1,0 +1,135 @@
+#include "cases/rockfall/report.h"
+
+#include <array>
+#include <cmath>
+
+#include "cases/procedure/curves.h"
+#include "cases/runner/interrupt.h"
+#include "cases/runner/progress.h"
+#include "core/check.h"
+#include "core/timers.h"
+
+namespace lahar::cases {
+
+namespace {
+
+constexpr const char* kPaper = "Li, Zhao & Kwan 2020, section 3.3, Fig. 7";
+
+ResultCheck at_most(const std::string& name, double value, double bar, const char* source) {
+  return {name, value, 0, bar, value <= bar, source};
+}
+
+ResultCheck at_least(const std::string& name, double value, double bar, const char* source) {
+  return {name, value, bar, 0, value >= bar, source};
+}
+
+std::vector<CurveColumn> columns_of(const RockfallSeries& s) {
+  return {
+      {"ball_displacement_m", "m", "of the ball since its bottom was in the net's plane, upwards", s.ball_displacement},
+      {"ball_energy_J", "J", "kinetic and potential energy of the ball about the net's plane", s.ball_energy},
+      {"ball_force_N", "N", "of the net on the ball, upwards", s.ball_force},
+      {"brake_elongation_m", "m", "mean over the dissipators", s.brake_elongation},
+      {"brake_energy_J", "J", "area under the curves of all dissipators", s.brake_energy},
+      {"bond_energy_J", "J", "elastic energy of all bonds", s.bond_energy},
+      {"friction_loss_J", "J", "dissipated by slip", s.friction_loss},
+      {"contact_loss_J", "J", "dissipated by contact damping", s.contact_loss},
+      {"bond_loss_J", "J", "dissipated in bonds", s.bond_loss},
+      {"ledger_gap_J", "J", "total energy less that at time zero", s.ledger_gap},
+      {"ring_travel_m", "m", "mean sliding of the edge rings along their cables", s.ring_travel}};
+}
+
+}  // namespace
+
+std::vector<ResultCheck> rockfall_sanity(const RockfallResult& result, const Rockfall& rockfall) {
+  const double no_slack = rockfall.tied ? 2 * rockfall.wire_diameter : 0.0;
+  std::vector<ResultCheck> checks{
+      at_most("rings_passed_through_each_other", result.lost_links.empty() ? 0 : 1, 0, "linking numbers"),
+      at_most("ledger_gap", result.largest_gap, 1e-3, "energy balance, share of the ball's kinetic energy"),
+      at_least("rebound_energy_J", result.rebound_energy, 1, kPaper),
+      at_least("active_dissipators", static_cast<double>(result.active_brakes), 1, kPaper),
+      at_most("lowest_and_least_energy_apart_s", std::abs(result.lowest_time - result.least_energy_time), 0.005,
+              kPaper)};
+  if (rockfall.tied)
+    checks.push_back(at_most("largest_ring_travel_m", result.largest_travel, no_slack, "rings are tied"));
+  else
+    checks.push_back(at_least("mean_ring_travel_m", result.mean_travel, rockfall.wire_diameter, kPaper));
+  return checks;
+}
+
+std::vector<ResultCheck> rockfall_paper_checks(const RockfallResult& result) {
+  const double late = std::abs(result.lowest_time - 0.25);
+  return {{"lowest_point_s", result.lowest_time, 0.25, 0.03, late <= 0.03, kPaper},
+          at_most("energy_lost_until_0_05_s", result.lost_until_50_ms, 0.01, kPaper)};
+}
+
+void draw_rockfall(const std::filesystem::path& folder, const RockfallResult& result) {
+  const RockfallSeries& s = result.series;
+  const auto mark = [](double t, double low, double high, const char* name) {
+    return ChartLine{name, {t, t}, {low, high}, true};
+  };
+  const std::array<ChartLine, 2> way{ChartLine{"ball", s.time, s.ball_displacement},
+                                     mark(0.25, -result.depth, 0, "paper: lowest point")};
+  write_chart(folder / "rockfall_displacement.png", way,
+              {.title = "Ball on a ring net", .x_label = "time / s", .y_label = "displacement / m"});
+  const std::array<ChartLine, 6> energy{scaled_line("ball", s.time, s.ball_energy, 1, 1e-3),
+                                        scaled_line("bonds", s.time, s.bond_energy, 1, 1e-3),
+                                        scaled_line("of which dissipators", s.time, s.brake_energy, 1, 1e-3, true),
+                                        scaled_line("lost to friction", s.time, s.friction_loss, 1, 1e-3),
+                                        scaled_line("lost in contacts", s.time, s.contact_loss, 1, 1e-3),
+                                        scaled_line("lost in bonds", s.time, s.bond_loss, 1, 1e-3)};
+  write_chart(folder / "rockfall_energy.png", energy,
+              {.title = "Ball on a ring net", .x_label = "time / s", .y_label = "energy / kJ"});
+}
+
+bool run_rockfall_to(const Rockfall& rockfall, const std::filesystem::path& folder, bool quiet, Summary& summary) {
+  Timers timers;
+  Progress progress(rockfall.settling_time + rockfall.duration, progress_style(quiet, stdout));
+  RockfallResult result;
+  {
+    const ScopedTimer timer(timers.section("particles"));
+    result = run_rockfall(rockfall, [&](double time) {
+      progress.update(time);
+      return !interrupted();
+    });
+  }
+  progress.finish();
+  draw_rockfall(folder, result);
+  write_series(folder, result.series.time, columns_of(result.series));
+  summary.simulated_seconds = rockfall.settling_time + result.series.time.back();
+  summary.metrics = {{"lowest_point_s", result.lowest_time},
+                     {"depth_m", result.depth},
+                     {"least_energy_s", result.least_energy_time},
+                     {"rebound_energy_J", result.rebound_energy},
+                     {"net_sag_before_m", result.settled_sag},
+                     {"net_speed_before_m_s", result.settled_speed},
+                     {"largest_cable_tension_N", result.largest_tension},
+                     {"mean_dissipator_elongation_m", result.brake_elongation},
+                     {"largest_dissipator_elongation_m", result.largest_brake_elongation},
+                     {"largest_dissipator_force_N", result.brake_force},
+                     {"dissipator_energy_J", result.brake_energy},
+                     {"mean_ring_travel_m", result.mean_travel},
+                     {"largest_ring_travel_m", result.largest_travel},
+                     {"energy_lost_until_50_ms", result.lost_until_50_ms},
+                     {"energy_lost_until_50_ms_of_centre", result.lost_until_50_ms_of_centre},
+                     {"largest_overlap_of_radius", result.worst_overlap},
+                     {"time_step_s", result.time_step}};
+  summary.timers = timers.seconds();
+  const double settling = rockfall.settling_time / result.time_step;
+  summary.performance.dem_particle_steps_per_second = (settling + static_cast<double>(result.steps)) *
+                                                      static_cast<double>(result.beads) /
+                                                      summary.timers.at("particles");
+  if (result.interrupted) return false;
+  summary.checks = rockfall_sanity(result, rockfall);
+  // The paper's figures belong to the paper's parameters.
+  Rockfall as_paper = rockfall;
+  const Rockfall paper;
+  as_paper.sample_interval = paper.sample_interval, as_paper.duration = paper.duration;
+  as_paper.time_step = paper.time_step;
+  if (as_paper == paper)
+    for (ResultCheck& c : rockfall_paper_checks(result)) summary.checks.push_back(std::move(c));
+  if (!result.lost_links.empty())
+    throw NumericalFailure("ring net", result.steps, "wires passed through each other: " + result.lost_links);
+  return true;
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,326 @@
+#include "cases/rockfall/rockfall.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "barrier/guide.h"
+#include "barrier/net.h"
+#include "barrier/threading.h"
+#include "barrier/topology.h"
+#include "core/check.h"
+#include "dem/axial_law.h"
+#include "dem/solids.h"
+#include "dem/time_step.h"
+
+namespace lahar::cases {
+
+namespace {
+
+constexpr double kGravity = 9.81;  // m/s^2
+constexpr int kWire = 0, kBall = 1;
+
+dem::Materials materials_of(const Rockfall& r) {
+  dem::Materials materials;
+  materials.add({"wire", r.youngs_modulus, r.poisson_ratio});
+  materials.add({"ball", r.ball_modulus, r.ball_poisson_ratio});
+  materials.set_pair(kWire, kWire, r.friction, r.restitution);
+  materials.set_pair(kWire, kBall, r.friction, r.restitution);
+  return materials;
+}
+
+/// A horizontal net around the origin; its dissipators are the last bonds of each cable.
+barrier::RingNetSpec net_spec(const Rockfall& r) {
+  barrier::RingNetSpec spec;
+  spec.across = Vec3::UnitX(), spec.up = Vec3::UnitY(), spec.normal = Vec3::UnitZ();
+  spec.width = spec.height = r.net_width;
+  spec.origin = Vec3(-0.5 * r.net_width, -0.5 * r.net_width, 0);
+  spec.ring_diameter = r.ring_diameter, spec.ring_pitch = r.ring_pitch;
+  spec.beads_per_ring = static_cast<int>(r.beads_per_ring);
+  spec.wire_diameter = r.wire_diameter, spec.density = r.density, spec.material = kWire;
+  spec.fit = barrier::NetFit::cables_on_frame;
+  spec.cable_extension = r.cable_extension;
+  spec.ring = barrier::wire_bond(r.ring_stiffness, 0);
+  spec.cable = barrier::wire_bond(r.cable_stiffness, 0);
+  spec.dissipator =
+      barrier::dissipator_bond(r.dissipator_stiffness[0], r.dissipator_stiffness[1], r.activation_force, 0);
+  spec.dissipator.axial.plastic_unloading = r.plastic_unloading;
+  for (dem::BondSort* sort : {&spec.ring, &spec.cable, &spec.dissipator}) sort->damping_ratio = r.bond_damping_ratio;
+  spec.lower = spec.upper = spec.left = spec.right = barrier::NetCable{};  // ends fixed, a dissipator next to either
+  return spec;
+}
+
+barrier::Guides guides_of(const Rockfall& r, const barrier::Net& net, const dem::Particles& particles) {
+  barrier::Guides guides({.stiffness = r.guide_stiffness});
+  for (std::size_t c = 0; c < net.cables.size(); ++c) {
+    const barrier::Wire& cable = net.cables[c];
+    const auto& [start, end] = net.corners[c];
+    const double spacing = (particles.position[cable.first_bead + 1] - particles.position[cable.first_bead]).norm();
+    for (const Vec3& corner : {start, end}) guides.add(cable, corner, (end - start).normalized(), spacing);
+  }
+  return guides;
+}
+
+double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Particles& particles) {
+  const double limit = dem::bond_time_step(bonds, particles);
+  if (r.time_step > limit)
+    throw InputError("run.time_step_s is " + std::to_string(1e6 * r.time_step) +
+                     "e-6, expected at most the limit of the " + "bonds, " + std::to_string(1e6 * limit) + "e-6");
+  if (0.7 * limit < 1e-8)
+    throw InputError("bonds as stiff as these need a time step of " + std::to_string(1e9 * limit) +
+                     "e-9 s, expected stiffnesses per unit area (N/m^3) that allow 1e-8 s");
+  return r.time_step > 0 ? r.time_step : 0.7 * limit;
+}
+
+/// Of single values and pairs of them.
+void check_values(const Rockfall& r) {
+  std::vector<InputMistake> wrong;
+  const auto unless = [&](bool fine, const char* message) {
+    if (!fine) wrong.push_back({"rockfall", 1, 1, message});
+  };
+  unless(r.dissipator_stiffness.size() == 2, "dissipators.stiffness_N_m3 does not have 2 entries, expected two stages");
+  unless(r.ball_diameter < r.net_width,
+         "ball.diameter_m is not below net.width_m, expected a ball that the net catches");
+  unless(r.ball_diameter > r.ring_diameter,
+         "ball.diameter_m is not above net.ring_diameter_m, expected a ball that no ring lets through");
+  if (!wrong.empty()) throw InputError(wrong);
+}
+
+}  // namespace
+
+double Rockfall::impact_speed() const { return std::sqrt(2 * kGravity * drop_height); }
+
+void check(const Rockfall& r) {
+  check_values(r);
+  dem::Particles particles;
+  dem::Bonds bonds;
+  (void)barrier::build_net(net_spec(r), particles, bonds);
+  (void)time_step_of(r, bonds, particles);
+}
+
+/// What settles.
+struct SettledNet::Parts {
+  barrier::Net net;
+  barrier::Topology topology;  // as built
+  dem::Particles particles;
+  dem::Bonds bonds;
+  barrier::Guides guides;
+  double time_step = 0;
+  bool interrupted = false;
+
+  [[nodiscard]] dem::Solids solids(const Rockfall& r) const {
+    dem::SolidsOptions options;
+    options.gravity = Vec3(0, 0, -kGravity);
+    options.time_step = time_step;
+    options.watchdog.speed_limit = 20 * r.impact_speed();
+    return {particles, bonds, materials_of(r), Walls{}, options};
+  }
+};
+
+SettledNet::SettledNet(SettledNet&&) noexcept = default;
+SettledNet::~SettledNet() = default;
+
+SettledNet::SettledNet(const Rockfall& r, const std::function<bool(double)>& progress)
+    : parts_(std::make_unique<Parts>()) {
+  check_values(r);
+  Parts& p = *parts_;
+  p.net = barrier::build_net(net_spec(r), p.particles, p.bonds);
+  p.topology = barrier::find_topology(p.net, p.particles, p.bonds);
+  p.guides = guides_of(r, p.net, p.particles);
+  p.time_step = time_step_of(r, p.bonds, p.particles);
+  dem::Solids solids = p.solids(r);
+  constexpr int kStretch = 25;  // steps between two brakings
+  const double braked = std::exp(-r.settling_drag * kStretch * p.time_step);
+  while (solids.time() < r.settling_time && !p.interrupted) {
+    for (int n = 0; n < kStretch; ++n) {
+      p.guides.apply(solids.particles());
+      solids.step();
+    }
+    p.interrupted = !progress(solids.time());
+    // It first falls freely: with drag from the start it would take longer to sag than the ball takes to fall.
+    if (solids.time() < 2.0 / 3.0 * r.settling_time) continue;
+    for (auto* field : {&solids.particles().velocity, &solids.particles().angular_velocity})
+      for (auto* v : {&field->x, &field->y, &field->z})
+        for (double& x : *v) x *= braked;
+  }
+  p.particles = solids.particles();
+  p.bonds = solids.bonds();
+}
+
+namespace {
+
+/// Watches a strike.
+class Strike {
+ public:
+  Strike(const Rockfall& r, const barrier::Net& net, const dem::Solids& solids, dem::ParticleIndex ball)
+      : r_(r), net_(net), solids_(solids), ball_(ball), threads_(barrier::threadings(net)) {
+    start_places_ = places();
+    energy_at_start_ = solids.ledger().total();
+    ball_energy_at_start_ = ball_energy();
+  }
+
+  void sample(double time, double travelled) {
+    RockfallSeries& s = result.series;
+    const dem::EnergyLedger ledger = solids_.ledger();
+    const dem::BondEnergy& bonds = solids_.bond_energy();
+    s.time.push_back(time);
+    s.ball_displacement.push_back(travelled);
+    s.ball_energy.push_back(ball_energy());
+    s.ball_force.push_back(solids_.particles().force.z[ball_] + r_.ball_mass * kGravity);
+    s.bond_energy.push_back(bonds.elastic());
+    s.friction_loss.push_back(ledger.friction);
+    s.contact_loss.push_back(ledger.contact_damping);
+    s.bond_loss.push_back(bonds.dissipated());
+    s.ledger_gap.push_back(ledger.total() - energy_at_start_);
+    sample_brakes();
+    sample_cables();
+    result.worst_overlap = std::max(result.worst_overlap, solids_.worst_overlap().ratio);
+  }
+
+  RockfallResult result;
+
+ private:
+  [[nodiscard]] double ball_energy() const {
+    return dem::motion_energy(solids_.particles(), ball_, Vec3(0, 0, -kGravity));
+  }
+  [[nodiscard]] std::vector<double> places() const {
+    std::vector<double> all;
+    for (const auto& [ring, cable] : threads_) {
+      const auto place = barrier::place_on_cable(barrier::centre_line(net_.rings[ring], solids_.particles()),
+                                                 barrier::centre_line(net_.cables[cable], solids_.particles()));
+      all.push_back(place.value_or(std::nan("")));
+    }
+    return all;
+  }
+  void sample_brakes();
+  void sample_cables();
+
+  const Rockfall& r_;
+  const barrier::Net& net_;
+  const dem::Solids& solids_;
+  dem::ParticleIndex ball_;
+  std::vector<barrier::Threading> threads_;
+  std::vector<double> start_places_;
+  double energy_at_start_ = 0, ball_energy_at_start_ = 0;
+};
+
+void Strike::sample_brakes() {
+  const dem::Bonds& bonds = solids_.bonds();
+  double sum = 0, energy = 0;
+  std::int64_t active = 0;
+  for (const std::size_t b : net_.dissipators) {
+    const double elongation = bonds.elongation[b];
+    const dem::BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
+    const dem::AxialCurve curve = dem::axial_curve(sort.axial, std::numbers::pi * sort.bond_radius * sort.bond_radius);
+    sum += elongation;
+    energy += dem::curve_energy(curve, elongation);
+    active += elongation > curve.e1;
+    if (elongation > result.largest_brake_elongation)
+      result.largest_brake_elongation = elongation, result.brake_force = bonds.axial_force[b];
+  }
+  const double mean = sum / static_cast<double>(net_.dissipators.size());
+  result.series.brake_elongation.push_back(mean);
+  result.series.brake_energy.push_back(energy);
+  if (mean > result.brake_elongation) result.brake_elongation = mean, result.brake_energy = energy;
+  result.active_brakes = std::max(result.active_brakes, active);
+}
+
+void Strike::sample_cables() {
+  for (const barrier::Wire& cable : net_.cables)
+    for (std::size_t b = cable.first_bond; b < cable.first_bond + cable.bonds; ++b)
+      result.largest_tension = std::max(result.largest_tension, solids_.bonds().axial_force[b]);
+  const std::vector<double> now = places();
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    const double travel = std::abs(now[k] - start_places_[k]) * r_.wire_diameter;
+    if (!std::isfinite(travel)) continue;
+    sum += travel, count += 1;
+    result.largest_travel = std::max(result.largest_travel, travel);
+  }
+  result.series.ring_travel.push_back(sum / std::max(count, 1.0));
+  result.mean_travel = std::max(result.mean_travel, result.series.ring_travel.back());
+}
+
+/// Linear interpolation of a series.
+double at(const std::vector<double>& time, const std::vector<double>& values, double t) {
+  const auto above = std::lower_bound(time.begin(), time.end(), t);
+  if (above == time.begin()) return values.front();
+  if (above == time.end()) return values.back();
+  const auto k = static_cast<std::size_t>(above - time.begin());
+  return values[k - 1] + (t - time[k - 1]) / (time[k] - time[k - 1]) * (values[k] - values[k - 1]);
+}
+
+/// What only the whole series tells.
+void conclude(const Rockfall& r, RockfallResult& result) {
+  const RockfallSeries& s = result.series;
+  const auto lowest = std::ranges::min_element(s.ball_displacement);
+  const auto least = std::ranges::min_element(s.ball_energy);
+  result.lowest_time = s.time[static_cast<std::size_t>(lowest - s.ball_displacement.begin())];
+  result.depth = -*lowest;
+  result.least_energy_time = s.time[static_cast<std::size_t>(least - s.ball_energy.begin())];
+  result.rebound_energy = s.ball_energy.back() - *least;
+  const double kinetic = 0.5 * r.ball_mass * r.impact_speed() * r.impact_speed();
+  const double later = 0.5 * r.ball_diameter / r.impact_speed();
+  result.lost_until_50_ms = (s.ball_energy.front() - at(s.time, s.ball_energy, 0.05)) / kinetic;
+  result.lost_until_50_ms_of_centre = (s.ball_energy.front() - at(s.time, s.ball_energy, 0.05 + later)) / kinetic;
+  for (const double gap : s.ledger_gap) result.largest_gap = std::max(result.largest_gap, std::abs(gap) / kinetic);
+}
+
+}  // namespace
+
+RockfallResult SettledNet::strike(const Rockfall& r, const std::function<bool(double)>& progress) const {
+  const Parts& p = *parts_;
+  dem::Solids solids = p.solids(r);
+  barrier::Guides guides = p.guides;
+  if (r.tied) {
+    dem::BondSort tie = barrier::wire_bond(r.ring_stiffness, 0.5 * r.wire_diameter);
+    tie.damping_ratio = r.bond_damping_ratio;
+    barrier::tie_to_cables(p.net, solids.particles(), solids.bonds().add_sort(tie), solids.bonds());
+  }
+  const double radius = 0.5 * r.ball_diameter;
+  const double density = r.ball_mass / (4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
+  double lowest = 0, squares = 0;
+  for (std::size_t i = 0; i < p.particles.size(); ++i) {
+    lowest = std::min(lowest, p.particles.position.z[i]);
+    squares += p.particles.velocity[i].squaredNorm();
+  }
+  const dem::ParticleIndex ball = solids.particles().add({.position = Vec3(0, 0, radius),
+                                                          .velocity = Vec3(0, 0, -r.impact_speed()),
+                                                          .radius = radius,
+                                                          .density = density,
+                                                          .material = kBall});
+  guides.apply(solids.particles());
+  solids.advance(0);
+  // Springs of the guides are no part of the solids' ledger: their work is external.
+  Strike strike(r, p.net, solids, ball);
+  strike.result.settled_sag = -lowest;
+  strike.result.settled_speed = std::sqrt(squares / static_cast<double>(p.particles.size()));
+  strike.result.interrupted = p.interrupted;
+  strike.sample(0, 0);
+  for (std::int64_t k = 1; solids.time() < r.duration && !strike.result.interrupted; ++k) {
+    while (solids.time() < static_cast<double>(k) * r.sample_interval) {
+      guides.apply(solids.particles());
+      solids.step();
+    }
+    strike.sample(solids.time(), solids.particles().position.z[ball] - radius);
+    strike.result.interrupted = !progress(solids.time());
+  }
+  RockfallResult& result = strike.result;
+  result.beads = static_cast<std::int64_t>(p.particles.size());
+  result.rings = static_cast<std::int64_t>(p.net.rings.size());
+  result.steps = solids.step_count();
+  result.time_step = p.time_step;
+  result.lost_links =
+      barrier::first_difference(p.topology, barrier::find_topology(p.net, solids.particles(), solids.bonds()));
+  conclude(r, result);
+  return std::move(strike.result);
+}
+
+RockfallResult run_rockfall(const Rockfall& rockfall, const std::function<bool(double)>& progress) {
+  return SettledNet(rockfall, progress).strike(rockfall, [&](double t) {
+    return progress(rockfall.settling_time + t);
+  });
+}
+
+}  // namespace lahar::cases
