@@ -336,7 +336,7 @@ void ContactForces::add_reactions(const Work& work) {
 }
 
 void ContactForces::sum_tallies() {
-  energy_.elastic_normal = energy_.elastic_tangential = 0;
+  energy_.elastic_normal = energy_.elastic_tangential = energy_.damping_of_step = energy_.wall_work_of_step = 0;
   worst_ = {};
   for (const auto& t : tallies_) {
     energy_.elastic_normal += t.energy.elastic_normal;
@@ -344,6 +344,8 @@ void ContactForces::sum_tallies() {
     energy_.damping += t.energy.damping;
     energy_.friction += t.energy.friction;
     energy_.wall_work += t.energy.wall_work;
+    energy_.damping_of_step += t.energy.damping;
+    energy_.wall_work_of_step += t.energy.wall_work;
     if (t.worst.ratio > worst_.ratio) worst_ = t.worst;
   }
 }

@@ -24,6 +24,7 @@ struct ContactEnergy {
   double damping = 0;    ///< dissipated by dampers
   double friction = 0;   ///< dissipated by slip
   double wall_work = 0;  ///< done on particles by walls that move
+  double damping_of_step = 0, wall_work_of_step = 0;  ///< shares of the last evaluation in `damping` and `wall_work`
 };
 
 /// The deepest contact of the last evaluation.

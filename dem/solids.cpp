@@ -131,12 +131,12 @@ EnergyLedger Solids::ledger() const {
   const ContactEnergy& c = contact_forces_.energy();
   ledger.elastic_normal = c.elastic_normal;
   ledger.elastic_tangential = c.elastic_tangential;
-  ledger.contact_damping = c.damping;
+  // What acts in a kick is booked for all of it, and half of the last one is still to come.
+  ledger.contact_damping = c.damping - 0.5 * c.damping_of_step;
   ledger.friction = c.friction;
-  ledger.bond_elastic = bond_forces_.energy().elastic();
-  ledger.bond_dissipated = bond_forces_.energy().dissipated();
+  ledger.bonds = bond_forces_.energy();
   ledger.removed = removed_energy_;
-  ledger.external_work = external_work_ + c.wall_work;
+  ledger.external_work = external_work_ + c.wall_work - 0.5 * c.wall_work_of_step;
   return ledger;
 }
 

@@ -3,7 +3,9 @@
 namespace lahar::validate {
 
 std::vector<Entry> solids_entries() {
-  return {};
+  std::vector<Entry> entries = chung_ooi();
+  for (const auto& make : {restitution}) entries.push_back(make());
+  return entries;
 }
 
 }  // namespace lahar::validate

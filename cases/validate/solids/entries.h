@@ -4,6 +4,9 @@
 
 namespace lahar::validate {
 
+std::vector<Entry> chung_ooi();
+Entry restitution();
+
 std::vector<Entry> solids_entries();
 
 }  // namespace lahar::validate
