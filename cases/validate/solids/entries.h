@@ -5,6 +5,12 @@
 namespace lahar::validate {
 
 std::vector<Entry> chung_ooi();
+Entry cantilever();
+Entry catenary();
+Entry hard_h15();
+Entry hard_h16();
+Entry hard_h9();
+Entry incline_35();
 Entry restitution();
 
 std::vector<Entry> solids_entries();
