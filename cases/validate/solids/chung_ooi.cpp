@@ -24,24 +24,27 @@ struct Hertz {
   double overlap_um, force_n, duration_us;
 };
 
-std::vector<Row> hertz_rows(const Hertz& h) {
-  const Impact i = run_impact({.radius = h.radius,
-                               .density = h.density,
-                               .youngs_modulus = h.youngs_modulus,
-                               .poisson_ratio = h.poisson_ratio,
-                               .speed = h.speed,
-                               .pair = h.pair});
+std::vector<Row> hertz_rows(const Hertz& h, ImpactLedger& ledger) {
+  const ImpactSpec spec{.radius = h.radius,
+                        .density = h.density,
+                        .youngs_modulus = h.youngs_modulus,
+                        .poisson_ratio = h.poisson_ratio,
+                        .speed = h.speed,
+                        .pair = h.pair};
+  const Impact i = run_impact(spec);
   const std::string name = h.material;
+  ledger.add(spec, i);
   return {relative_row(name + ": largest overlap, um", 1e6 * i.max_overlap, h.overlap_um, 0.01),
           relative_row(name + ": largest force, N", i.max_force, h.force_n, 0.01),
           relative_row(name + ": duration, us", 1e6 * i.duration, h.duration_us, 0.01),
-          relative_row(name + ": restitution", i.restitution, 1, 0.01),
-          at_most_row(name + ": ledger, share of the exchanged energy", i.ledger_error, kLedgerBar)};
+          relative_row(name + ": restitution", i.restitution, 1, 0.01)};
 }
 
 std::vector<Row> both(const Hertz& a, const Hertz& b) {
-  std::vector<Row> rows = hertz_rows(a);
-  for (Row& r : hertz_rows(b)) rows.push_back(std::move(r));
+  ImpactLedger ledger;
+  std::vector<Row> rows = hertz_rows(a, ledger);
+  for (Row& r : hertz_rows(b, ledger)) rows.push_back(std::move(r));
+  ledger.rows(rows);
   return rows;
 }
 
@@ -64,18 +67,17 @@ ImpactSpec cast_iron() {
 
 std::vector<Row> run_3(const Context&) {
   std::vector<Row> rows;
+  ImpactLedger ledger;
   for (const auto& [name, sphere] : {std::pair{"aluminium oxide", aluminium_oxide()}, {"cast iron", cast_iron()}}) {
-    double worst_ledger = 0;
     for (const double e : {0.2, 0.4, 0.6, 0.8, 1.0}) {
       ImpactSpec s = sphere;
       s.restitution = e;
       const Impact i = run_impact(s);
       rows.push_back(relative_row(fmt::format("{}: restitution", name), i.restitution, e, 0.01));
-      worst_ledger = std::max(worst_ledger, i.ledger_error);
+      ledger.add(s, i);
     }
-    rows.push_back(
-        at_most_row(fmt::format("{}: ledger, share of the exchanged energy", name), worst_ledger, kLedgerBar));
   }
+  ledger.rows(rows);
   return rows;
 }
 
@@ -136,19 +138,19 @@ void theory_rows(std::vector<Row>& rows) {
 std::vector<Row> run_4(const Context&) {
   std::vector<Row> rows;
   theory_rows(rows);
-  double worst_ledger = 0;
+  ImpactLedger ledger;
   for (const Point& p : kTangentialRestitution) {
     const Impact i = run_impact(oblique(p.degrees));
     rows.push_back(relative_row(fmt::format("{:.1f} degrees: tangential restitution", p.degrees), i.tangential_ratio,
                                 p.value, 0.03));
-    worst_ledger = std::max(worst_ledger, i.ledger_error);
+    ledger.add(oblique(p.degrees), i);
   }
   for (const Point& p : kSpin) {
     const double spin = run_impact(oblique(p.degrees)).spin;
     rows.push_back(absolute_row(fmt::format("{:.1f} degrees: spin / {} rad/s", p.degrees, kLargestSpin),
                                 spin / kLargestSpin, p.value / kLargestSpin, 0.03));
   }
-  rows.push_back(at_most_row("ledger, share of the exchanged energy", worst_ledger, kLedgerBar));
+  ledger.rows(rows);
   return rows;
 }
 

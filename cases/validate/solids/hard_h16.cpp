@@ -59,7 +59,7 @@ void ask_fall(std::vector<Row>& rows, const Scene& scene, double time) {
 }
 
 void ask_tumble(std::vector<Row>& rows, Scene scene, double time) {
-  const Vec3 spin(5, -3, 8);  // rad/s
+  const Vec3 spin(50, -30, 80);  // rad/s
   for (std::size_t i = 0; i < scene.particles.size(); ++i)
     scene.particles.velocity.set(i, spin.cross(scene.particles.position[i] - scene.particles.position[0]) + Vec3(1, 2, 3));
   dem::Solids solids = solids_of(scene, 0.4, one_material(10e9, 0.3, 0.1, 0.5), Vec3::Zero());
@@ -107,12 +107,12 @@ void ask_hanging(std::vector<Row>& rows, barrier::RingNetSpec spec, double time)
 
 std::vector<Row> run(const Context& context) {
   std::vector<Row> rows;
-  barrier::RingNetSpec spec = net_spec(context.quick ? 2 : 4, context.quick ? 2 : 3);
+  barrier::RingNetSpec spec = net_spec(context.quick ? 2 : 3, context.quick ? 2 : 3);
   spec.free_net = true;
   const Scene loose = build(spec);
   ask_fall(rows, loose, context.quick ? 0.05 : 1.0);
   ask_tumble(rows, loose, context.quick ? 0.02 : 0.2);
-  if (!context.quick) ask_hanging(rows, net_spec(3, 2), 5.0);
+  if (!context.quick) ask_hanging(rows, net_spec(2, 2), 5.0);
   return rows;
 }
 

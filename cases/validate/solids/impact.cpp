@@ -1,5 +1,6 @@
 #include "cases/validate/solids/impact.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -54,6 +55,18 @@ double default_time_step(const ImpactSpec& s) {
          dem::rayleigh_time_step(s.radius, s.density, {"sphere", s.youngs_modulus, s.poisson_ratio});
 }
 
+void ImpactLedger::add(const ImpactSpec& spec, const Impact& impact) {
+  ImpactSpec fine = spec;
+  fine.step_share = spec.step_share / 3;
+  after_ = std::max(after_, impact.ledger_error);
+  within_ = std::max(within_, run_impact(fine).ledger_worst);
+}
+
+void ImpactLedger::rows(std::vector<Row>& rows) const {
+  rows.push_back(at_most_row("ledger after impacts, share of the exchanged energy", after_, kLedgerBar));
+  rows.push_back(at_most_row("ledger at any time, a third of the step", within_, kLedgerBar));
+}
+
 Impact run_impact(const ImpactSpec& s) {
   const double dt = s.step_share * default_time_step(s), closing = s.speed * std::cos(s.angle);
   const double gap = 0.3 * closing * dt;  // the touch falls between two steps, as it does in a scene
@@ -75,7 +88,8 @@ Impact run_impact(const ImpactSpec& s) {
     result.tangential_ratio = p.velocity.x[0] / (s.speed * std::sin(s.angle));
     result.spin = -p.angular_velocity.y[0];
     result.rebound_angle = std::atan2(p.velocity.x[0] - s.radius * p.angular_velocity.y[0], p.velocity.z[0]);
-    result.ledger_error = watch.error() / watch.exchanged();
+    result.ledger_error = std::abs(watch.last_error()) / watch.exchanged();
+    result.ledger_worst = watch.error() / watch.exchanged();
     return result;
   }
   throw std::runtime_error("the spheres never parted");

@@ -15,7 +15,8 @@ LedgerWatch::LedgerWatch(dem::Solids& solids) : solids_(&solids) {
 
 void LedgerWatch::look() {
   const dem::EnergyLedger ledger = solids_->ledger();
-  const double departure = std::abs(ledger.total() - first_);
+  last_error_ = ledger.total() - first_;
+  const double departure = std::abs(last_error_);
   if (!(departure <= error_)) error_ = departure;  // a total that is not a number stays visible
   const auto terms = ledger.terms();
   for (std::size_t k = 0; k < kTerms; ++k) {

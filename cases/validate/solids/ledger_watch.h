@@ -20,6 +20,8 @@ class LedgerWatch {
 
   /// Largest departure of the ledger's total from its first value so far, J.
   [[nodiscard]] double error() const { return error_; }
+  /// The departure when it was last looked at, J.
+  [[nodiscard]] double last_error() const { return last_error_; }
   /// The energy that was exchanged, J: the widest range that a single term of the ledger has gone through. (Less than
   /// the sum of what all terms gave and took, so that a share of it is the stricter measure.)
   [[nodiscard]] double exchanged() const;
@@ -29,7 +31,7 @@ class LedgerWatch {
  private:
   static constexpr std::size_t kTerms = 16;
   const dem::Solids* solids_;
-  double first_ = 0, error_ = 0;
+  double first_ = 0, error_ = 0, last_error_ = 0;
   std::array<double, kTerms> lowest_{}, highest_{};
 };
 
