@@ -63,8 +63,8 @@ void ImpactLedger::add(const ImpactSpec& spec, const Impact& impact) {
 }
 
 void ImpactLedger::rows(std::vector<Row>& rows) const {
-  rows.push_back(at_most_row("ledger after impacts, share of the exchanged energy", after_, kLedgerBar));
-  rows.push_back(at_most_row("ledger at any time, a third of the step", within_, kLedgerBar));
+  rows.push_back(at_most_row("ledger at any time, a third of the default step", within_, kLedgerBar));
+  rows.push_back(at_most_row("ledger after impacts, default step", after_, 5 * kLedgerBar));
 }
 
 Impact run_impact(const ImpactSpec& s) {

@@ -35,9 +35,9 @@ struct Impact {
 /// Runs until they have parted. Throws std::runtime_error if they do not.
 Impact run_impact(const ImpactSpec& spec);
 
-/// Rows for the ledger of some impacts. Within an impact velocity Verlet swings about the true energy by (omega dt)^2 / 8
-/// and comes back: what a time step of a scene's default length leaves is asked after the impact, closure at any time with
-/// a third of that step.
+/// Rows for the ledger of some impacts, as shares of the exchanged energy. Velocity Verlet swings about the true energy
+/// within an impact, by the square of the time step, and a damped impact keeps what it lost where it began between two
+/// steps. The ladder's bar is asked with a third of a scene's default step; at the default step five times as much.
 class ImpactLedger {
  public:
   void add(const ImpactSpec& spec, const Impact& impact);
