@@ -62,7 +62,7 @@ void ask_tumble(std::vector<Row>& rows, Scene scene, double time) {
   const Vec3 spin(50, -30, 80);  // rad/s
   for (std::size_t i = 0; i < scene.particles.size(); ++i)
     scene.particles.velocity.set(i, spin.cross(scene.particles.position[i] - scene.particles.position[0]) + Vec3(1, 2, 3));
-  dem::Solids solids = solids_of(scene, 0.4, one_material(10e9, 0.3, 0.1, 0.5), Vec3::Zero());
+  dem::Solids solids = solids_of(scene, 0.25, one_material(10e9, 0.3, 0.1, 0.5), Vec3::Zero());
   LedgerWatch watch(solids);
   const Vec3 momentum = dem::momentum(solids.particles()), angular = dem::angular_momentum(solids.particles());
   advance_watched(solids, watch, static_cast<int>(time / solids.options().time_step), 20);
@@ -80,7 +80,7 @@ void ask_hanging(std::vector<Row>& rows, barrier::RingNetSpec spec, double time)
   spec.lower.present = spec.left.present = spec.right.present = false;
   for (dem::BondSort* sort : {&spec.ring, &spec.cable, &spec.dissipator}) sort->damping_ratio = 0.02;
   const Scene scene = build(spec);
-  dem::Solids solids = solids_of(scene, 0.6, one_material(10e9, 0.3, 0.1, 0.1), Vec3(0, 0, -kGravity));
+  dem::Solids solids = solids_of(scene, 0.35, one_material(10e9, 0.3, 0.1, 0.1), Vec3(0, 0, -kGravity));
   LedgerWatch watch(solids);
   const auto mechanical = [&] { return solids.ledger().stored(); };
   const auto height = [&] {
