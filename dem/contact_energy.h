@@ -1,6 +1,6 @@
 #pragma once
-// Elastic energy of single contacts, for events that make or end a contact all at once: a bond that breaks between beads
-// that press on each other, a particle that is taken out.
+// Elastic energy of single contacts, for events that make or end a contact all at once: a bond that breaks between
+// beads that press on each other, a particle that is taken out.
 #include "core/geometry.h"
 #include "dem/contact_detection.h"
 #include "dem/contact_forces.h"

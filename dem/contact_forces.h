@@ -21,9 +21,9 @@ using ContactLawChoice = std::variant<HertzMindlin, LinearSpringDashpot>;
 /// Energies of all contacts, J. Stored parts are those of the last evaluation, the others sums since the start.
 struct ContactEnergy {
   double elastic_normal = 0, elastic_tangential = 0;
-  double damping = 0;    ///< dissipated by dampers
-  double friction = 0;   ///< dissipated by slip
-  double wall_work = 0;  ///< done on particles by walls that move
+  double damping = 0;                                 ///< dissipated by dampers
+  double friction = 0;                                ///< dissipated by slip
+  double wall_work = 0;                               ///< done on particles by walls that move
   double damping_of_step = 0, wall_work_of_step = 0;  ///< shares of the last evaluation in `damping` and `wall_work`
 };
 

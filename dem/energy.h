@@ -15,7 +15,7 @@ namespace lahar::dem {
 struct EnergyLedger {
   // stored now
   double kinetic = 0, rotational = 0;
-  double gravitational = 0;  ///< about the origin
+  double gravitational = 0;                           ///< about the origin
   double elastic_normal = 0, elastic_tangential = 0;  ///< of contacts
   BondEnergy bonds;                                   ///< stored: axial, shear, bending, torsion; lost: the rest
   // lost since the start

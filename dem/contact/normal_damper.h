@@ -6,7 +6,8 @@
 
 namespace lahar::dem {
 
-/// Sets the normal force of `f` to elastic + damping x closing speed (N, N s/m), at least 0, and books the damper's work.
+/// Sets the normal force of `f` to elastic + damping x closing speed (N, N s/m), at least 0, and books the damper's
+/// work.
 ///
 /// The closing speed at the end of the step depends on the force that is sought. The state's prediction stands on the
 /// forces of the step before; the change of this contact's own force since then is put in here, solved for the damper

@@ -7,8 +7,8 @@ namespace lahar::validate {
 struct BeamSpec {
   const char* name = "";
   int bonds = 20;
-  double bead_radius = 0;  ///< m; beads touch, the bond is as thick as the bead
-  double density = 7800;   ///< kg/m^3
+  double bead_radius = 0;                            ///< m; beads touch, the bond is as thick as the bead
+  double density = 7800;                             ///< kg/m^3
   double normal_stiffness = 0, shear_stiffness = 0;  ///< N/m^3
   double time_step = 0;                              ///< s
 };

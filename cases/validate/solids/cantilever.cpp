@@ -12,8 +12,8 @@ namespace lahar::validate {
 
 namespace {
 
-// bonded_beam.csv: the paper's bonds (Li, Zhao & Kwan 2020, Table 4 and section 3.1; stiffness per unit area, bond radius
-// = bead radius), computed with EI of the bond's section. Frequencies: 1.8751^2 / (2 pi L^2) sqrt(EI / (m / l)).
+// bonded_beam.csv: the paper's bonds (Li, Zhao & Kwan 2020, Table 4 and section 3.1; stiffness per unit area, bond
+// radius = bead radius), computed with EI of the bond's section. Frequencies: 1.8751^2 / (2 pi L^2) sqrt(EI / (m / l)).
 const BeamSpec kRing{"ring bond, Table 4", 20, 0.00305, 7800, 3e11, 3e11, 4e-6};
 const BeamSpec kCable{"cable bond, Table 4", 20, 0.00305, 7800, 8e11, 8e11, 2.4e-6};
 const BeamSpec kThick{"ring bond, section 3.1", 20, 0.00785, 7800, 1.3e12, 8e8, 1.6e-6};
@@ -26,7 +26,9 @@ Section section_of(const BeamSpec& s) {
   return {std::numbers::pi * r * r, 0.25 * std::numbers::pi * r * r * r * r};
 }
 double length_of(const BeamSpec& s) { return 2 * s.bead_radius * s.bonds; }
-double bending_stiffness(const BeamSpec& s) { return s.normal_stiffness * 2 * s.bead_radius * section_of(s).second_moment; }
+double bending_stiffness(const BeamSpec& s) {
+  return s.normal_stiffness * 2 * s.bead_radius * section_of(s).second_moment;
+}
 
 /// N/m: bending 3 E I / L^3 in series with the shear of all bonds, k_s A / n (Timoshenko's beam).
 double tip_stiffness(const BeamSpec& s) {

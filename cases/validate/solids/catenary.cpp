@@ -79,8 +79,8 @@ void ask(std::vector<Row>& rows, const Catenary& c, int bonds) {
   const std::string name = fmt::format("sag {:.2f} spans", c.sag_over_span);
   rows.push_back(relative_row(name + ": sag / span", -p.position.z[middle] / kSpan, c.sag_over_span, 0.01));
   rows.push_back(relative_row(name + ": H / w, m", horizontal / chain.weight, c.horizontal, 0.01));
-  rows.push_back(relative_row(name + ": tension at the end / w, m", std::hypot(horizontal, vertical) / chain.weight,
-                              c.end, 0.01));
+  rows.push_back(
+      relative_row(name + ": tension at the end / w, m", std::hypot(horizontal, vertical) / chain.weight, c.end, 0.01));
   rows.push_back(watch.row(name));
 }
 

@@ -1,4 +1,5 @@
-// The benchmark tests 1 to 4 of Chung & Ooi (2011, Granular Matter 13:643-656): impacts of spheres whose outcome is known.
+// The benchmark tests 1 to 4 of Chung & Ooi (2011, Granular Matter 13:643-656): impacts of spheres whose outcome is
+// known.
 #include <fmt/format.h>
 
 #include <array>

@@ -28,7 +28,8 @@ struct Channel {
 
 /// Fixed grains, touching, side by side: the bed of the experiments is covered with the grains themselves.
 void add_bed(const Channel& c, dem::Particles& p) {
-  const int columns = static_cast<int>(c.run / (2 * kRadius)), rows = static_cast<int>(std::lround(c.width / (2 * kRadius)));
+  const int columns = static_cast<int>(c.run / (2 * kRadius)),
+            rows = static_cast<int>(std::lround(c.width / (2 * kRadius)));
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < rows; ++j) {
       dem::ParticleSpec s;
@@ -45,7 +46,8 @@ dem::Solids column(const Channel& c, std::uint64_t seed) {
   packing.upper = Vec3(c.start, c.width, 2 * c.height);
   const double volume = 4.0 / 3 * std::numbers::pi * std::pow(kRadius, 3);
   const double free_width = c.width;
-  packing.classes = {{kRadius, static_cast<int>(kSolidFraction * c.start * free_width * c.height / volume), kDensity, 0}};
+  packing.classes = {
+      {kRadius, static_cast<int>(kSolidFraction * c.start * free_width * c.height / volume), kDensity, 0}};
   packing.seed = seed;
   dem::Particles p;
   for (const dem::ParticleSpec& s : dem::pack(packing)) p.add(s);
@@ -70,7 +72,8 @@ double front(const Channel& c, const dem::Particles& p) {
   std::vector<double> depth(static_cast<std::size_t>(c.run / slice) + 1, 0.0);
   for (std::size_t i = 0; i < p.size(); ++i)
     if (p.state[i] == dem::ParticleState::free) {
-      const auto k = static_cast<std::size_t>(std::clamp(p.position.x[i] / slice, 0.0, static_cast<double>(depth.size() - 1)));
+      const auto k =
+          static_cast<std::size_t>(std::clamp(p.position.x[i] / slice, 0.0, static_cast<double>(depth.size() - 1)));
       depth[k] += volume / kSolidFraction / (slice * c.width);
     }
   std::size_t k = 0;
@@ -94,7 +97,8 @@ Outcome collapse(const Channel& c, std::vector<Row>& rows, const std::string& na
   dem::Solids solids = column(c, 1);
   LedgerWatch watch(solids);
   const double aspect = c.height / c.start;
-  const double time = 3.5 * std::sqrt(c.height / kGravity) + 1.5 * std::sqrt(c.start / kGravity);  // s; all is over at 3.3 sqrt(H / g)
+  const double time =
+      3.5 * std::sqrt(c.height / kGravity) + 1.5 * std::sqrt(c.start / kGravity);  // s; all is over at 3.3 sqrt(H / g)
   advance_watched(solids, watch, static_cast<int>(time / solids.options().time_step), 50);
   const dem::Particles& p = solids.particles();
   double kinetic = solids.ledger().kinetic, lost = solids.ledger().dissipated();
@@ -128,8 +132,6 @@ std::vector<Row> run(const Context& context) {
 
 }  // namespace
 
-Entry column_collapse() {
-  return {"solids.column_collapse", "Lajeunesse, Monnier & Homsy 2005, glass beads", run};
-}
+Entry column_collapse() { return {"solids.column_collapse", "Lajeunesse, Monnier & Homsy 2005, glass beads", run}; }
 
 }  // namespace lahar::validate

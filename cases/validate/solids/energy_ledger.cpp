@@ -52,9 +52,11 @@ void ask_grains(std::vector<Row>& rows, int count, double time) {
   advance_watched(solids, watch, steps / 2, 20);
   const dem::EnergyLedger l = solids.ledger();
   rows.push_back(watch.row("grains on a belt"));
-  for (const auto& [name, value] : {std::pair{"friction", l.friction}, {"contact damping", l.contact_damping},
+  for (const auto& [name, value] : {std::pair{"friction", l.friction},
+                                    {"contact damping", l.contact_damping},
                                     {"work of the belt", l.external_work}})
-    rows.push_back(at_least_row(fmt::format("grains on a belt: {} / exchanged", name), value / watch.exchanged(), 0.02));
+    rows.push_back(
+        at_least_row(fmt::format("grains on a belt: {} / exchanged", name), value / watch.exchanged(), 0.02));
 }
 
 /// A boulder falls into a small net with plastic brakes, damped bonds and, if so asked, bonds that break.

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "barrier/dissipator.h"
 #include "barrier/ring.h"
 #include "cases/validate/solids/entries.h"
 #include "cases/validate/solids/ledger_watch.h"
 #include "cases/validate/solids/solid_scenes.h"
-#include "barrier/dissipator.h"
 #include "dem/time_step.h"
 
 namespace lahar::validate {
@@ -28,8 +28,8 @@ struct Scene {
 
   /// A flat ring in the plane z = 0, held by its four beads at 0, 90, 180 and 270 degrees, as its neighbours would.
   void add_ring(const Vec3& centre, std::int32_t body) {
-    const barrier::Wire ring = barrier::add_ring({kRing, kBeads, 0, 0}, {.centre = centre}, {kWire, 7800, 0}, 0, body,
-                                                 particles, bonds);
+    const barrier::Wire ring =
+        barrier::add_ring({kRing, kBeads, 0, 0}, {.centre = centre}, {kWire, 7800, 0}, 0, body, particles, bonds);
     for (dem::ParticleIndex k = 0; k < 4; ++k) {
       const dem::ParticleIndex i = ring.first_bead + k * (kBeads / 4);
       particles.state[i] = dem::ParticleState::fixed;
@@ -71,7 +71,8 @@ void ask(std::vector<Row>& rows, const std::string& name, Scene scene, double th
     lowest = std::min(lowest, solids.particles().position.z[boulder]);
     deepest = std::max(deepest, solids.worst_overlap().ratio);
   }
-  rows.push_back(at_most_row(fmt::format("{}: energy error in {} steps", name, steps), watch.error() / watch.exchanged(), 0.01));
+  rows.push_back(
+      at_most_row(fmt::format("{}: energy error in {} steps", name, steps), watch.error() / watch.exchanged(), 0.01));
   rows.push_back(watch.row(name));
   rows.push_back(at_most_row(name + ": time step, s", step, kLargestStep));
   rows.push_back(at_least_row(name + ": lowest place of the boulder, m (it does not pass)", lowest, -0.5 * kRing));

@@ -1,5 +1,5 @@
-// Hard case H16: a ring net in free fall stays as it is; a net that tumbles keeps its angular momentum; a net that hangs
-// loses energy until it is still.
+// Hard case H16: a ring net in free fall stays as it is; a net that tumbles keeps its angular momentum; a net that
+// hangs loses energy until it is still.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -36,7 +36,8 @@ Scene build(const barrier::RingNetSpec& spec) {
 }
 
 dem::Solids solids_of(const Scene& s, double share, const dem::Materials& materials, const Vec3& gravity) {
-  return {s.particles, s.bonds, materials, {}, solids_options(share * dem::bond_time_step(s.bonds, s.particles), gravity)};
+  return {
+      s.particles, s.bonds, materials, {}, solids_options(share * dem::bond_time_step(s.bonds, s.particles), gravity)};
 }
 
 /// Largest change of a bead's place against the first bead, m.
@@ -54,14 +55,16 @@ void ask_fall(std::vector<Row>& rows, const Scene& scene, double time) {
   advance_watched(solids, watch, steps, 1000);
   const double t = solids.time(), fallen = scene.particles.position.z[0] - solids.particles().position.z[0];
   rows.push_back(relative_row("free fall: way of the first bead, m", fallen, 0.5 * kGravity * t * t, 1e-9));
-  rows.push_back(at_most_row("free fall: deformation, m", deformation(scene.particles.position, solids.particles().position), 1e-9));
+  rows.push_back(at_most_row("free fall: deformation, m",
+                             deformation(scene.particles.position, solids.particles().position), 1e-9));
   rows.push_back(watch.row("free fall"));
 }
 
 void ask_tumble(std::vector<Row>& rows, Scene scene, double time) {
   const Vec3 spin(50, -30, 80);  // rad/s
   for (std::size_t i = 0; i < scene.particles.size(); ++i)
-    scene.particles.velocity.set(i, spin.cross(scene.particles.position[i] - scene.particles.position[0]) + Vec3(1, 2, 3));
+    scene.particles.velocity.set(i,
+                                 spin.cross(scene.particles.position[i] - scene.particles.position[0]) + Vec3(1, 2, 3));
   dem::Solids solids = solids_of(scene, 0.25, one_material(10e9, 0.3, 0.1, 0.5), Vec3::Zero());
   LedgerWatch watch(solids);
   const Vec3 momentum = dem::momentum(solids.particles()), angular = dem::angular_momentum(solids.particles());
@@ -71,7 +74,8 @@ void ask_tumble(std::vector<Row>& rows, Scene scene, double time) {
                              (dem::angular_momentum(solids.particles()) - angular).norm() / angular.norm(), 1e-10));
   rows.push_back(at_most_row("tumbling: change of momentum",
                              (dem::momentum(solids.particles()) - momentum).norm() / momentum.norm(), 1e-10));
-  rows.push_back(at_least_row("tumbling: energy that contacts took, J (they do act)", l.friction + l.contact_damping, 1e-6));
+  rows.push_back(
+      at_least_row("tumbling: energy that contacts took, J (they do act)", l.friction + l.contact_damping, 1e-6));
   rows.push_back(watch.row("tumbling"));
 }
 
@@ -100,8 +104,10 @@ void ask_hanging(std::vector<Row>& rows, barrier::RingNetSpec spec, double time)
   }
   const dem::EnergyLedger l = solids.ledger();
   rows.push_back(at_most_row("hanging: largest rise of the energy / what was lost", rise / (start - before), 1e-3));
-  rows.push_back(at_most_row("hanging: kinetic energy left / what was lost", (l.kinetic + l.rotational) / (start - before), 1e-2));
-  rows.push_back(at_most_row("hanging: drift of the mean height in the last fifth, m", std::abs(height() - height_before_last), 1e-3));
+  rows.push_back(
+      at_most_row("hanging: kinetic energy left / what was lost", (l.kinetic + l.rotational) / (start - before), 1e-2));
+  rows.push_back(at_most_row("hanging: drift of the mean height in the last fifth, m",
+                             std::abs(height() - height_before_last), 1e-3));
   rows.push_back(watch.row("hanging"));
 }
 
@@ -118,6 +124,8 @@ std::vector<Row> run(const Context& context) {
 
 }  // namespace
 
-Entry hard_h16() { return {"solids.hard_h16", "case H16 of the hard cases: a net in free fall, tumbling, hanging", run}; }
+Entry hard_h16() {
+  return {"solids.hard_h16", "case H16 of the hard cases: a net in free fall, tumbling, hanging", run};
+}
 
 }  // namespace lahar::validate

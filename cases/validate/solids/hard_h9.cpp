@@ -1,5 +1,5 @@
-// Hard case H9: bonds that snap. The energy that a bond held is booked when it breaks, momentum is kept, and what is left
-// of a ring with 0, 1 or 2 bonds flies on.
+// Hard case H9: bonds that snap. The energy that a bond held is booked when it breaks, momentum is kept, and what is
+// left of a ring with 0, 1 or 2 bonds flies on.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace lahar::validate {
 namespace {
 
 constexpr double kRadius = 0.00305, kDensity = 7800;  // m, kg/m^3: bead of the paper's net
-constexpr double kStrength = 3e7, kWeak = 1e6;        // Pa: of the pair, and of the ring, whose hoop stress reaches 2 MPa
+constexpr double kStrength = 3e7, kWeak = 1e6;  // Pa: of the pair, and of the ring, whose hoop stress reaches 2 MPa
 constexpr int kBeads = 36;
 
 dem::BondSort wire(double strength) {
@@ -52,8 +52,7 @@ dem::Solids spinning_ring(int left) {
     s.angular_velocity = Vec3(0, 0, spin);
     p.add(s);
   }
-  for (dem::ParticleIndex k = 0; k < kBeads; ++k)
-    b.add({k, (k + 1) % kBeads, static_cast<int>(k) < left ? 1 : 0}, p);
+  for (dem::ParticleIndex k = 0; k < kBeads; ++k) b.add({k, (k + 1) % kBeads, static_cast<int>(k) < left ? 1 : 0}, p);
   return {p, b, one_material(1e10, 0.3, 0.1, 0.5), {}, solids_options(2e-6, Vec3::Zero())};
 }
 
@@ -71,7 +70,8 @@ void ask_ring(std::vector<Row>& rows, int left) {
   const std::string name = fmt::format("ring left with {} bonds", left);
   rows.push_back(absolute_row(name + ": bonds", intact, left, 0));
   rows.push_back(at_most_row(name + ": fastest fragment, m/s", fastest, 100));
-  rows.push_back(at_most_row(name + ": change of momentum", (dem::momentum(p) - momentum).norm() / momentum.norm(), 1e-10));
+  rows.push_back(
+      at_most_row(name + ": change of momentum", (dem::momentum(p) - momentum).norm() / momentum.norm(), 1e-10));
   rows.push_back(at_most_row(name + ": change of angular momentum",
                              (dem::angular_momentum(p) - spin).norm() / spin.norm(), 1e-10));
   rows.push_back(watch.row(name));
@@ -100,9 +100,11 @@ void ask_pair(std::vector<Row>& rows) {
   const double after = solids.ledger().kinetic;
   advance_watched(solids, watch, 1000, 1);
   rows.push_back(relative_row("pair: energy booked at breakage, J", solids.bond_energy().breakage, held, 2e-3));
-  rows.push_back(relative_row("pair: the same against what the bond held a step before", solids.bond_energy().breakage, before, 2e-3));
+  rows.push_back(relative_row("pair: the same against what the bond held a step before", solids.bond_energy().breakage,
+                              before, 2e-3));
   rows.push_back(relative_row("pair: kinetic energy afterwards, J", after, mass * speed * speed - held, 2e-3));
-  rows.push_back(at_most_row("pair: momentum / that of one bead", dem::momentum(solids.particles()).norm() / (mass * speed), 1e-10));
+  rows.push_back(at_most_row("pair: momentum / that of one bead",
+                             dem::momentum(solids.particles()).norm() / (mass * speed), 1e-10));
   rows.push_back(watch.row("pair"));
 }
 

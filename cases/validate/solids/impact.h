@@ -11,25 +11,25 @@ struct ImpactSpec {
   double density = 0;         ///< kg/m^3
   double youngs_modulus = 0;  ///< Pa
   double poisson_ratio = 0;
-  double speed = 0;        ///< m/s, of each sphere
-  bool pair = false;       ///< two equal spheres against each other instead of one against a rigid plate
-  double angle = 0;        ///< rad, from the normal
+  double speed = 0;   ///< m/s, of each sphere
+  bool pair = false;  ///< two equal spheres against each other instead of one against a rigid plate
+  double angle = 0;   ///< rad, from the normal
   double friction = 0, restitution = 1;
-  double step_share = 1;   ///< of the default time step
+  double step_share = 1;  ///< of the default time step
   dem::ContactLawChoice law = dem::HertzMindlin{};
 };
 
 /// What came of it. Overlap and force are those at the ends of time steps.
 struct Impact {
-  double max_overlap = 0;           ///< m
-  double max_force = 0;             ///< N, normal
-  double duration = 0;              ///< s
-  double restitution = 0;           ///< normal
-  double tangential_ratio = 0;      ///< tangential speed of the centre, after over before
-  double spin = 0;                  ///< rad/s, after; negative for a sphere that begins to roll
-  double rebound_angle = 0;         ///< rad, of the velocity of the point of contact, from the normal
-  double ledger_error = 0;          ///< share of the exchanged energy, after the impact
-  double ledger_worst = 0;          ///< the same, at any time
+  double max_overlap = 0;       ///< m
+  double max_force = 0;         ///< N, normal
+  double duration = 0;          ///< s
+  double restitution = 0;       ///< normal
+  double tangential_ratio = 0;  ///< tangential speed of the centre, after over before
+  double spin = 0;              ///< rad/s, after; negative for a sphere that begins to roll
+  double rebound_angle = 0;     ///< rad, of the velocity of the point of contact, from the normal
+  double ledger_error = 0;      ///< share of the exchanged energy, after the impact
+  double ledger_worst = 0;      ///< the same, at any time
 };
 
 /// Runs until they have parted. Throws std::runtime_error if they do not.

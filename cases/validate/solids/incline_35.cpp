@@ -1,5 +1,5 @@
-// A sphere on a plane of 35 degrees: it rolls without slip while mu >= 2/7 tan(angle), with 5/7 g sin(angle), and slides
-// otherwise, with g (sin - mu cos) (rigid-body theory).
+// A sphere on a plane of 35 degrees: it rolls without slip while mu >= 2/7 tan(angle), with 5/7 g sin(angle), and
+// slides otherwise, with g (sin - mu cos) (rigid-body theory).
 #include <fmt/format.h>
 
 #include <cmath>
@@ -21,8 +21,7 @@ const Vec3 kNormal(std::sin(kAngle), 0, std::cos(kAngle)), kDown(std::cos(kAngle
 dem::Solids sphere_on_plane(double friction) {
   const dem::Materials m = one_material(70e9, 0.3, friction, 0.5);
   const double weight = sphere_mass(kRadius, kDensity) * kGravity * std::cos(kAngle);
-  const double overlap =
-      std::pow(weight / (4.0 / 3 * m.pair(0, 0).effective_modulus * std::sqrt(kRadius)), 2.0 / 3);
+  const double overlap = std::pow(weight / (4.0 / 3 * m.pair(0, 0).effective_modulus * std::sqrt(kRadius)), 2.0 / 3);
   dem::ParticleSpec sphere;
   sphere.position = (kRadius - overlap) * kNormal;
   sphere.radius = kRadius;
@@ -41,10 +40,10 @@ void ask(std::vector<Row>& rows, double friction, double time) {
   advance_watched(solids, watch, static_cast<int>(std::lround(time / solids.options().time_step)), 100);
   const bool rolls = friction >= 2.0 / 7 * std::tan(kAngle);
   const double reached = solids.time();
-  const double a =
-      kGravity * (rolls ? 5.0 / 7 * std::sin(kAngle) : std::sin(kAngle) - friction * std::cos(kAngle));
+  const double a = kGravity * (rolls ? 5.0 / 7 * std::sin(kAngle) : std::sin(kAngle) - friction * std::cos(kAngle));
   const std::string name = fmt::format("friction {:.2f}, {}", friction, rolls ? "rolls" : "slides");
-  rows.push_back(relative_row(name + ": acceleration, m/s2", solids.particles().velocity[0].dot(kDown) / reached, a, 1e-3));
+  rows.push_back(
+      relative_row(name + ": acceleration, m/s2", solids.particles().velocity[0].dot(kDown) / reached, a, 1e-3));
   if (friction > 0) {
     const double spin = (rolls ? a : 2.5 * friction * kGravity * std::cos(kAngle)) / kRadius;
     rows.push_back(relative_row(name + ": angular acceleration, rad/s2",

@@ -40,7 +40,8 @@ std::vector<Row> run(const Context& context) {
           if (std::abs(i.restitution - e) >= std::abs(worst - e) || worst == 0) worst = i.restitution;
           ledger.add(spec, i);
         }
-        rows.push_back(absolute_row(fmt::format("{}, {}: restitution", ball.name, pair ? "pair" : "plate"), worst, e, 0.01));
+        rows.push_back(
+            absolute_row(fmt::format("{}, {}: restitution", ball.name, pair ? "pair" : "plate"), worst, e, 0.01));
       }
   ledger.rows(rows);
   return rows;
