@@ -285,7 +285,8 @@ BondEnergy energy_of(const Bonds& bonds, const BondForces::Constants& c, std::si
   return e;
 }
 
-/// Cuts the bonds that asked for it: their energy is booked, their forces are gone.
+/// Cuts the bonds that asked for it: their energy is booked, their forces act for the half of the kick that ends this
+/// step, so that the ends have given what the bond held.
 double break_bonds(const BondForces::Constants& c, std::size_t first, std::size_t last, Bonds& bonds, Work& work) {
   double released = 0;
   for (std::size_t b = first; b < last; ++b) {
@@ -293,9 +294,10 @@ double break_bonds(const BondForces::Constants& c, std::size_t first, std::size_
     if (work.broke[t] == 0) continue;
     released += energy_of(bonds, c, b, b + 1).elastic();
     bonds.intact[b] = 0;
-    bonds.axial_force[b] = bonds.torsion_moment[b] = work.loss[t] = 0;
+    bonds.axial_force[b] = bonds.torsion_moment[b] = 0;
+    work.loss[t] *= 0.5;
     for (Vec3Field* f : {&bonds.shear_force, &bonds.moment}) f->set(b, Vec3::Zero());
-    for (Work::Rows* f : {&work.force, &work.moment, &work.lever}) f->set(t, {0, 0, 0});
+    for (Work::Rows* f : {&work.force, &work.moment, &work.lever}) f->set(t, 0.5 * (*f)[t]);
   }
   return released;
 }

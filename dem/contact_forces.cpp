@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -46,7 +47,7 @@ struct ContactForces::Batch {
   Lanes<double> overlap{}, radius_i{}, radius_j{}, inverse_mass{};
   Lanes<double> modulus{}, shear_modulus{}, friction{}, damping_ratio{};
   Vec displacement;
-  Lanes<double> stiffness{};
+  Lanes<double> stiffness{}, normal_force{};
   // computed
   Vec force, torque_i, torque_j;
   Lanes<double> elastic_normal{}, elastic_tangential{}, damping{}, friction_work{}, overlap_ratio{};
@@ -97,11 +98,12 @@ void ContactForces::Batch::evaluate(const L& law, double dt) {
     s.friction = friction[b];
     s.damping_ratio = damping_ratio[b];
 
-    ContactHistory history{displacement.get(b), stiffness[b]};
+    ContactHistory history{displacement.get(b), stiffness[b], normal_force[b]};
     const ContactForce f = law(s, history, dt);
 
     displacement.set(b, history.tangential_displacement);
     stiffness[b] = history.tangential_stiffness;
+    normal_force[b] = history.normal_force;
     force.set(b, f.tangential - f.normal * n);
     const Triple twist = cross(n, f.tangential);
     torque_i.set(b, arm_i * twist);
@@ -179,11 +181,20 @@ void ContactForces::compute_with(const L& law, const Work& work) {
 
 namespace {
 
-/// Notes that a contact begins or ends; what an ending spring still holds goes to friction.
-void change_touch(ContactSlots& slots, std::uint32_t k, bool touches, ContactEnergy& energy) {
+/// Tangential way of i's surface against j's in a step: n from i to j, slip of the centres, arm x spin of both summed.
+Triple surface_step(const Triple& n, const Triple& slip, const Triple& turning, double dt) {
+  return dt * (normal_part(slip, n) + cross(turning, n));
+}
+
+/// Notes that a contact begins or ends. What an ending spring still holds, and what its last force did in the step that
+/// parted it, goes to friction; `step` tells that way.
+template <class Step>
+void change_touch(ContactSlots& slots, std::uint32_t k, bool touches, ContactEnergy& energy, const Step& step) {
   ContactHistory& h = slots.history[k];
   if (!touches) {
-    energy.friction += 0.5 * h.tangential_stiffness * dot(h.tangential_displacement, h.tangential_displacement);
+    const double held = 0.5 * h.tangential_stiffness * dot(h.tangential_displacement, h.tangential_displacement);
+    const double last = 0.5 * h.tangential_stiffness * dot(h.tangential_displacement, step());
+    energy.friction += std::max(0.0, held + (std::isfinite(last) ? last : 0.0));  // not so where a particle was removed
     h = ContactHistory{};
   }
   slots.touching[k] = touches;
@@ -210,7 +221,12 @@ void ContactForces::chunk_pairs(const L& law, const Work& work, Batch& batch, st
       const Triple between = other.position - x;
       const double sum = r + other.radius;
       const bool touches = dot(between, between) < sum * sum;
-      if (static_cast<bool>(slots.touching[k]) != touches) change_touch(slots, k, touches, tally.energy);
+      if (static_cast<bool>(slots.touching[k]) != touches)
+        change_touch(slots, k, touches, tally.energy, [&] {
+          const ContactBody& self = bodies_[i];
+          return surface_step((1.0 / length(between)) * between, self.velocity - other.velocity,
+                              self.radius * self.spin + other.radius * other.spin, work.dt);
+        });
       batch.slot[batch.count] = k;  // kept only if it counts: no branch
       batch.i[batch.count] = static_cast<std::uint32_t>(i);
       batch.count += touches;
@@ -235,7 +251,13 @@ void ContactForces::chunk_walls(const L& law, const Work& work, Batch& batch, st
       const bool listed = work.particles.state[i] != ParticleState::removed;
       const double distance = listed ? work.walls.distance(slots.partner[k], work.particles.position[i]) : 0.0;
       const bool touches = listed && distance < bodies_[i].radius;
-      if (static_cast<bool>(slots.touching[k]) != touches) change_touch(slots, k, touches, tally.energy);
+      if (static_cast<bool>(slots.touching[k]) != touches)
+        change_touch(slots, k, touches, tally.energy, [&] {
+          const std::uint32_t w = slots.partner[k];
+          return surface_step(-1.0 * triple(work.walls.gradient(w, work.particles.position[i])),
+                              bodies_[i].velocity - triple(work.walls.all()[w].velocity),
+                              bodies_[i].radius * bodies_[i].spin, work.dt);
+        });
       if (!touches) continue;
       batch.slot[batch.count] = k;
       batch.i[batch.count] = static_cast<std::uint32_t>(i);
@@ -271,6 +293,7 @@ void ContactForces::gather_pair(Batch& batch, std::size_t lane, const ContactSlo
   if (i.body == j.body && i.body >= 0) batch.friction[lane] = 0;
   batch.displacement.set(lane, slots.history[k].tangential_displacement);
   batch.stiffness[lane] = slots.history[k].tangential_stiffness;
+  batch.normal_force[lane] = slots.history[k].normal_force;
 }
 
 void ContactForces::gather_wall(Batch& batch, std::size_t lane, const Work& work, double distance) const {
@@ -294,6 +317,7 @@ void ContactForces::gather_wall(Batch& batch, std::size_t lane, const Work& work
   set_material(batch, lane, i.material, wall.material);
   batch.displacement.set(lane, slots.history[k].tangential_displacement);
   batch.stiffness[lane] = slots.history[k].tangential_stiffness;
+  batch.normal_force[lane] = slots.history[k].normal_force;
 }
 
 void ContactForces::scatter(const Batch& batch, const Work& work, bool with_wall, Tally& tally) {
@@ -301,7 +325,7 @@ void ContactForces::scatter(const Batch& batch, const Work& work, bool with_wall
   Particles& p = work.particles;
   for (std::size_t b = 0; b < batch.count; ++b) {
     const std::uint32_t k = batch.slot[b], i = batch.i[b];
-    slots.history[k] = {batch.displacement.get(b), batch.stiffness[b]};
+    slots.history[k] = {batch.displacement.get(b), batch.stiffness[b], batch.normal_force[b]};
     const Triple f = batch.force.get(b), t = batch.torque_i.get(b);
     p.force.x[i] += f.x, p.force.y[i] += f.y, p.force.z[i] += f.z;
     p.torque.x[i] += t.x, p.torque.y[i] += t.y, p.torque.z[i] += t.z;
@@ -336,7 +360,7 @@ void ContactForces::add_reactions(const Work& work) {
 }
 
 void ContactForces::sum_tallies() {
-  energy_.elastic_normal = energy_.elastic_tangential = 0;
+  energy_.elastic_normal = energy_.elastic_tangential = energy_.damping_of_step = energy_.wall_work_of_step = 0;
   worst_ = {};
   for (const auto& t : tallies_) {
     energy_.elastic_normal += t.energy.elastic_normal;
@@ -344,6 +368,8 @@ void ContactForces::sum_tallies() {
     energy_.damping += t.energy.damping;
     energy_.friction += t.energy.friction;
     energy_.wall_work += t.energy.wall_work;
+    energy_.damping_of_step += t.energy.damping;
+    energy_.wall_work_of_step += t.energy.wall_work;
     if (t.worst.ratio > worst_.ratio) worst_ = t.worst;
   }
 }

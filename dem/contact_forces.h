@@ -21,9 +21,10 @@ using ContactLawChoice = std::variant<HertzMindlin, LinearSpringDashpot>;
 /// Energies of all contacts, J. Stored parts are those of the last evaluation, the others sums since the start.
 struct ContactEnergy {
   double elastic_normal = 0, elastic_tangential = 0;
-  double damping = 0;    ///< dissipated by dampers
-  double friction = 0;   ///< dissipated by slip
-  double wall_work = 0;  ///< done on particles by walls that move
+  double damping = 0;                                 ///< dissipated by dampers
+  double friction = 0;                                ///< dissipated by slip
+  double wall_work = 0;                               ///< done on particles by walls that move
+  double damping_of_step = 0, wall_work_of_step = 0;  ///< shares of the last evaluation in `damping` and `wall_work`
 
   void transfer(Archive& archive) {
     archive.value("elastic_normal", elastic_normal);
@@ -31,6 +32,8 @@ struct ContactEnergy {
     archive.value("damping", damping);
     archive.value("friction", friction);
     archive.value("wall_work", wall_work);
+    archive.value("damping_of_step", damping_of_step);
+    archive.value("wall_work_of_step", wall_work_of_step);
   }
 };
 

@@ -15,6 +15,25 @@ Vec3 motion_terms(const Particles& p, std::size_t i, const Vec3& gravity) {
 
 }  // namespace
 
+std::array<std::pair<std::string_view, double>, 16> EnergyLedger::terms() const {
+  return {{{"kinetic", kinetic},
+           {"rotational", rotational},
+           {"gravitational", gravitational},
+           {"contact, normal", elastic_normal},
+           {"contact, tangential", elastic_tangential},
+           {"bond, axial", bonds.axial},
+           {"bond, shear", bonds.shear},
+           {"bond, bending", bonds.bending},
+           {"bond, torsion", bonds.torsion},
+           {"contact damping", contact_damping},
+           {"friction", friction},
+           {"bond damping", bonds.damping},
+           {"plastic", bonds.plastic},
+           {"breakage", bonds.breakage},
+           {"removed", removed},
+           {"external work", -external_work}}};
+}
+
 EnergyLedger motion_energy(const Particles& particles, const Vec3& gravity) {
   const Vec3 sum = ordered_sum<Vec3>(
       particles.size(), [&](std::size_t i) { return motion_terms(particles, i, gravity); }, 1024, Vec3::Zero());

@@ -1,5 +1,9 @@
 #pragma once
 // The energy ledger of the particles: what is stored, what was lost, what came from outside.
+#include <array>
+#include <string_view>
+#include <utility>
+
 #include "core/vector.h"
 #include "dem/bond_forces.h"
 #include "dem/contact_forces.h"
@@ -11,21 +15,22 @@ namespace lahar::dem {
 struct EnergyLedger {
   // stored now
   double kinetic = 0, rotational = 0;
-  double gravitational = 0;  ///< about the origin
-  double elastic_normal = 0, elastic_tangential = 0;
-  double bond_elastic = 0;
+  double gravitational = 0;                           ///< about the origin
+  double elastic_normal = 0, elastic_tangential = 0;  ///< of contacts
+  BondEnergy bonds;                                   ///< stored: axial, shear, bending, torsion; lost: the rest
   // lost since the start
   double contact_damping = 0, friction = 0;
-  double bond_dissipated = 0;
   double removed = 0;  ///< carried away by removed particles
   // gained since the start
   double external_work = 0;  ///< of external forces (fluid) and moving walls
 
   [[nodiscard]] double stored() const {
-    return kinetic + rotational + gravitational + elastic_normal + elastic_tangential + bond_elastic;
+    return kinetic + rotational + gravitational + elastic_normal + elastic_tangential + bonds.elastic();
   }
-  [[nodiscard]] double dissipated() const { return contact_damping + friction + bond_dissipated; }
+  [[nodiscard]] double dissipated() const { return contact_damping + friction + bonds.dissipated(); }
   [[nodiscard]] double total() const { return stored() + dissipated() + removed - external_work; }
+  /// Every term once, by name; those that came in count negative, so that they add up to total().
+  [[nodiscard]] std::array<std::pair<std::string_view, double>, 16> terms() const;
 };
 
 /// Kinetic, rotational and gravitational energy of all particles, independent of the number of threads.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "dem/contact_energy.h"
 #include "dem/integrator.h"
 
 namespace lahar::dem {
@@ -55,10 +56,28 @@ void Solids::substep(bool first, bool last) {
 
 void Solids::detect() {
   const ScopedTimer timer(*section_detect_);
-  if (!contacts_.outdated(particles_)) return;
+  if (!note_broken_bonds() && !contacts_.outdated(particles_)) return;
   check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   contacts_.rebuild(particles_, walls_, bonded_);
+}
+
+/// Beads whose bond broke in the last step touch from now on: the lists must be built anew. Where they press on each
+/// other, the contact takes over a part of what the bond held, which is not lost. (The contact begins between the last
+/// step and this one, so its overlap half-way counts.)
+bool Solids::note_broken_bonds() {
+  if (bonds_.breakage_loss == known_breakage_) return false;
+  for (std::size_t b = 0; b < bonds_.size(); ++b) {
+    if (bonds_.intact[b] == known_intact_[b]) continue;
+    known_intact_[b] = bonds_.intact[b];
+    const ParticleIndex i = bonds_.i[b], j = bonds_.j[b];
+    const Vec3 arm = particles_.position[j] - particles_.position[i] -
+                     0.5 * options_.time_step * (particles_.velocity[j] - particles_.velocity[i]);
+    bonds_.breakage_loss -= normal_energy(i, j, particles_.radius[i] + particles_.radius[j] - arm.norm(), particles_,
+                                          materials_, options_.contact_law);
+  }
+  known_breakage_ = bonds_.breakage_loss;
+  return true;
 }
 
 /// Spheres, walls, gravity and external forces, then bonds. Velocities are those of mid-step.
@@ -86,6 +105,8 @@ void Solids::build_all() {
   applied_torque_ = particles_.external_torque;
   known_particles_ = particles_.size();
   known_bonds_ = bonds_.size();
+  known_intact_ = bonds_.intact;
+  known_breakage_ = bonds_.breakage_loss;
   prepared_ = true;
 }
 
@@ -117,7 +138,11 @@ void Solids::take_external_forces() {
 }
 
 void Solids::remove(ParticleIndex i) {
-  removed_energy_ += motion_energy(particles_, i, options_.gravity);
+  const double springs = normal_energy_of(i, particles_, materials_, walls_, contacts_, options_.contact_law);
+  ContactEnergy rest = contact_forces_.energy();
+  rest.elastic_normal -= springs;
+  contact_forces_.restore(rest);
+  removed_energy_ += motion_energy(particles_, i, options_.gravity) + springs;
   particles_.remove(i);
 }
 
@@ -131,12 +156,12 @@ EnergyLedger Solids::ledger() const {
   const ContactEnergy& c = contact_forces_.energy();
   ledger.elastic_normal = c.elastic_normal;
   ledger.elastic_tangential = c.elastic_tangential;
-  ledger.contact_damping = c.damping;
+  // What acts in a kick is booked for all of it, and half of the last one is still to come.
+  ledger.contact_damping = c.damping - 0.5 * c.damping_of_step;
   ledger.friction = c.friction;
-  ledger.bond_elastic = bond_forces_.energy().elastic();
-  ledger.bond_dissipated = bond_forces_.energy().dissipated();
+  ledger.bonds = bond_forces_.energy();
   ledger.removed = removed_energy_;
-  ledger.external_work = external_work_ + c.wall_work;
+  ledger.external_work = external_work_ + c.wall_work - 0.5 * c.wall_work_of_step;
   return ledger;
 }
 

@@ -40,8 +40,8 @@ class Solids {
   /// Throws NumericalFailure when the watchdog finds something wrong.
   void advance(int substeps);
 
-  /// Takes a particle out of the scene; its kinetic and potential energy go to EnergyLedger::removed (elastic energy of
-  /// contacts that it is in at that moment is not counted).
+  /// Takes a particle out of the scene; its kinetic and potential energy and what the normal springs of its contacts
+  /// hold go to EnergyLedger::removed, what their tangential springs hold to friction. Not for beads with intact bonds.
   void remove(ParticleIndex i);
 
   /// Sub-steps from now on have another length, s.
@@ -82,6 +82,7 @@ class Solids {
   void prepare();
   void build_all();
   void take_external_forces();
+  [[nodiscard]] bool note_broken_bonds();
   void watch() const;
 
   Particles particles_;
@@ -95,6 +96,8 @@ class Solids {
   PairSet bonded_;
   Vec3Field applied_force_, applied_torque_;  // external ones contained in particles.force and .torque
   std::size_t known_particles_ = 0, known_bonds_ = 0;
+  std::vector<std::uint8_t> known_intact_;  // bonds that were whole when the lists were built
+  double known_breakage_ = 0;
   bool prepared_ = false, external_acts_ = false;
   double time_ = 0, external_work_ = 0, removed_energy_ = 0;
   std::int64_t step_count_ = 0;

@@ -159,6 +159,8 @@ void Solids::transfer(Archive& archive) {
   archive.part("particles", particles_);
   archive.part("bonds", bonds_);
   archive.part("contact_forces", contact_forces_);
+  archive.list_of("known_intact", known_intact_, prepared_ ? bonds_.size() : 0);
+  archive.value("known_breakage", known_breakage_);
   if (prepared_ && archive.loading()) {
     for (std::size_t k = 0; k < bonds_.size(); ++k)
       if (std::max(bonds_.i[k], bonds_.j[k]) >= particles_.size() ||

@@ -49,6 +49,10 @@ double hertz_contact_time(double effective_mass, double effective_radius, double
                   0.2);
 }
 
+double linear_contact_time(double effective_mass, double stiffness) {
+  return std::numbers::pi * std::sqrt(effective_mass / stiffness);
+}
+
 double bond_time_step(const BondSort& sort, double mass) {
   const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius;
   double axial = sort.axial.stiffness[0];

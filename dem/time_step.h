@@ -22,6 +22,9 @@ double damped_share(double restitution);
 /// Mechanics, Eq. 11.24).
 double hertz_contact_time(double effective_mass, double effective_radius, double effective_modulus, double speed);
 
+/// Half a period of a linear contact, s: pi sqrt(m* / k). Effective mass in kg, stiffness in N/m.
+double linear_contact_time(double effective_mass, double stiffness);
+
 /// Limit of one bond between equal spheres of `mass` (kg), s: the smaller of sqrt(m / K_n) for translation and
 /// sqrt(0.4 m / K_s) for rotation, K = stiffness per area x pi (bond radius)^2. Unbounded axial stiffening is covered:
 /// K_n uses the stiffest branch. Bond damping lowers the limit by sqrt(1 + d^2) - d.

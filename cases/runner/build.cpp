@@ -141,6 +141,16 @@ std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene) {
   return regions;
 }
 
+namespace {
+
+dem::ContactLawChoice contact_law_of(const scene::Solids& s) {
+  if (s.contact_law == scene::ContactLaw::hertz_mindlin) return dem::HertzMindlin{};
+  const double tangential = s.tangential_stiffness > 0 ? s.tangential_stiffness : 2.0 / 7 * s.normal_stiffness;
+  return dem::LinearSpringDashpot{s.normal_stiffness, tangential};
+}
+
+}  // namespace
+
 BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   dem::Particles particles;
   dem::Bonds bonds;
@@ -149,6 +159,7 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   if (scene.barrier.enabled) net = barrier::build_net(scene::make_net_spec(scene), particles, bonds);
   dem::SolidsOptions options;
   options.gravity = scene.gravity.vector();
+  options.contact_law = contact_law_of(scene.solids);
   options.watchdog.speed_limit = 200;  // m/s: nothing in a debris flow is that fast
   options.watchdog.overlap_limit = 1;  // beyond it a bead has gone through
   options.watchdog.interval = 20;

@@ -76,6 +76,9 @@ double smallest_grain(const scene::Scene& scene) {
 SolidsLimits solids_limits(const scene::Scene& scene) {
   const dem::Materials materials = scene::make_materials(scene);
   const auto rayleigh = [&](double diameter, double density, const std::string& material) {
+    if (scene.solids.contact_law == scene::ContactLaw::linear)
+      return dem::linear_contact_time(0.5 * std::numbers::pi / 6 * std::pow(diameter, 3) * density,
+                                      scene.solids.normal_stiffness);
     return dem::rayleigh_time_step(diameter / 2, density, materials[scene::material_index(scene, material)]);
   };
   SolidsLimits limits{never, never, never, never, 1};

@@ -57,6 +57,9 @@ constexpr auto names_of(Collision) {
   return NameTable<Collision, 3>{
       {{"central_moments", Collision::central_moments}, {"bgk", Collision::bgk}, {"trt", Collision::trt}}};
 }
+constexpr auto names_of(ContactLaw) {
+  return NameTable<ContactLaw, 2>{{{"hertz_mindlin", ContactLaw::hertz_mindlin}, {"linear", ContactLaw::linear}}};
+}
 constexpr auto names_of(BodyWeighting) {
   return NameTable<BodyWeighting, 3>{{{"solid_fraction", BodyWeighting::solid_fraction},
                                       {"noble_torczynski", BodyWeighting::noble_torczynski},

@@ -18,6 +18,7 @@ enum class Axis { x, y, z };
 enum class WallShape { plane, box, cylinder, sphere, mesh, heightmap };
 enum class RegionShape { box, cylinder, sphere, mesh };
 enum class Collision { central_moments, bgk, trt };
+enum class ContactLaw { hertz_mindlin, linear };
 enum class BodyWeighting { solid_fraction, noble_torczynski, seepage };
 enum class WallPlacement { half_way, interpolated };
 enum class FlowLaw { newtonian, bingham, herschel_bulkley };
@@ -164,6 +165,8 @@ struct Solids {
   double contact_modulus_scale = 1;
   double bond_stiffness_scale = 1;
   double bond_damping_ratio = 0.02;
+  ContactLaw contact_law = ContactLaw::hertz_mindlin;
+  double normal_stiffness = 0, tangential_stiffness = 0;  ///< N/m, of the linear law; tangential 0 = 2/7 of normal
   bool operator==(const Solids&) const = default;
 };
 

@@ -204,7 +204,8 @@ void describe(V& v, Solids& s) {
       "Time step of the particles; 0 = the smaller of the two limits below. Shortened so that a whole number fits into "
       "a fluid step.");
   v.value("contact_safety", s.contact_safety, {above_up_to(0, 1)},
-          "Share of the smallest Rayleigh time of a particle that is used, after the share that damping leaves of it "
+          "Share of the smallest Rayleigh time of a particle (linear law: of the shortest contact) that is used, after "
+          "the share that damping leaves of it "
           "(0.35 at "
           "a restitution of 0.1).");
   v.value("bond_safety", s.bond_safety, {above_up_to(0, 1)}, "Share of the smallest limit of a bond that is used.");
@@ -212,6 +213,14 @@ void describe(V& v, Solids& s) {
           "Factor on every Young's modulus in contacts: softer contacts allow longer time steps.");
   v.value("bond_stiffness_scale", s.bond_stiffness_scale, {above_up_to(0, 1)}, "Factor on every bond stiffness.");
   v.value("bond_damping_ratio", s.bond_damping_ratio, {between(0, 1)}, "Damping of the bonds, as a share of critical.");
+  v.value("contact_law", s.contact_law, {},
+          "Law of contacts: Hertz and Mindlin from the materials, or linear springs and dashpots of one stiffness for "
+          "all.");
+  v.for_shape(s.contact_law == ContactLaw::linear, "contact_law = \"linear\"", [&] {
+    v.value("normal_stiffness_N_m", s.normal_stiffness, required(positive()), "Stiffness of the normal spring.");
+    v.value("tangential_stiffness_N_m", s.tangential_stiffness, {non_negative()},
+            "Stiffness of the tangential spring; 0 = 2/7 of the normal one.");
+  });
 }
 
 template <class V>

@@ -12,7 +12,7 @@ namespace lahar::dem {
 /// the velocity at its end, so both are given: mixing them up turns springs into (negative) dampers of order dt.
 struct ContactState {
   double overlap = 0;                  ///< m, > 0 in contact
-  double closing_speed = 0;            ///< m/s at the end of the step, > 0 while the overlap grows
+  double closing_speed = 0;            ///< m/s at the end of the step if all forces stayed; > 0 while the overlap grows
   Triple normal_ij{1, 0, 0};           ///< unit, from i to j
   Triple tangential_velocity{};        ///< m/s at mid-step, surface of i relative to j, normal to normal_ij
   Triple tangential_velocity_end{};    ///< the same at the end of the step
@@ -29,6 +29,7 @@ struct ContactState {
 struct ContactHistory {
   Triple tangential_displacement{};  ///< m, elastic part, of i relative to j
   double tangential_stiffness = 0;   ///< N/m, of the step before
+  double normal_force = 0;           ///< N, of the step before
 };
 
 /// Answer of a law, and its share of the energy ledger.

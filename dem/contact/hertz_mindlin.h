@@ -1,9 +1,9 @@
 #pragma once
 // Hertz's normal and Mindlin's tangential contact of elastic spheres, damped.
-#include <algorithm>
 #include <cmath>
 
 #include "dem/contact/contact_state.h"
+#include "dem/contact/normal_damper.h"
 #include "dem/contact/tangential_spring.h"
 
 namespace lahar::dem {
@@ -21,9 +21,8 @@ struct HertzMindlin {
     const double damper = two_sqrt_5_6 * s.damping_ratio;
 
     ContactForce f;
-    f.normal = std::max(0.0, elastic + damper * std::sqrt(slope * s.effective_mass) * s.closing_speed);
+    set_normal_force(s, elastic, damper * std::sqrt(slope * s.effective_mass), dt, history, f);
     f.elastic_normal = 0.4 * elastic * s.overlap;
-    f.damping_work = (f.normal - elastic) * s.closing_speed * dt;
 
     const double shear = 8 * s.effective_shear_modulus * contact_radius;
     add_tangential_spring(s, shear, damper * std::sqrt(shear * s.effective_mass), dt, history, f);

@@ -1,9 +1,9 @@
 #pragma once
 // Linear spring and dashpot (Cundall & Strack 1979, Geotechnique 29:47): one stiffness for all sizes and materials.
-#include <algorithm>
 #include <cmath>
 
 #include "dem/contact/contact_state.h"
+#include "dem/contact/normal_damper.h"
 #include "dem/contact/tangential_spring.h"
 
 namespace lahar::dem {
@@ -18,9 +18,8 @@ struct LinearSpringDashpot {
     const double damper = 2 * s.damping_ratio;
 
     ContactForce f;
-    f.normal = std::max(0.0, elastic + damper * std::sqrt(normal_stiffness * s.effective_mass) * s.closing_speed);
+    set_normal_force(s, elastic, damper * std::sqrt(normal_stiffness * s.effective_mass), dt, history, f);
     f.elastic_normal = 0.5 * elastic * s.overlap;
-    f.damping_work = (f.normal - elastic) * s.closing_speed * dt;
 
     add_tangential_spring(s, tangential_stiffness, damper * std::sqrt(tangential_stiffness * s.effective_mass), dt,
                           history, f);

@@ -50,6 +50,18 @@ TEST(Estimates, LimitsOfThePaper) {
   EXPECT_NEAR(limits.cable_bond, std::sqrt(0.4 * mass / (8e11 * area)) * damping, 1e-10);
 }
 
+TEST(Estimates, LinearContactsAreLimitedByTheirOwnDuration) {
+  // Half a period of the smallest grains (40 mm, 2500 kg/m3) against each other, pi sqrt(m / 2 k).
+  scene::Scene debris = scene::debris_flow();
+  debris.solids.contact_law = scene::ContactLaw::linear;
+  debris.solids.normal_stiffness = 1e6;
+  double density = 0;
+  for (const auto& size : debris.grains.packings[0].sizes)
+    if (size.diameter < 0.05) density = size.density;
+  const double mass = density * std::numbers::pi / 6 * std::pow(0.04, 3);
+  EXPECT_NEAR(solids_limits(debris).grain_rayleigh, std::numbers::pi * std::sqrt(0.5 * mass / 1e6), 1e-12);
+}
+
 TEST(Estimates, SofteningLengthensTheLimits) {
   const SolidsLimits hard = solids_limits(scene::debris_flow());
   scene::Scene softened = scene::debris_flow();

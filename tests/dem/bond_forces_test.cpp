@@ -378,7 +378,8 @@ TEST(BondForces, BreaksAtTheStrengthAndNotBefore) {
   EXPECT_NEAR(stored, 0.5 * std::pow(0.999 * limit, 2) * kStiffness * kArea, 1e-9 * stored);
   pull(rig, 1.001 * limit, 1);
   EXPECT_EQ(rig.bonds.intact[0], 0);
-  EXPECT_EQ(rig.particles.force[1].norm(), 0);
+  // Half of the last force stays for the kick that ends the step, so that the ends have given what is booked.
+  EXPECT_NEAR(rig.particles.force[1].norm() / (0.5 * 1.001 * limit * kStiffness * kArea), 1, 1e-9);
   EXPECT_EQ(rig.forces.energy().elastic(), 0);
   EXPECT_NEAR(rig.forces.energy().breakage / (0.5 * std::pow(1.001 * limit, 2) * kStiffness * kArea), 1, 1e-9);
   pull(rig, 0, 5);  // stays broken, books nothing more

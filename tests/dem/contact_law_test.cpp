@@ -237,5 +237,24 @@ TYPED_TEST(AnyContactLaw, cycles_of_load_never_give_energy_back) {
   EXPECT_GT(work, f.elastic_tangential);
 }
 
+TEST(LinearSpringDashpot, impact_lasts_half_a_period) {
+  const double mass = 4.0 / 3 * std::numbers::pi * std::pow(0.02, 3) * 2500, limit = linear_contact_time(mass / 2, 1e6);
+  const Impact impact =
+      collide(0.02, 2500, one_material(7e10, 0.3, 0, 1), 2.5, limit / 200, LinearSpringDashpot{1e6, 2e6 / 7});
+  EXPECT_NEAR(impact.duration / limit, 1, 1e-3);
+}
+
+// A damper solved for the speed that it meets needs no shorter step than the spring: over-damped steel at the step of
+// an elastic contact, 0.2 of the Rayleigh time, three times what explicit damping would leave.
+TEST(NormalDamper, strong_damping_needs_no_shorter_step) {
+  const Materials steel = one_material(2e11, 0.3, 0.0, 0.1);
+  const double step = 0.2 * rayleigh_time_step(0.00305, 7800, steel[0]);
+  for (const ContactLawChoice& law :
+       {ContactLawChoice{HertzMindlin{}}, ContactLawChoice{LinearSpringDashpot{2e6, 6e5}}})
+    for (const double speed : {0.1, 1.0, 10.0}) {
+      EXPECT_NEAR(collide(0.00305, 7800, steel, speed, step, law).restitution, 0.1, 0.01) << speed;
+    }
+}
+
 }  // namespace
 }  // namespace lahar::dem

@@ -87,6 +87,75 @@ TEST(EnergyLedger, belt_brings_in_the_energy_that_the_grain_gains_and_loses) {
   EXPECT_GT(solids.ledger().external_work, 0.1 * scale);
 }
 
+TEST(EnergyLedger, terms_add_up_to_the_total) {
+  Solids solids = bouncing(1e-5);
+  solids.advance(20000);
+  double sum = 0;
+  for (const auto& [name, value] : solids.ledger().terms()) sum += value;
+  EXPECT_NEAR(sum, solids.ledger().total(), 1e-14);
+  EXPECT_GT(solids.ledger().total(), 1e-3);
+}
+
+TEST(EnergyLedger, grain_taken_out_of_a_pile_leaves_no_gap) {
+  Particles p;
+  p.add(sphere({0, 0, 0.0199}, 0.02, 2650));
+  p.add(sphere({0, 0, 0.0597}, 0.02, 2650));  // presses on the lower one, which presses on the ground
+  for (const ParticleIndex leaves : {0, 1}) {
+    Solids solids(p, {}, one_material(1e8, 0.25, 0.4, 1), testing::ground(), options(1e-5, {0, 0, -kG}));
+    solids.step();
+    const double before = solids.ledger().total(), springs = solids.ledger().elastic_normal;
+    solids.remove(leaves);
+    EXPECT_NEAR(solids.ledger().total(), before, 1e-9 * springs);
+    solids.step();
+    EXPECT_NEAR(solids.ledger().total(), before, 0.02 * springs);
+    EXPECT_LT(solids.ledger().elastic_normal, 0.9 * springs);
+  }
+}
+
+/// Two bonded beads with opposite velocities, free to fly apart, to meet or to slide past each other.
+Solids breaking_pair(const Vec3& velocity, double tensile_strength, double shear_strength, double dt) {
+  Particles p;
+  p.add(sphere({0, 0, 0}, 0.003, 7800, -velocity));
+  p.add(sphere({0.006, 0, 0}, 0.003, 7800, velocity));
+  Bonds bonds;
+  BondSort wire;
+  wire.axial.stiffness = {1e11, 1e11, 1e11};
+  wire.shear_stiffness = 1e11;
+  wire.bond_radius = 0.003;
+  wire.tensile_strength = tensile_strength;
+  wire.shear_strength = shear_strength;
+  bonds.add_sort(wire);
+  bonds.add({0, 1, 0}, p);
+  return {p, bonds, one_material(1e10, 0.25, 0.1, 1), {}, options(dt)};
+}
+
+TEST(EnergyLedger, bond_that_snaps_has_taken_from_its_ends_what_is_booked) {
+  Solids solids = breaking_pair({3, 0, 0}, 5e6, 5e6, 2e-7);
+  const double scale = 9 * solids.particles().mass[0];
+  solids.step();
+  const double first = solids.ledger().total();
+  solids.advance(200);
+  EXPECT_NEAR(solids.ledger().total(), first, 5e-4 * scale);
+  EXPECT_EQ(solids.bonds().intact[0], 0);
+  EXPECT_GT(solids.ledger().bonds.breakage, 0.02 * scale);
+}
+
+TEST(EnergyLedger, bond_that_breaks_under_pressure_hands_over_to_the_contact) {
+  Solids solids = breaking_pair({-3, 3, 0}, 1e9, 2e6, 2e-7);
+  const double scale = 18 * solids.particles().mass[0];
+  solids.step();
+  const double first = solids.ledger().total();
+  double worst = 0, pressed = 0;
+  for (int n = 0; n < 300; ++n) {
+    solids.step();
+    worst = std::max(worst, std::abs(solids.ledger().total() - first));
+    pressed = std::max(pressed, solids.ledger().elastic_normal);
+  }
+  EXPECT_EQ(solids.bonds().intact[0], 0);
+  EXPECT_GT(pressed, 0.005 * scale);
+  EXPECT_LT(worst, 2e-3 * scale);
+}
+
 TEST(MotionEnergy, adds_up_translation_rotation_and_height) {
   Particles p;
   ParticleSpec s = sphere({0, 0, 2}, 0.1, 1000, {3, 4, 0});

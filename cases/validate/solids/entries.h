@@ -4,6 +4,17 @@
 
 namespace lahar::validate {
 
+std::vector<Entry> chung_ooi();
+Entry cantilever();
+Entry catenary();
+Entry column_collapse();
+Entry energy_ledger();
+Entry hard_h15();
+Entry hard_h16();
+Entry hard_h9();
+Entry incline_35();
+Entry restitution();
+
 std::vector<Entry> solids_entries();
 
 }  // namespace lahar::validate
