@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "lbm/boundary/slip_wall.h"
 #include "lbm/boundary/wall_balance.h"
 #include "lbm/boundary/wall_reflection.h"
 #include "lbm/collision/cell_state.h"
@@ -61,6 +62,11 @@ Fluid<Real>::Fluid(FluidOptions options)
       units_(units_of(options_)),
       parameters_(parameters_of(options_, units_)),
       grid_(options_.domain, units_.velocity_to_lu(1.0)) {
+  const auto& walls = options_.domain.walls.all();
+  balances_walls_ = options_.domain.placement == WallPlacement::interpolated ||
+                    std::any_of(walls.begin(), walls.end(), [](const Wall& w) {
+                      return w.slip != WallSlip::no_slip || !w.velocity.isZero() || !w.angular_velocity.isZero();
+                    });
   for (const InflowOptions& inflow : options_.inflows) inflows_.emplace_back(inflow, grid_.domain(), units_);
 }
 
@@ -260,7 +266,10 @@ void Fluid<Real>::exchange() {
   const auto largest = static_cast<Real>(kLargestGradient * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]));
   const auto& active = grid_.active();
   parallel_for(0, active.size(), kBlocksPerTask,
-               [&](std::size_t k) { exchange_surface(grid_, active[k], parameters_.parity, Real(0), largest); });
+               [&](std::size_t k) {
+                 exchange_over_mirrors(grid_, active[k], parameters_.parity);
+                 exchange_surface(grid_, active[k], parameters_.parity, Real(0), largest);
+               });
 }
 
 template <class Real>
@@ -295,7 +304,7 @@ void Fluid<Real>::reflect() {
     if (measured) block_loads_[k].clear();
     reflect_at_walls(grid_, active[k], parameters_.parity, physics, measured ? &block_loads_[k] : nullptr);
   });
-  if (grid_.domain().placement() == WallPlacement::interpolated) balance_walls(grid_, account_.walls);
+  if (balances_walls_) balance_walls(grid_, account_.walls);
   if (measured) book_wall_loads();
 }
 

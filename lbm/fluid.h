@@ -138,6 +138,7 @@ class Fluid {
   CellConversion<Real> conversion_;
   std::vector<Inflow<Real>> inflows_;
   LiquidAccount account_;
+  bool balances_walls_ = false;  ///< whether some wall may change the mass of cells (boundary/wall_balance.h)
   double initial_mass_ = 0;
   std::int64_t steps_ = 0;
   double cell_updates_ = 0, max_speed_lu_ = 0;
