@@ -244,11 +244,11 @@ void Fluid<Real>::step() {
   exchange();
   sweep();
   parameters_.parity = parameters_.parity.next();
-  reflect();
   {
     const ScopedTimer timer(timers_.section("fluid.conversion"));
     conversion_.run(grid_, parameters_.parity, account_);
   }
+  reflect();  // after the conversion: what a mirror sends to gas is another thing than what it sends to a new cell
   ++steps_;
   if (steps_ % kReleaseEvery == 0) release_dry_blocks();
   if (steps_ % kWatchEvery == 0) watch();
@@ -265,11 +265,10 @@ void Fluid<Real>::exchange() {
   const auto& g = parameters_.gravity;
   const auto largest = static_cast<Real>(kLargestGradient * std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]));
   const auto& active = grid_.active();
-  parallel_for(0, active.size(), kBlocksPerTask,
-               [&](std::size_t k) {
-                 exchange_over_mirrors(grid_, active[k], parameters_.parity);
-                 exchange_surface(grid_, active[k], parameters_.parity, Real(0), largest);
-               });
+  parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
+    exchange_over_mirrors(grid_, active[k], parameters_.parity);
+    exchange_surface(grid_, active[k], parameters_.parity, Real(0), largest);
+  });
 }
 
 template <class Real>

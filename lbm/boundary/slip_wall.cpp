@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "lbm/cell_moments.h"
+#include "lbm/equilibrium.h"
+
 namespace lahar::lbm {
 
 namespace {
@@ -72,13 +75,10 @@ template <class Real>
 void mirror(FluidGrid<Real>& grid, CellPlace place, WallCell& wall, const std::uint8_t* links, Parity parity) {
   const int axis = normal_axis(wall);
   wall.mirrored = 0;
-  Real surplus = 0;
-  int straight = 0;  // the link across the wall, if there is one
   for (int k = 0; k < wall.links; ++k) {
     const MirrorLink link = take_apart(links[k], axis);
     const auto way = way_of(grid, place, links[k], parity);
     *way.back = *way.sent;
-    if (link.along == 0) straight = links[k];
     if (link.into == 0 || link.along == 0 || !has_link(links, wall.links, link.into)) continue;
     const CellPlace beside = grid.neighbour(place, link.along);
     const CellType type = grid.type(beside);
@@ -87,11 +87,10 @@ void mirror(FluidGrid<Real>& grid, CellPlace place, WallCell& wall, const std::u
       *way.back = *way_of(grid, beside, link.mirrored, parity).sent;
       wall.mirrored |= std::uint32_t{1} << k;
     } else {
-      *way.back = *way_of(grid, place, link.mirrored, parity).sent;
-      surplus += *way.back - *way.sent;
+      const auto m = outgoing_moments(grid, place, parity);
+      *way.back = equilibrium_pair_sum(links[k], Real(0), m.u[0], m.u[1], m.u[2]) - *way.sent;
     }
   }
-  if (straight != 0) *way_of(grid, place, straight, parity).back -= surplus;
 }
 
 template <class Real>

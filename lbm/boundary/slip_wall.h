@@ -10,9 +10,9 @@
 // Between wet cells the link by way of the wall is thus a link from x to x', and an interface cell's mass changes over
 // it as over any other (free_surface/surface_exchange.h):
 //   dm = k (f_opposite(c) coming in - f_c that went out), k by the types of x and x'.
-// In a corner (x' is a wall) two mirrors send the population back where it came from. Where x' is gas nothing comes: the
-// cell gets its own population of the mirrored velocity (-t, -1), which has no shear either, and what that brings or
-// takes in mass is taken from or put into what comes straight back.
+// In a corner (x' is a wall) two mirrors send the population back where it came from. Where x' is gas the link by way
+// of the wall ends at the gas, and gets what any link to gas gets (anti-bounce-back at the gas pressure). Which links
+// lead where is settled after the conversion of cells, and holds for the coming step.
 #include "lbm/fluid_grid.h"
 
 namespace lahar::lbm {

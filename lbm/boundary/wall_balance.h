@@ -8,9 +8,8 @@
 // of some cells and into others, and only the sum along the wall is zero (up to second order). Forcing every cell to
 // keep its mass would bring back the error of first order. So the sum over all cells is taken each step, and given back
 // in equal parts to the rest populations of the same cells; the ledger of the liquid stays exact to rounding, and how
-// much was moved is counted. What a reflection adds is in a cell after the next sweep, and only then taken back: in
-// between the cell may have turned from liquid to interface. Interface cells are left out: their mass changes over
-// links to wet cells alone.
+// much was moved is counted. What a reflection adds is in a cell after the next sweep, and only then taken back.
+// Interface cells are left out: their mass changes over links to wet cells alone.
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/fluid_grid.h"
 

@@ -35,8 +35,8 @@ Real along(int i, const std::array<Real, 3>& v) {
   return static_cast<Real>(c[0]) * v[0] + static_cast<Real>(c[1]) * v[1] + static_cast<Real>(c[2]) * v[2];
 }
 
-/// Weighted mean of c_i . v over the links, zero but for rounding on a wall along the lattice: subtracted there, so that
-/// no mass has to be booked.
+/// Weighted mean of c_i . v over the links, zero but for rounding on a wall along the lattice: subtracted there, so
+/// that no mass has to be booked.
 template <class Real>
 Real mean_wall_push(const std::uint8_t* links, int count, const std::array<Real, 3>& v) {
   Real sum = 0, weights = 0;
@@ -71,15 +71,15 @@ double interpolate(FluidGrid<Real>& grid, CellPlace place, int i, const WallHit&
   return static_cast<double>(back) - static_cast<double>(out);
 }
 
-/// Counts what the last reflection at a wall cell added to it, and notes what the next one does.
+/// Counts what the last reflection at a wall cell added to it in the sweep, and notes what this one will. Whether it is
+/// mass of the ledger is decided by what the cell is in the sweep, before it may be converted: liquid.
 template <class Real>
 void book_gain(Block<Real>& block, const WallCell& wall, double gained) {
   const auto entry = static_cast<std::size_t>(&wall - block.walls.cells.data());
-  if (block.type[wall.cell] == CellType::liquid) {
-    block.walls.gained += block.walls.gains[entry];
-    ++block.walls.takers;
-  }
-  block.walls.gains[entry] = gained;
+  const bool liquid = block.type[wall.cell] == CellType::liquid;
+  block.walls.gained += block.walls.gains[entry];
+  block.walls.takers += liquid;
+  block.walls.gains[entry] = liquid ? gained : 0;
 }
 
 /// All links of a cell at an interpolated wall.

@@ -15,7 +15,7 @@ constexpr double kThreshold = 0.01;  ///< beyond full or empty before a cell con
 constexpr double kThinFill = 0.1;    ///< liquid share under which a draining cell with no liquid neighbour is given up
 constexpr double kPoolDose = 0.02;   ///< largest payment of the pool to one cell in a step
 constexpr std::uint64_t kVoidsEvery = 8;  ///< steps between looks for voids that are cut off from the gas
-constexpr double kPoolIdle = 1e-5;   ///< a smaller pool waits: payments would drown in rounding
+constexpr double kPoolIdle = 1e-5;        ///< a smaller pool waits: payments would drown in rounding
 
 struct Surroundings {
   bool gas = false, interface = false, liquid = false;
@@ -39,9 +39,10 @@ Real body_share(const Block<Real>& block, int cell) {
 }
 
 /// Voids that are cut off from the gas: interface cells that are not full although none of their neighbours is gas. No
-/// link tells them the gas pressure any more, so that they would stand half empty in water under any pressure. They take
-/// liquid from their liquid neighbours as long as those are above the gas pressure: at most what would bring them down
-/// to it half-way, and what is missing flows in. Only cells under pressure are touched, and mass is moved, not made.
+/// link tells them the gas pressure any more, so that they would stand half empty in water under any pressure. They
+/// take liquid from their liquid neighbours as long as those are above the gas pressure: at most what would bring them
+/// down to it half-way, and what is missing flows in. Only cells under pressure are touched, and mass is moved, not
+/// made.
 template <class Real>
 void close_void(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   SurfaceFields<Real>& surface = *grid.block(place.block).surface;

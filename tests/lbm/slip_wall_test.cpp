@@ -24,13 +24,16 @@ TEST(SlipWall, HalfAChannelIsExact) {
     const auto exact = [&](double z) { return g * z * (2 * height - z) / (2 * viscosity); };
     fluid.fill_everything([&](const Vec3& p) { return Vec3(exact(p.z()), 0, 0); }, no_pressure);
     for (int s = 0; s < 3 * height * height / viscosity; ++s) fluid.step();
-    fluid.for_each_wet_cell(
-        [&](const WetCell& c) { EXPECT_NEAR(c.velocity.x() / peak, exact(c.centre.z()) / peak, 0.02) << c.centre.z(); });
+    fluid.for_each_wet_cell([&](const WetCell& c) {
+      EXPECT_NEAR(c.velocity.x() / peak, exact(c.centre.z()) / peak, 0.02) << c.centre.z();
+    });
     EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
   }
 }
 
-/// A sheet slides over a slipping bed: its centre of mass moves as fast as its momentum says, however thin it is.
+/// A sheet slides over a slipping bed: its centre of mass moves as fast as its momentum says, however thin it is, and
+/// it keeps its speed. (Where each cell gets back what it sent, it falls behind by 12 % and 7 %; the open surface
+/// leaves 3.)
 TEST(SlipWall, LiquidMovesWithItsVelocity) {
   for (const double height : {1.5, 4.0}) {
     FluidOptions o = lattice_options({64, 8, 12}, 0.01);
@@ -53,7 +56,7 @@ TEST(SlipWall, LiquidMovesWithItsVelocity) {
       fluid.step();
       travelled += mean([](const WetCell& c) { return c.velocity.x(); });
     }
-    EXPECT_NEAR((mean([](const WetCell& c) { return c.centre.x(); }) - start) / travelled, 1, 0.03) << height;
+    EXPECT_NEAR((mean([](const WetCell& c) { return c.centre.x(); }) - start) / travelled, 1, 0.05) << height;
     EXPECT_NEAR(travelled / 20, 1, 0.02) << height;
     EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
   }
@@ -73,7 +76,8 @@ TEST(SlipWall, StepsDoNotBrake) {
   for (int s = 0; s < 30; ++s) fluid.step();
   double worst = 0;
   fluid.for_each_wet_cell([&](const WetCell& c) {
-    if (std::abs((c.centre - middle).dot(along)) < 4) worst = std::max(worst, (c.velocity - 0.02 * along).norm() / 0.02);
+    if (std::abs((c.centre - middle).dot(along)) < 4)
+      worst = std::max(worst, (c.velocity - 0.02 * along).norm() / 0.02);
   });
   EXPECT_LT(worst, 0.01);
 }

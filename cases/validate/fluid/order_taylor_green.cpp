@@ -91,8 +91,8 @@ std::vector<Row> run(const Context& context) {
     Vortex v{.cells = cells.back(), .collision = collision};
     add_convergence(rows, v, name, cells, tolerance);
     if (!context.quick) {
-      // The frame moves at 0.2 lu on 16 cells, 0.35 of the speed of sound: terms of its fourth power are no longer small
-      // there, and the order is asked from 32 cells on. The viscosity is that at 0.05 lu, as ever.
+      // The frame moves at 0.2 lu on 16 cells, 0.35 of the speed of sound: terms of its fourth power are no longer
+      // small there, and the order is asked from 32 cells on. The viscosity is that at 0.05 lu, as ever.
       const std::vector<int> fine = {32, 64, 128};
       v.drift = Vec3(0.2, 0, 0);
       add_convergence(rows, v, name + " moving", fine, tolerance);
