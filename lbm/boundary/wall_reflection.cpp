@@ -19,9 +19,7 @@ std::array<Real, 3> reflection_velocity(FluidGrid<Real>& grid, CellPlace place, 
     const auto m = outgoing_moments(grid, place, parity);
     rho += m.drho;
     if (wall.slip == WallSlip::wall_model) return wall_model_velocity(grid, place, wall, parity, physics, m);
-    Real normal_speed = 0;
-    for (std::size_t k = 0; k < 3; ++k) normal_speed += m.u[k] * static_cast<Real>(wall.normal[k]);
-    for (std::size_t k = 0; k < 3; ++k) v[k] = m.u[k] - normal_speed * static_cast<Real>(wall.normal[k]);
+    return free_slip_velocity(grid, place, wall, parity, m);
   } else {
     for (std::size_t k = 0; k < 3; ++k) v[k] = static_cast<Real>(wall.wall_velocity[k]);
   }
