@@ -32,8 +32,8 @@ struct OutgoingStress {
 };
 
 /// Velocity of a wall at an angle to the lattice whose links exert no stress along it: with M now a matrix, and P a
-/// vector, of the plane of the wall, v = u + P / (rho M). With v = u alone the traction is -P, (1 - tau)/3 of the shear. P
-/// is that of the viscous stress, without rho u u: a plug slides along the wall unchanged.
+/// vector, of the plane of the wall, v = u + P / (rho M). With v = u alone the traction is -P, (1 - tau)/3 of the
+/// shear. P is that of the viscous stress, without rho u u: a plug slides along the wall unchanged.
 template <class Real>
 std::array<Real, 3> free_slip_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                        const CellMoments<Real>& m) {
