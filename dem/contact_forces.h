@@ -77,6 +77,8 @@ class ContactForces {
   [[nodiscard]] Vec3 force_on_wall(const ContactDetection& contacts, std::uint32_t wall) const;
   /// Its moment about the origin of the coordinates, N m; each force acts where its sphere is nearest to the wall.
   [[nodiscard]] Vec3 moment_on_wall(const ContactDetection& contacts, const Walls& walls, std::uint32_t wall) const;
+  /// A particle leaves with this energy of its normal springs, J.
+  void take_out(double normal_energy) { energy_.elastic_normal -= normal_energy; }
   /// State of a checkpoint; the histories lie with the contacts.
   void transfer(Archive& archive) { energy_.transfer(archive); }
 

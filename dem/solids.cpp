@@ -139,9 +139,7 @@ void Solids::take_external_forces() {
 
 void Solids::remove(ParticleIndex i) {
   const double springs = normal_energy_of(i, particles_, materials_, walls_, contacts_, options_.contact_law);
-  ContactEnergy rest = contact_forces_.energy();
-  rest.elastic_normal -= springs;
-  contact_forces_.restore(rest);
+  contact_forces_.take_out(springs);
   removed_energy_ += motion_energy(particles_, i, options_.gravity) + springs;
   particles_.remove(i);
 }

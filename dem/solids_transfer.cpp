@@ -79,11 +79,11 @@ void ContactSlots::transfer_histories(Archive& archive) {
   std::vector<std::size_t> used;
   for (std::size_t k = 0; k < size(); ++k)
     if (touching[k]) used.push_back(k);
-  archive.pieces<double>("history", used.size(), 4, [&](std::size_t k, double* stored) {
+  archive.pieces<double>("history", used.size(), 5, [&](std::size_t k, double* stored) {
     ContactHistory& h = history[used[k]];
     double* const own[] = {&h.tangential_displacement.x, &h.tangential_displacement.y, &h.tangential_displacement.z,
-                           &h.tangential_stiffness};
-    for (std::size_t a = 0; a < 4; ++a) {
+                           &h.tangential_stiffness, &h.normal_force};
+    for (std::size_t a = 0; a < 5; ++a) {
       if (archive.loading())
         *own[a] = stored[a];
       else

@@ -56,6 +56,9 @@ struct WallCell {
   float distance;                      ///< of the cell centre from the wall, lu
   float roughness;                     ///< k_s, lu; WallSlip::wall_model
   std::int16_t wall = -1;              ///< index of the wall in the domain
+  /// Whether the links' pushes cancel for any velocity along the wall, as they do on a flat wall along the lattice.
+  bool even = true;
+  std::uint32_t mirrored = 0;  ///< links, by bit, that led to another cell at the last reflection (slip_wall.h)
 };
 
 /// Where a link meets its wall; only with WallPlacement::interpolated.
@@ -68,9 +71,9 @@ struct WallLinks {
   std::vector<WallCell> cells;
   std::vector<std::uint8_t> directions;  ///< velocity index pointing into the wall
   std::vector<WallHit> hits;             ///< one per direction, or empty
-  std::vector<double> gains;  ///< per cell: mass that its interpolated links will add in the coming sweep, lu
+  std::vector<double> gains;  ///< per cell: mass that its links will add in the coming sweep, lu (wall_balance.h)
   double gained = 0;          ///< sum of what liquid cells got in the last sweep, lu
-  int takers = 0;             ///< entries of liquid cells at interpolated walls
+  int takers = 0;             ///< entries of liquid cells whose links may add mass
   void clear() { cells.clear(), directions.clear(), hits.clear(), gains.clear(), gained = 0, takers = 0; }
 };
 

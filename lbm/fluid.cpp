@@ -7,6 +7,7 @@
 #include "core/capillary.h"
 #include "core/check.h"
 #include "core/parallel.h"
+#include "lbm/boundary/slip_wall.h"
 #include "lbm/boundary/wall_balance.h"
 #include "lbm/boundary/wall_reflection.h"
 #include "lbm/collision/cell_state.h"
@@ -84,6 +85,11 @@ Fluid<Real>::Fluid(FluidOptions options)
       clock_(options_.time_step),
       coming_time_step_(options_.time_step),
       time_steps_(options_.time_step) {
+  const auto& walls = options_.domain.walls.all();
+  balances_walls_ = options_.domain.placement == WallPlacement::interpolated ||
+                    std::any_of(walls.begin(), walls.end(), [](const Wall& w) {
+                      return w.slip != WallSlip::no_slip || !w.velocity.isZero() || !w.angular_velocity.isZero();
+                    });
   for (const InflowOptions& inflow : options_.inflows) inflows_.emplace_back(inflow, grid_.domain(), units_);
   if (options_.adaptive_time_step) control_.emplace(time_step_limits(options_));
 }
@@ -265,11 +271,11 @@ void Fluid<Real>::step() {
   if (ratio != 1) rescale(ratio);
   sweep();
   parameters_.parity = parameters_.parity.next();
-  reflect();
   {
     const ScopedTimer timer(timers_.section("fluid.conversion"));
     conversion_.run(grid_, parameters_.parity, notes_, account_);
   }
+  reflect();  // after the conversion: what a mirror sends to gas is another thing than what it sends to a new cell
   clock_.advance();
   if (ratio != 1) clock_.set_time_step(units_.time_step);
   if (!control_ && steps() % kWatchEvery == 0) watch();
@@ -352,7 +358,9 @@ void Fluid<Real>::exchange() {
                                      static_cast<Real>(tension)};
   const auto& active = grid_.active();
   parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
-    if (grid_.has_surface(active[k])) exchange_surface(grid_, active[k], parameters_.parity, physics);
+    if (!grid_.has_surface(active[k])) return;
+    exchange_over_mirrors(grid_, active[k], parameters_.parity);
+    exchange_surface(grid_, active[k], parameters_.parity, physics);
   });
 }
 
@@ -389,7 +397,7 @@ void Fluid<Real>::reflect() {
     if (grid_.has_walls(active[k]))
       reflect_at_walls(grid_, active[k], parameters_.parity, physics, measured ? &block_loads_[k] : nullptr);
   });
-  if (grid_.domain().placement() == WallPlacement::interpolated) balance_walls(grid_, account_.walls);
+  if (balances_walls_) balance_walls(grid_, account_.walls);
   if (measured) book_wall_loads();
 }
 

@@ -166,6 +166,7 @@ class Fluid {
   CellConversion<Real> conversion_;
   std::vector<Inflow<Real>> inflows_;
   LiquidAccount account_;
+  bool balances_walls_ = false;  ///< whether some wall may change the mass of cells (boundary/wall_balance.h)
   double initial_mass_ = 0;
   StepClock clock_;
   double coming_time_step_ = 0;

@@ -138,6 +138,11 @@ void FluidGrid<Real>::add_wall_links(Block<Real>& fresh, int cell, const Vec3i& 
       entry.normal[static_cast<std::size_t>(a)] = static_cast<float>(normal[a]);
       entry.wall_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);
     }
+    Vec3 sum = Vec3::Zero();
+    for (int i = 1; i < D3Q19::q; ++i)
+      if (wall_of[static_cast<std::size_t>(i)] == wall)
+        sum += D3Q19::w(i) * Vec3(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+    entry.even = (sum - sum.dot(normal) * normal).norm() < 1e-6;
     fresh.walls.cells.push_back(entry);
     for (int i = 1; i < D3Q19::q; ++i)
       if (wall_of[static_cast<std::size_t>(i)] == wall) {

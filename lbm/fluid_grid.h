@@ -80,7 +80,7 @@ class FluidGrid {
   void transfer_types(Archive& archive);
   void transfer_surfaces(Archive& archive);
   void transfer_bodies(Archive& archive);
-  void transfer_wall_gains(Archive& archive);
+  void transfer_wall_links(Archive& archive);
   void cut_geometry(BlockIndex b);
   [[nodiscard]] WallHit wall_hit(const Wall& wall, const Vec3i& place, int i) const;
   void add_wall_links(Block<Real>& block, int cell, const Vec3i& place, const std::array<CellType, 1000>& types);

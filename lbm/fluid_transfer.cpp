@@ -70,7 +70,7 @@ void FluidGrid<Real>::transfer(Archive& archive) {
   });
   transfer_surfaces(archive);
   transfer_bodies(archive);
-  if (domain_.placement() == WallPlacement::interpolated) transfer_wall_gains(archive);
+  transfer_wall_links(archive);
 }
 
 /// Walls and sinks are those of the domain: a scene whose walls have changed is noticed here.
@@ -127,26 +127,31 @@ void FluidGrid<Real>::transfer_bodies(Archive& archive) {
   field("velocity_z", &Fields::velocity_z);
 }
 
-/// A block that was never reflected has no gains yet: zeros stand for them.
+/// What the last reflection noted. A block that was never reflected has no gains yet: zeros stand for them.
 template <class Real>
-void FluidGrid<Real>::transfer_wall_gains(Archive& archive) {
-  std::vector<double> all;
+void FluidGrid<Real>::transfer_wall_links(Archive& archive) {
+  std::vector<double> gains;
+  std::vector<std::uint32_t> mirrored;
   std::size_t size = 0;
   for (const BlockIndex b : active()) {
-    WallLinks& walls = block(b).walls;
+    const WallLinks& walls = block(b).walls;
     size += walls.cells.size();
     if (archive.loading()) continue;
-    all.insert(all.end(), walls.gains.begin(), walls.gains.end());
-    all.resize(size, 0);
+    gains.insert(gains.end(), walls.gains.begin(), walls.gains.end());
+    gains.resize(size, 0);
+    for (const WallCell& wall : walls.cells) mirrored.push_back(wall.mirrored);
   }
-  archive.list_of("wall_gains", all, size);
-  std::size_t at = 0;
+  archive.list_of("wall_gains", gains, size);
+  archive.list_of("wall_mirrored", mirrored, size);
+  if (!archive.loading()) return;
+  auto gain = gains.begin();
+  auto mirror = mirrored.begin();
   for (const BlockIndex b : active()) {
     WallLinks& walls = block(b).walls;
-    if (archive.loading() && !walls.hits.empty())
-      walls.gains.assign(all.begin() + static_cast<std::ptrdiff_t>(at),
-                         all.begin() + static_cast<std::ptrdiff_t>(at + walls.cells.size()));
-    at += walls.cells.size();
+    const auto last = gain + static_cast<std::ptrdiff_t>(walls.cells.size());
+    walls.gains.assign(gain, last);
+    gain = last;
+    for (WallCell& wall : walls.cells) wall.mirrored = *mirror++;
   }
 }
 
@@ -205,7 +210,7 @@ void Fluid<Real>::transfer(Archive& archive) {
   template void FluidGrid<Real>::transfer_types(Archive&);      \
   template void FluidGrid<Real>::transfer_surfaces(Archive&);   \
   template void FluidGrid<Real>::transfer_bodies(Archive&);     \
-  template void FluidGrid<Real>::transfer_wall_gains(Archive&); \
+  template void FluidGrid<Real>::transfer_wall_links(Archive&); \
   template void Fluid<Real>::check_finite() const;              \
   template void Fluid<Real>::transfer_time(Archive&);           \
   template void Fluid<Real>::transfer(Archive&);

@@ -8,12 +8,12 @@ namespace lahar::lbm {
 
 namespace {
 
-/// Adds to the rest populations of a block's liquid cells at interpolated walls; returns what arrived there.
+/// Adds to the rest populations of a block's liquid cells at such walls; returns what arrived there.
 template <class Real>
-double give(Block<Real>& block, Real share) {
+double give(Block<Real>& block, WallPlacement placement, Real share) {
   double arrived = 0;
   for (const WallCell& wall : block.walls.cells) {
-    if (wall.slip != WallSlip::no_slip || block.type[wall.cell] != CellType::liquid) continue;
+    if (block.type[wall.cell] != CellType::liquid || !moves_mass(wall, placement)) continue;
     Real& rest = block.f(0)[wall.cell];
     const Real before = rest;
     rest += share;
@@ -36,7 +36,7 @@ void balance_walls(FluidGrid<Real>& grid, WallAccount& account) {
   const auto share = static_cast<Real>(-account.owed / takers);
   parallel_for(0, active.size(), 16, [&](std::size_t k) {
     Block<Real>& block = grid.block(active[k]);
-    block.walls.gained = block.walls.takers > 0 ? give(block, share) : 0;
+    block.walls.gained = block.walls.takers > 0 ? give(block, grid.domain().placement(), share) : 0;
   });
   account.owed += sum([&](std::size_t k) { return grid.block(active[k]).walls.gained; });
 }

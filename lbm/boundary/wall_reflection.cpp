@@ -1,5 +1,7 @@
 #include "lbm/boundary/wall_reflection.h"
 
+#include "lbm/boundary/slip_wall.h"
+#include "lbm/boundary/wall_balance.h"
 #include "lbm/boundary/wall_traction.h"
 #include "lbm/cell_moments.h"
 
@@ -17,9 +19,7 @@ std::array<Real, 3> reflection_velocity(FluidGrid<Real>& grid, CellPlace place, 
     const auto m = outgoing_moments(grid, place, parity);
     rho += m.drho;
     if (wall.slip == WallSlip::wall_model) return wall_model_velocity(grid, place, wall, parity, physics, m);
-    Real normal_speed = 0;
-    for (std::size_t k = 0; k < 3; ++k) normal_speed += m.u[k] * static_cast<Real>(wall.normal[k]);
-    for (std::size_t k = 0; k < 3; ++k) v[k] = m.u[k] - normal_speed * static_cast<Real>(wall.normal[k]);
+    return free_slip_velocity(grid, place, wall, parity, m);
   } else {
     for (std::size_t k = 0; k < 3; ++k) v[k] = static_cast<Real>(wall.wall_velocity[k]);
   }
@@ -33,8 +33,8 @@ Real along(int i, const std::array<Real, 3>& v) {
   return static_cast<Real>(c[0]) * v[0] + static_cast<Real>(c[1]) * v[1] + static_cast<Real>(c[2]) * v[2];
 }
 
-/// Weighted mean of c_i . v over the links: subtracted, so that the links together leave the mass as it is. It is zero
-/// on a flat wall.
+/// Weighted mean of c_i . v over the links, zero but for rounding on a wall along the lattice: subtracted there, so
+/// that no mass has to be booked.
 template <class Real>
 Real mean_wall_push(const std::uint8_t* links, int count, const std::array<Real, 3>& v) {
   Real sum = 0, weights = 0;
@@ -69,20 +69,26 @@ double interpolate(FluidGrid<Real>& grid, CellPlace place, int i, const WallHit&
   return static_cast<double>(back) - static_cast<double>(out);
 }
 
+/// Counts what the last reflection at a wall cell added to it in the sweep, and notes what this one will. Whether it is
+/// mass of the ledger is decided by what the cell is in the sweep, before it may be converted: liquid.
+template <class Real>
+void book_gain(Block<Real>& block, const WallCell& wall, double gained) {
+  const auto entry = static_cast<std::size_t>(&wall - block.walls.cells.data());
+  const bool liquid = block.type[wall.cell] == CellType::liquid;
+  block.walls.gained += block.walls.gains[entry];
+  block.walls.takers += liquid;
+  block.walls.gains[entry] = liquid ? gained : 0;
+}
+
 /// All links of a cell at an interpolated wall.
 template <class Real>
 void interpolate_links(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                        const WallPhysics& physics) {
   Block<Real>& block = grid.block(place.block);
-  const auto entry = static_cast<std::size_t>(&wall - block.walls.cells.data());
-  if (block.type[wall.cell] == CellType::liquid) {
-    block.walls.gained += block.walls.gains[entry];
-    ++block.walls.takers;
-  }
   double gained = 0;
   for (std::size_t k = wall.first_link; k < std::size_t{wall.first_link} + wall.links; ++k)
     gained += interpolate(grid, place, block.walls.directions[k], block.walls.hits[k], parity, physics);
-  block.walls.gains[entry] = gained;
+  book_gain(block, wall, gained);
 }
 
 bool stands_still(const WallCell& wall) {
@@ -108,7 +114,8 @@ void bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* link
                 const WallPhysics& physics) {
   Real rho;
   const auto v = reflection_velocity(grid, place, wall, parity, physics, rho);
-  const Real mean_push = mean_wall_push(links, wall.links, v);
+  const Real mean_push = wall.even ? mean_wall_push(links, wall.links, v) : Real(0);
+  double gained = 0;
   for (int k = 0; k < wall.links; ++k) {
     const int i = links[k], a = i % 2 == 1 ? i : i - 1;
     const auto pair = grid.access(place, a, parity);
@@ -117,7 +124,9 @@ void bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* link
       *pair.incoming_b = *pair.outgoing_a - push;
     else
       *pair.incoming_a = *pair.outgoing_b - push;
+    gained -= static_cast<double>(push);
   }
+  if (!wall.even) book_gain(grid.block(place.block), wall, gained);
 }
 
 /// What went into the wall over the links of a cell and what came back.
@@ -144,18 +153,21 @@ void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
                       BlockWallLoads* loads) {
   Block<Real>& block = grid.block(b);
   block.walls.gained = 0, block.walls.takers = 0;
-  if (!block.walls.hits.empty()) block.walls.gains.resize(block.walls.cells.size(), 0);
-  for (const WallCell& wall : block.walls.cells) {
+  block.walls.gains.resize(block.walls.cells.size(), 0);
+  for (WallCell& wall : block.walls.cells) {
     const CellPlace place{b, wall.cell};
     const std::uint8_t* const links = block.walls.directions.data() + wall.first_link;
     if (!is_wet(block.type[wall.cell])) {
-      if (!block.walls.gains.empty()) block.walls.gains[static_cast<std::size_t>(&wall - block.walls.cells.data())] = 0;
+      block.walls.gains[static_cast<std::size_t>(&wall - block.walls.cells.data())] = 0;
+      wall.mirrored = 0;
       continue;
     }
     if (wall.slip == WallSlip::no_slip && !block.walls.hits.empty()) {
       interpolate_links(grid, place, wall, parity, physics);
     } else if (stands_still(wall)) {
       bounce_back(grid, place, links, wall.links, parity);
+    } else if (is_mirror(wall)) {
+      mirror(grid, place, wall, links, parity);
     } else {
       bounce_off(grid, place, links, wall, parity, physics);
     }

@@ -11,9 +11,10 @@
 // 2q), or (2q - 1)/2q: both rules then give f_i* at hydrostatic rest, as half-way does, so that liquid at rest stays at
 // rest and no wall leaks under hydrostatic pressure. Mass: wall_balance.h.
 //
-// A free-slip wall is a wall that moves with the fluid's own tangential velocity, so that no shear reaches it; this
-// works for any wall normal. At edges and steps the motion of the wall would add or take mass; the mean of c_i . u_wall
-// over the cell's links is left out there, so that the links of a cell never change its mass.
+// A free-slip wall along the lattice is a mirror (slip_wall.h). One at an angle to it moves so that its links exert no
+// stress along it (wall_traction.h); a plug slides along it unchanged, steps or not. What moving and slipping walls add
+// to a cell where they are cut into steps, the sum of -6 w_i rho c_i . u_wall, is booked (wall_balance.h): without it
+// the steps would brake (docs/decisions/0013).
 //
 // A wall with a wall model moves so that the traction of its links is the stress of the law (wall_model.h). Over all
 // links through an area with the normal n, along the tangent t,

@@ -1,5 +1,5 @@
 #pragma once
-// The velocity of a wall whose links exert a given stress on the fluid (wall_reflection.h, "wall model").
+// The velocity of a wall whose links exert a given stress on the fluid (wall_reflection.h, "wall model"), or none.
 #include <algorithm>
 #include <cmath>
 
@@ -30,6 +30,37 @@ struct OutgoingStress {
     return sum;
   }
 };
+
+/// Velocity of a wall at an angle to the lattice whose links exert no stress along it: with M now a matrix, and P a
+/// vector, of the plane of the wall, v = u + P / (rho M). With v = u alone the traction is -P, (1 - tau)/3 of the
+/// shear. P is that of the viscous stress, without rho u u: a plug slides along the wall unchanged.
+template <class Real>
+std::array<Real, 3> free_slip_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
+                                       const CellMoments<Real>& m) {
+  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
+  const Vec3 u(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]));
+  const Vec3 slip = u - u.dot(n) * n, t = n.unitOrthogonal(), b = n.cross(t);
+  OutgoingStress<Real> stress(grid, place, parity, static_cast<double>(m.drho));
+  for (int k = 0; k < 3; ++k)
+    for (int l = 0; l < 3; ++l) stress.pi[k][l] -= (1 + static_cast<double>(m.drho)) * u[k] * u[l];
+  double tt = 0, tb = 0, bb = 0, carried_t = 0, carried_b = 0;
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const auto& c = D3Q19::c[i];
+    const Vec3 velocity(c[0], c[1], c[2]);
+    const double into = -velocity.dot(n);
+    if (into <= 0) continue;
+    const double ct = velocity.dot(t), cb = velocity.dot(b), weight = D3Q19::w(i) * into;
+    tt += 6 * weight * ct * ct, tb += 6 * weight * ct * cb, bb += 6 * weight * cb * cb;
+    const double along = 9 * weight * stress.along(c);
+    carried_t += along * ct, carried_b += along * cb;
+  }
+  const double inverse = 1 / ((1 + static_cast<double>(m.drho)) * (tt * bb - tb * tb));
+  Vec3 more = inverse * ((bb * carried_t - tb * carried_b) * t + (tt * carried_b - tb * carried_t) * b);
+  const double most = slip.norm();  // where the cells are too coarse for any profile
+  if (more.norm() > most) more *= most / more.norm();
+  const Vec3 v = slip + more;
+  return {static_cast<Real>(v.x()), static_cast<Real>(v.y()), static_cast<Real>(v.z())};
+}
 
 template <class Real>
 std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,

@@ -14,6 +14,16 @@
 // linearly unstable at small viscosity (noise of 1e-6 grew to 5e-2 in 4000 steps at nu = 1e-6; with 1/3, the value of
 // the Maxwell distribution, it still grew five-fold in 6000; with 1/2 it decays). Forces shift the frame in which the
 // central moments are taken, which is exact up to the square of the force.
+//
+// Moving frames: c_a^3 = c_a, so the third moment along an axis is rho v_a where it should be rho (v_a + v_a^3), and
+// the momentum balance of second order misses d_a (rho v_a^3) = 3 rho v_a^2 d_a v_a in the stress: the viscosity of
+// stretching along an axis is lower by the share 9/2 v_a^2. A source C in the second moments acts with the weight tau
+// on the stress and the missing term with tau - 1/2, so C_aa = -(1 - omega/2) 3 rho v_a^2 d_a v_a puts it back (Geier,
+// Schoenherr, Pasquali & Krafczyk 2015, Comput. Math. Appl. 70, eqs. 61-66). The strain rate d_a v_a = -3 omega /
+// (2 rho) s_a comes from the stress, which now holds half of the missing term: up to v^4, and without the divergence,
+//   s_a = S_aa + 9/4 omega (v_a^2 S_aa - mean over the axes),
+//   S_aa -> (1 - omega) S_aa + 9/2 omega (1 - omega/2) v_a^2 s_a, less the mean over the axes.
+// It vanishes with the viscosity. The missing moment c_x c_y c_z is not put back: its derivatives are not in S.
 #include "lbm/collision/cell_state.h"
 #include "lbm/collision/newtonian.h"
 
@@ -55,6 +65,19 @@ template <class V>
   f[17] = quarter * ((yyzz - yz) + (yzz - yyz)), f[18] = quarter * ((yyzz - yz) - (yzz - yyz));
 }
 
+/// Relaxes the diagonal of a stress in a moving frame (head of this file): keeps (1 - omega) of it, corrected for v.
+template <class V>
+[[gnu::always_inline]] inline void relax_diagonal(const V& omega, const V (&v)[3], Symmetric<V>& s) {
+  const V keep = V(1) - omega, cubic = number<V>(4.5) * omega * (V(1) - number<V>(0.5) * omega);
+  const V x2 = v[0] * v[0], y2 = v[1] * v[1], z2 = v[2] * v[2], third = number<V>(1.0 / 3.0);
+  const V x = x2 * s.xx, y = y2 * s.yy, z = z2 * s.zz, part = number<V>(2.25) * omega, even = (x + y + z) * third;
+  s.xx = keep * s.xx + cubic * (x + x2 * part * (x - even));
+  s.yy = keep * s.yy + cubic * (y + y2 * part * (y - even));
+  s.zz = keep * s.zz + cubic * (z + z2 * part * (z - even));
+  const V mean = (s.xx + s.yy + s.zz) * third;
+  s.xx -= mean, s.yy -= mean, s.zz -= mean;
+}
+
 struct CentralMoments {
   static constexpr const char* name = "central_moments";
   static constexpr bool bounds_stress = true;  ///< collision/stress_limit.h
@@ -71,8 +94,10 @@ struct CentralMoments {
       omega = viscosity.rate(s, m.inverse_density);
     omega = min(omega, force.largest_rate);
     const Departure<V> after = velocity_after(m, force);
-    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight) * force.stress_share * after.share;
-    for (V* t : {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz}) *t *= keep;
+    const V share = (V(1) - force.coverage_weight) * force.stress_share * after.share, keep = (V(1) - omega) * share;
+    relax_diagonal(omega, after.v, s);
+    for (V* t : {&s.xx, &s.yy, &s.zz}) *t *= share;
+    for (V* t : {&s.xy, &s.xz, &s.yz}) *t *= keep;
     from_central_moments(m.drho, after.v, s, f);
     return after;
   }

@@ -14,7 +14,8 @@ namespace {
 constexpr double kThreshold = 0.01;  ///< beyond full or empty before a cell converts: damps flicker
 constexpr double kThinFill = 0.1;    ///< liquid share under which a draining cell with no liquid neighbour is given up
 constexpr double kPoolDose = 0.02;   ///< largest payment of the pool to one cell in a step
-constexpr double kPoolIdle = 1e-5;   ///< a smaller pool waits: payments would drown in rounding
+constexpr std::uint64_t kVoidsEvery = 8;  ///< steps between looks for voids that are cut off from the gas
+constexpr double kPoolIdle = 1e-5;        ///< a smaller pool waits: payments would drown in rounding
 
 struct Surroundings {
   bool gas = false, interface = false, liquid = false;
@@ -35,6 +36,50 @@ Surroundings look_around(const FluidGrid<Real>& grid, CellPlace place) {
 template <class Real>
 Real body_share(const Block<Real>& block, int cell) {
   return block.body ? block.body->solid_fraction[cell] : Real(0);
+}
+
+/// Voids that are cut off from the gas: interface cells that are not full although none of their neighbours is gas. No
+/// link tells them the gas pressure any more, so that they would stand half empty in water under any pressure. They
+/// take liquid from their liquid neighbours as long as those are above the gas pressure: at most what would bring them
+/// down to it half-way, and what is missing flows in. Only cells under pressure are touched, and mass is moved, not
+/// made.
+template <class Real>
+void close_void(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
+  SurfaceFields<Real>& surface = *grid.block(place.block).surface;
+  CellPlace liquids[D3Q19::q];
+  Real above[D3Q19::q], sum = 0;
+  int n = 0;
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const CellPlace next = grid.neighbour(place, i);
+    const CellType type = grid.type(next);
+    if (type == CellType::gas || type == CellType::sink) return;
+    if (type != CellType::liquid) continue;
+    const Real drho = outgoing_moments(grid, next, parity).drho;
+    if (drho <= 0) continue;
+    liquids[n] = next, above[n] = drho, sum += drho;
+    ++n;
+  }
+  const Real missing = Real(1) + surface.density[place.cell] - surface.mass[place.cell];
+  if (n == 0 || missing <= 0) return;
+  const Real share = std::min(Real(0.5), missing / sum);
+  for (int k = 0; k < n; ++k) {
+    Real& rest = grid.block(liquids[k].block).f(0)[liquids[k].cell];
+    const Real before = rest;
+    rest -= share * above[k];
+    surface.mass[place.cell] += before - rest;
+  }
+}
+
+template <class Real>
+void close_voids(FluidGrid<Real>& grid, Parity parity) {
+  for (const BlockIndex b : grid.active()) {
+    const Block<Real>& block = grid.block(b);
+    if (!block.surface) continue;
+    for (int k = 0; k < block.surface->count; ++k) {
+      const auto cell = block.surface->cells[static_cast<std::size_t>(k)];
+      if (block.type[cell] == CellType::interface && !block.at_rim[cell]) close_void(grid, {b, cell}, parity);
+    }
+  }
 }
 
 enum class Verdict { stay, fill, empty };
@@ -102,6 +147,7 @@ void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, const std::
   move_drops(grid, parity, account);
   distribute(grid, account);
   pay_pool(grid, account);
+  if (round_ % kVoidsEvery == 0) close_voids(grid, parity);
   relist_touched(grid);
 }
 

@@ -59,7 +59,7 @@ void expect_same_after_restart(Solids& whole, int steps) {
   const auto differing = differing_lists(state_of(whole), state_of(resumed));
   EXPECT_TRUE(differing.empty()) << ::testing::PrintToString(differing);
   EXPECT_EQ(whole.ledger().total(), resumed.ledger().total());
-  EXPECT_EQ(whole.ledger().bond_dissipated, resumed.ledger().bond_dissipated);
+  EXPECT_EQ(whole.ledger().bonds.dissipated(), resumed.ledger().bonds.dissipated());
 }
 
 TEST(SolidsTransfer, GoesOnRightAfterABondHasBroken) {

@@ -46,7 +46,8 @@ TEST_P(Viscosity, IsWhatWasAskedFor) {
 TEST_P(Viscosity, DoesNotDependOnTheMotionOfTheFrame) {
   const double rest = measured_viscosity(32, 0.02, GetParam(), Vec3::Zero(), 320);
   const double moving = measured_viscosity(32, 0.02, GetParam(), Vec3(0.1, 0, 0), 320);
-  EXPECT_NEAR(moving / rest, 1, 0.03);
+  // D3Q19 loses 9/4 u^2 of the viscosity of this flow; the default operator puts it back.
+  EXPECT_NEAR(moving / rest, 1, GetParam() == CollisionOperator::central_moments ? 0.003 : 0.03);
 }
 
 INSTANTIATE_TEST_SUITE_P(Operators, Viscosity,

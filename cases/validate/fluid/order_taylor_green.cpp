@@ -65,20 +65,21 @@ Decay decay_of(const Vortex& v) {
   return {rate / (4 * k * k * kViscosity), velocity_error(fluid, exact(steps), drift)};
 }
 
-/// Order and viscosity of one operator, in a frame at rest or moving.
+/// Order of one operator, and its viscosity on the grid of the vortex given, in a frame at rest or moving.
 void add_convergence(std::vector<Row>& rows, const Vortex& vortex, const std::string& name, std::span<const int> cells,
                      double tolerance) {
   std::vector<double> errors;
-  Decay finest{};
+  double viscosity = 0;
   for (const int n : cells) {
     Vortex v = vortex;
     v.cells = n;
-    finest = decay_of(v);
-    errors.push_back(finest.error);
+    const Decay decay = decay_of(v);
+    errors.push_back(decay.error);
+    if (n == vortex.cells) viscosity = decay.viscosity;
   }
   rows.push_back(at_least_row(order_label(name, cells), lowest_order(cells, errors), 1.9));
   rows.push_back(
-      relative_row(fmt::format("{}: viscosity / nu, {} cells", name, cells.back()), finest.viscosity, 1, tolerance));
+      relative_row(fmt::format("{}: viscosity / nu, {} cells", name, vortex.cells), viscosity, 1, tolerance));
 }
 
 std::vector<Row> run(const Context& context) {
@@ -90,10 +91,13 @@ std::vector<Row> run(const Context& context) {
     Vortex v{.cells = cells.back(), .collision = collision};
     add_convergence(rows, v, name, cells, tolerance);
     if (!context.quick) {
+      // The frame moves at 0.2 lu on 16 cells, 0.35 of the speed of sound: terms of its fourth power are no longer
+      // small there, and the order is asked from 32 cells on. The viscosity is that at 0.05 lu, as ever.
+      const std::vector<int> fine = {32, 64, 128};
       v.drift = Vec3(0.2, 0, 0);
-      add_convergence(rows, v, name + " moving", cells, tolerance);
+      add_convergence(rows, v, name + " moving", fine, tolerance);
       v.drift = Vec3(0.12, 0.16, 0);
-      add_convergence(rows, v, name + " moving askew", cells, tolerance);
+      add_convergence(rows, v, name + " moving askew", fine, tolerance);
     }
     v.drift = Vec3::Zero();
     const double upright = decay_of(v).viscosity;
