@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupling/wire_crowding.h"
+
 namespace lahar::coupling {
 
 /// Normal drag coefficient, force per length = 1/2 rho d Cd u_n^2 (Sucker & Brauer 1975, Waerme- und Stoffuebertragung
@@ -38,10 +40,14 @@ inline constexpr double kRomaSquares = 0.5;  ///< sum of squares of the kernel, 
 /// part of their momentum: 1 up to a diameter of one cell, then one per cell of diameter up to 5.
 inline double kernel_scale(double diameter_cells) { return std::clamp(diameter_cells, 1.0, 5.0); }
 
-/// Drag of a cylinder in a screen of solidity S over that of a lone one in the same approach flow. The loss of a screen
-/// of open share a = 1 - S is K = beta(Re) (1 - a^2)/a^2 (Blevins 1984, Table 10-?); per wire and with beta = Cd/2,
-/// which makes it Cd S for S -> 0, that is Cd S (1 - S/2)/(1 - S)^2.
-inline double screen_factor(double solidity) { return (1 - solidity / 2) / ((1 - solidity) * (1 - solidity)); }
+/// Drag per length of a cylinder in a screen over that of a lone one in the same approach flow. The loss of a screen of
+/// solidity S, open share a = 1 - S, is K = beta(Re) (1 - a^2)/a^2 (Blevins 1984). With beta = Cd/2, which makes it Cd S
+/// for S -> 0 as it must be, that is Cd S (1 - S/2)/(1 - S)^2; wires of total area s >= S (crossings counted twice) share
+/// it.
+inline double screen_factor(const Crowding& screen) {
+  const double s = screen.solidity;
+  return s <= 0 ? 1.0 : (1 - s / 2) / ((1 - s) * (1 - s)) * s / screen.area;
+}
 
 /// Part of the inviscid self-induced velocity that is left at a kernel Reynolds number s = U sigma/nu, sigma the
 /// standard deviation of the Gaussian that stands for the kernel: 1 for s -> infinity. From the Oseen equations with a
@@ -63,21 +69,22 @@ struct WireInCells {
   double diameter = 0;             ///< m
   double diameter_cells = 0;       ///< the same in cells
   double kinematic_viscosity = 0;  ///< m^2/s
-  double solidity = 0;             ///< of the screen that it is part of, 0 for a lone wire
+  Crowding screen = {};            ///< that it is part of
 };
 
 /// Share of the undisturbed speed u that the wire takes from the velocity sampled at itself. Half of the momentum
 /// deficit has built up where the wire is; to first order (Oseen) the share is
-///   x = Cd d (sum phi^2 - S/d)/4 oseen_share(u sigma/nu),   d in cells.
-/// S/d is what the row of neighbours gives back: the flow through the plane of a screen is that of the approach
-/// (continuity), so only what the wakes are beyond their mean is a deficit. To second order the deficit is carried off
+///   x = Cd d (sum phi^2 - s/d)/4 oseen_share(u sigma/nu),   d in cells.
+/// s/d is what a row of wires of area s gives back: the flow through the plane of a screen is that of the approach
+/// (continuity), so only what the wakes are beyond their mean is a deficit. Wires that cross take as much on average as
+/// they give back. To second order the deficit is carried off
 /// by the slower flow in itself, u_c = u (1 - 2/3 g^2 share) with g = oseen_share: momentum theory has 1 for 2/3; 2/3 and
 /// the fading with g^2 are what the fluid itself shows around a force of known size (docs/decisions/0022).
 inline double self_induced_share(const WireInCells& w, double u) {
   const double width = kernel_scale(w.diameter_cells);
-  const double excess = std::max(0.0, kRomaSquares / width - w.solidity / w.diameter_cells);
+  const double excess = std::max(0.0, kRomaSquares / width - w.screen.parallel / w.diameter_cells);
   const double sigma = std::numbers::inv_sqrtpi * width / w.diameter_cells * w.diameter;
-  const double cd = normal_drag_coefficient(u * w.diameter / w.kinematic_viscosity) * screen_factor(w.solidity);
+  const double cd = normal_drag_coefficient(u * w.diameter / w.kinematic_viscosity) * screen_factor(w.screen);
   const double s = u * sigma / w.kinematic_viscosity, g = oseen_share(s);
   const double unit = cd * w.diameter_cells * excess / 4;
   double share = unit * g;
@@ -93,15 +100,16 @@ inline double self_induced_share(const WireInCells& w, double u) {
 inline double undisturbed_speed(double sampled, const WireInCells& w) {
   if (sampled <= 0) return 0;
   const auto miss = [&](double u) { return u * (1 - self_induced_share(w, u)) - sampled; };
-  double a = sampled, fa = miss(a), b = 1.3 * sampled;
-  for (int k = 0; k < 8 && std::abs(fa) > 1e-4 * sampled; ++k) {
-    const double fb = miss(b);
-    const double slope = std::max((fb - fa) / (b - a), 0.1);  // 1 without a disturbance
-    a = b, fa = fb;
-    b = std::clamp(b - fb / slope, sampled, 8 * sampled);
-    if (b == a) break;
+  double before = sampled, miss_before = miss(before);
+  double u = sampled - 1.3 * miss_before;
+  for (int k = 0; k < 8 && u != before; ++k) {
+    const double now = miss(u);
+    if (std::abs(now) < 1e-4 * sampled) break;
+    const double slope = std::max((now - miss_before) / (u - before), 0.1);  // 1 without a disturbance
+    before = u, miss_before = now;
+    u = std::clamp(u - now / slope, sampled, 8 * sampled);
   }
-  return b;
+  return u;
 }
 
 }  // namespace lahar::coupling

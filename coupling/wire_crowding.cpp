@@ -89,24 +89,29 @@ class Boxes {
 
 }  // namespace
 
-std::vector<double> wire_solidity(const std::vector<WirePiece>& pieces, const Vec3& period) {
-  std::vector<double> solidity(pieces.size(), 0.0);
+std::vector<Crowding> wire_crowding(const std::vector<WirePiece>& pieces, const Vec3& period) {
+  std::vector<Crowding> crowding(pieces.size());
   double thickest = 0;
   for (const WirePiece& p : pieces) thickest = std::max(thickest, p.diameter);
-  if (thickest <= 0) return solidity;
+  if (thickest <= 0) return crowding;
   const Boxes boxes(pieces, period, kCrowdingReach * thickest);
   constexpr double own = 8 / (3 * std::numbers::pi * kCrowdingReach);
   parallel_for(0, pieces.size(), 64, [&](std::size_t k) {
     const double reach = kCrowdingReach * pieces[k].diameter, reach2 = reach * reach;
-    double area = 0;
+    double along = 0, across = 0;
     boxes.for_near(pieces[k].place, [&](const WirePiece& p, const Vec3& arm) {
       const double r2 = arm.squaredNorm();
-      if (r2 < reach2) area += p.diameter * p.length * (1 - r2 / reach2);
+      if (r2 >= reach2) return;
+      const double area = p.diameter * p.length * (1 - r2 / reach2), cosine = p.along.dot(pieces[k].along);
+      along += area * cosine * cosine, across += area * (1 - cosine * cosine);
     });
-    const double all = area / (std::numbers::pi / 2 * reach2), others = std::max(0.0, all - own);
-    solidity[k] = std::min(kLargestSolidity, others + std::min(own, others));
+    const double disc = std::numbers::pi / 2 * reach2;
+    along = std::max(0.0, along / disc - own), across /= disc;
+    along += std::min(own, along + across);
+    const double solidity = 1 - (1 - std::min(1.0, along)) * (1 - std::min(1.0, across));
+    crowding[k] = {along + across, along, std::min(kLargestSolidity, solidity)};
   });
-  return solidity;
+  return crowding;
 }
 
 }  // namespace lahar::coupling

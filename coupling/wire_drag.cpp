@@ -35,7 +35,7 @@ Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double length, double
   const double re = speed * d / wire.kinematic_viscosity;
   const Vec3 normal_velocity = sampled > 0 ? Vec3(across * (speed / sampled)) : Vec3(Vec3::Zero());
   return 0.5 * density * d * length *
-         (normal_drag_coefficient(re) * screen_factor(wire.solidity) * speed * normal_velocity +
+         (normal_drag_coefficient(re) * screen_factor(wire.screen) * speed * normal_velocity +
           tangential_drag_coefficient(re) * along.norm() * along);
 }
 
@@ -104,11 +104,21 @@ WireKernel WireDrag<Real>::kernel_at(const lbm::Fluid<Real>& fluid, const dem::P
 template <class Real>
 void WireDrag<Real>::look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
   std::vector<WirePiece> pieces(beads_.size());
-  for (std::size_t k = 0; k < beads_.size(); ++k)
-    pieces[k] = {particles.position[beads_[k].particle], 2 * particles.radius[beads_[k].particle], beads_[k].length};
+  for (std::size_t k = 0; k < beads_.size(); ++k) {
+    const Bead& bead = beads_[k];
+    pieces[k] = {particles.position[bead.particle], tangent_of(particles, bead), 2 * particles.radius[bead.particle],
+                 bead.length};
+  }
   const Vec3 period = lbm::kBlockWidth * fluid.units().cell_size * fluid.grid().domain().period().template cast<double>();
-  const std::vector<double> solidity = wire_solidity(pieces, period);
-  for (std::size_t k = 0; k < beads_.size(); ++k) beads_[k].solidity = solidity[k];
+  const std::vector<Crowding> crowding = wire_crowding(pieces, period);
+  for (std::size_t k = 0; k < beads_.size(); ++k) beads_[k].crowding = crowding[k];
+}
+
+/// Along the wire: from the bead before to the one after.
+template <class Real>
+Vec3 WireDrag<Real>::tangent_of(const dem::Particles& particles, const Bead& bead) {
+  const Vec3 chord = particles.position[bead.after] - particles.position[bead.before];
+  return chord.squaredNorm() > 0 ? Vec3(chord.normalized()) : Vec3(Vec3::UnitX());
 }
 
 template <class Real>
@@ -162,14 +172,12 @@ typename WireDrag<Real>::Sample WireDrag<Real>::sample(const lbm::Fluid<Real>& f
   });
   if (s.weight < 1e-6) return {};
   const Vec3 relative = units.velocity_to_si(1.0) * (velocity / s.weight) - particles.velocity[i];
-  const Vec3 chord = particles.position[bead.after] - particles.position[bead.before];
-  const Vec3 tangent = chord.squaredNorm() > 0 ? Vec3(chord.normalized()) : Vec3(Vec3::UnitX());
   const double d = 2 * particles.radius[i], rho = fluid.options().density;
   const WireInCells wire{.diameter = d,
                          .diameter_cells = d / units.cell_size,
                          .kinematic_viscosity = fluid.options().kinematic_viscosity,
-                         .solidity = bead.solidity};
-  const Vec3 drag = wire_force(relative, tangent, bead.length, rho, wire);
+                         .screen = bead.crowding};
+  const Vec3 drag = wire_force(relative, tangent_of(particles, bead), bead.length, rho, wire);
   const Vec3 buoyancy = -rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
   s.force = std::min(1.0, s.weight) * (drag + buoyancy) * units.force_to_lu(1.0);
   return s;

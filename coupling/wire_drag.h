@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "coupling/wire_crowding.h"
 #include "coupling/wire_kernel.h"
 #include "dem/bonds.h"
 #include "dem/particles.h"
@@ -33,7 +34,7 @@ class WireDrag {
     double length;                            ///< m, of wire that the bead stands for
     bool near = false;                        ///< a wet block is in reach in this step
     Vec3i lowest = Vec3i::Zero();             ///< block coordinate of the lowest cell in reach
-    double solidity = 0;                      ///< of the screen that it is part of (wire_crowding.h)
+    Crowding crowding = {};                   ///< the screen that it is part of
     std::array<lbm::BlockIndex, 27> blocks{};  ///< wet blocks in reach, from `lowest` on, (x, y, z) at 9x + 3y + z
   };
   /// What a bead samples and gives, filled in parallel.
@@ -45,6 +46,7 @@ class WireDrag {
   /// The block in reach of a bead that holds a cell; kNoBlock if it is missing or dry.
   static lbm::BlockIndex block_at(const Bead& bead, const Vec3i& cell);
   static WireKernel kernel_at(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, dem::ParticleIndex i);
+  static Vec3 tangent_of(const dem::Particles& particles, const Bead& bead);
   void look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   void allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   [[nodiscard]] Sample sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const Bead& bead) const;
