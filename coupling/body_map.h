@@ -40,6 +40,7 @@ class BodyMap {
     lbm::BlockIndex block;
     std::uint32_t body;         ///< index into bodies_
     std::uint64_t birth;        ///< of the block
+    Vec3i lowest;               ///< first cell of the block as the body sees it: beyond a periodic face not the block's own
     double volume = 0;          ///< cells, over all cells of the block
     double wet_volume = 0;      ///< cells, over wet cells
     double surface_weight = 0;  ///< sum of eps over interface cells
@@ -54,6 +55,7 @@ class BodyMap {
     double volume = 0;            ///< exact, cells
     double old_wet_volume = 0;    ///< of the former mapping, under present cell types
     Vec3 velocity, old_velocity;  ///< lu
+    Vec3 spin, old_spin;          ///< rad per step
     bool had_velocity = false;
   };
 
@@ -63,7 +65,7 @@ class BodyMap {
   void collect(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   void add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body);
   void sort_by_block(const lbm::Fluid<Real>& fluid);
-  void normalize(const lbm::Fluid<Real>& fluid);
+  void normalize();
   void write_fields(lbm::Fluid<Real>& fluid);
   void write_block(lbm::Fluid<Real>& fluid, lbm::BlockIndex b);
   void book_displacement(lbm::Fluid<Real>& fluid);
@@ -77,7 +79,8 @@ class BodyMap {
   std::vector<std::uint32_t> block_start_;   // per block index, into by_block_
   std::vector<std::uint32_t> next_;          // scratch of the sort
   std::vector<double> old_wet_, displaced_;  // per particle; per body
-  std::vector<Vec3> last_velocity_;          // per particle
+  std::vector<Vec3> last_velocity_, last_spin_;  // per particle
+  std::vector<Vec3> last_force_, last_torque_;   // per particle: what it got in the last step, lu
   std::vector<std::uint8_t> known_;          // per particle: last_velocity_ is set
   double wet_volume_ = 0;
 };
