@@ -68,7 +68,7 @@ std::vector<Row> floating_sphere(const Context& context) {
   return in_precision(context, [&]<class Real>() {
     std::vector<Row> rows;
     for (const double s : {0.25, 0.5, 0.75})
-      if (!context.quick || s == 0.5) float_one<Real>(rows, s, context.quick ? 8 : 12, context);
+      if (!context.quick || s == 0.5) float_one<Real>(rows, s, 8, context);
     return rows;
   });
 }
