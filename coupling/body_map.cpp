@@ -56,8 +56,8 @@ constexpr double kSureInertia = 1 / 0.7;
 /// Force (or torque) that a body gets, from the last one and that of now. A light body answers so fast that the added
 /// mass of the liquid around it, felt a step late, would make it swing from step to step once it exceeds the body's own
 /// mass m. A virtual mass on both sides of m dv = F (Schwarz, Kempe & Froehlich 2015, J. Comput. Phys. 281:591) is the
-/// same as smoothing the force, F <- (m F_now + m_v F_last)/(m + m_v): no inertia is added, the impulse comes m_v/m steps
-/// later. m_v is what the liquid in the body's place exceeds a share of m by.
+/// same as smoothing the force, F <- (m F_now + m_v F_last)/(m + m_v): no inertia is added, the impulse comes m_v/m
+/// steps later. m_v is what the liquid in the body's place exceeds a share of m by.
 Vec3 smoothed(Vec3& last, const Vec3& now, double body, double liquid) {
   const double virtual_mass = std::max(0.0, liquid - body / kSureInertia);
   last = (body * now + virtual_mass * last) / (body + virtual_mass);
@@ -119,9 +119,7 @@ void BodyMap<Real>::measure_old(lbm::Fluid<Real>& fluid) {
       return;
     }
     const Block<Real>& block = fluid.grid().block(p.block);
-    p.wet_volume = block.wet_cells == lbm::kBlockCells
-                       ? p.volume
-                       : wet_volume_in(spheres_[p.body], block, p.lowest);
+    p.wet_volume = block.wet_cells == lbm::kBlockCells ? p.volume : wet_volume_in(spheres_[p.body], block, p.lowest);
   });
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Body& b = bodies_[k];

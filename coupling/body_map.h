@@ -38,11 +38,11 @@ class BodyMap {
   /// A body and one block that it reaches.
   struct Pair {
     lbm::BlockIndex block;
-    std::uint32_t body;         ///< index into bodies_
-    std::uint64_t birth;        ///< of the block
-    Vec3i lowest;               ///< first cell of the block as the body sees it: beyond a periodic face not the block's own
-    double volume = 0;          ///< cells, over all cells of the block
-    double wet_volume = 0;      ///< cells, over wet cells
+    std::uint32_t body;     ///< index into bodies_
+    std::uint64_t birth;    ///< of the block
+    Vec3i lowest;           ///< first cell of the block as the body sees it: beyond a periodic face not the block's own
+    double volume = 0;      ///< cells, over all cells of the block
+    double wet_volume = 0;  ///< cells, over wet cells
     double surface_weight = 0;  ///< sum of eps over interface cells
     double locked = 0;          ///< sum of the coverage weight over wet cells: liquid that moves with the body
     double locked_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
@@ -74,14 +74,14 @@ class BodyMap {
 
   std::vector<Body> bodies_, former_;
   std::vector<GridSphere<Real>> spheres_;
-  std::vector<Pair> pairs_;                  // by body, then block
-  std::vector<std::uint32_t> by_block_;      // pair indices sorted by block
-  std::vector<std::uint32_t> block_start_;   // per block index, into by_block_
-  std::vector<std::uint32_t> next_;          // scratch of the sort
-  std::vector<double> old_wet_, displaced_;  // per particle; per body
+  std::vector<Pair> pairs_;                      // by body, then block
+  std::vector<std::uint32_t> by_block_;          // pair indices sorted by block
+  std::vector<std::uint32_t> block_start_;       // per block index, into by_block_
+  std::vector<std::uint32_t> next_;              // scratch of the sort
+  std::vector<double> old_wet_, displaced_;      // per particle; per body
   std::vector<Vec3> last_velocity_, last_spin_;  // per particle
   std::vector<Vec3> last_force_, last_torque_;   // per particle: what it got in the last step, lu
-  std::vector<std::uint8_t> known_;          // per particle: last_velocity_ is set
+  std::vector<std::uint8_t> known_;              // per particle: last_velocity_ is set
   double wet_volume_ = 0;
 };
 

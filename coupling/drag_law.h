@@ -41,9 +41,9 @@ inline constexpr double kRomaSquares = 0.5;  ///< sum of squares of the kernel, 
 inline double kernel_scale(double diameter_cells) { return std::clamp(diameter_cells, 1.0, 5.0); }
 
 /// Drag per length of a cylinder in a screen over that of a lone one in the same approach flow. The loss of a screen of
-/// solidity S, open share a = 1 - S, is K = beta(Re) (1 - a^2)/a^2 (Blevins 1984). With beta = Cd/2, which makes it Cd S
-/// for S -> 0 as it must be, that is Cd S (1 - S/2)/(1 - S)^2; wires of total area s >= S (crossings counted twice) share
-/// it.
+/// solidity S, open share a = 1 - S, is K = beta(Re) (1 - a^2)/a^2 (Blevins 1984). With beta = Cd/2, which makes it Cd
+/// S for S -> 0 as it must be, that is Cd S (1 - S/2)/(1 - S)^2; wires of total area s >= S (crossings counted twice)
+/// share it.
 inline double screen_factor(const Crowding& screen) {
   const double s = screen.solidity;
   return s <= 0 ? 1.0 : (1 - s / 2) / ((1 - s) * (1 - s)) * s / screen.area;
@@ -53,7 +53,8 @@ inline double screen_factor(const Crowding& screen) {
 /// standard deviation of the Gaussian that stands for the kernel: 1 for s -> infinity. From the Oseen equations with a
 /// Gaussian force, sampled with the same Gaussian:
 ///   D = F'/(2 pi rho U) int_0^inf exp(-k^2 sigma^2) (sqrt(1 + q^2) - q) dk,   q = k nu/U
-///     = F'/(4 sqrt(pi) sigma rho U) times the value returned, 2/sqrt(pi) [s/4 e^z (K0(z) + K1(z)) - 1/(2s)], z = s^2/2.
+///     = F'/(4 sqrt(pi) sigma rho U) times the value returned, 2/sqrt(pi) [s/4 e^z (K0(z) + K1(z)) - 1/(2s)], z =
+///     s^2/2.
 inline double oseen_share(double s) {
   constexpr double scale = 2 * std::numbers::inv_sqrtpi;
   if (s > 6) {  // e^z (K0 + K1) by its asymptotic series
@@ -78,8 +79,8 @@ struct WireInCells {
 /// s/d is what a row of wires of area s gives back: the flow through the plane of a screen is that of the approach
 /// (continuity), so only what the wakes are beyond their mean is a deficit. Wires that cross take as much on average as
 /// they give back. To second order the deficit is carried off
-/// by the slower flow in itself, u_c = u (1 - 2/3 g^2 share) with g = oseen_share: momentum theory has 1 for 2/3; 2/3 and
-/// the fading with g^2 are what the fluid itself shows around a force of known size (docs/decisions/0022).
+/// by the slower flow in itself, u_c = u (1 - 2/3 g^2 share) with g = oseen_share: momentum theory has 1 for 2/3; 2/3
+/// and the fading with g^2 are what the fluid itself shows around a force of known size (docs/decisions/0022).
 inline double self_induced_share(const WireInCells& w, double u) {
   const double width = kernel_scale(w.diameter_cells);
   const double excess = std::max(0.0, kRomaSquares / width - w.screen.parallel / w.diameter_cells);

@@ -97,8 +97,7 @@ template <class Real>
 WireKernel WireDrag<Real>::kernel_at(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
                                      dem::ParticleIndex i) {
   const double dx = fluid.units().cell_size;
-  return {(particles.position[i] - fluid.grid().domain().origin()) / dx,
-          kernel_scale(2 * particles.radius[i] / dx)};
+  return {(particles.position[i] - fluid.grid().domain().origin()) / dx, kernel_scale(2 * particles.radius[i] / dx)};
 }
 
 template <class Real>
@@ -109,7 +108,8 @@ void WireDrag<Real>::look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem
     pieces[k] = {particles.position[bead.particle], tangent_of(particles, bead), 2 * particles.radius[bead.particle],
                  bead.length};
   }
-  const Vec3 period = lbm::kBlockWidth * fluid.units().cell_size * fluid.grid().domain().period().template cast<double>();
+  const Vec3 period =
+      lbm::kBlockWidth * fluid.units().cell_size * fluid.grid().domain().period().template cast<double>();
   const std::vector<Crowding> crowding = wire_crowding(pieces, period);
   for (std::size_t k = 0; k < beads_.size(); ++k) beads_[k].crowding = crowding[k];
 }

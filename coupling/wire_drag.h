@@ -30,11 +30,11 @@ class WireDrag {
  private:
   struct Bead {
     dem::ParticleIndex particle;
-    dem::ParticleIndex before, after;         ///< neighbours along the wire; itself where there is none
-    double length;                            ///< m, of wire that the bead stands for
-    bool near = false;                        ///< a wet block is in reach in this step
-    Vec3i lowest = Vec3i::Zero();             ///< block coordinate of the lowest cell in reach
-    Crowding crowding = {};                   ///< the screen that it is part of
+    dem::ParticleIndex before, after;          ///< neighbours along the wire; itself where there is none
+    double length;                             ///< m, of wire that the bead stands for
+    bool near = false;                         ///< a wet block is in reach in this step
+    Vec3i lowest = Vec3i::Zero();              ///< block coordinate of the lowest cell in reach
+    Crowding crowding = {};                    ///< the screen that it is part of
     std::array<lbm::BlockIndex, 27> blocks{};  ///< wet blocks in reach, from `lowest` on, (x, y, z) at 9x + 3y + z
   };
   /// What a bead samples and gives, filled in parallel.

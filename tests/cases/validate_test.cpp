@@ -83,5 +83,10 @@ INSTANTIATE_TEST_SUITE_P(Fluid, QuickEntry,
                                          "fluid.determinism", "fluid.hard_h19", "fluid.shear_layer"),
                          [](const auto& param) { return std::string(param.param).substr(6); });
 
+INSTANTIATE_TEST_SUITE_P(Bodies, QuickEntry,
+                         testing::Values("bodies.wire", "bodies.screen", "bodies.ring_net_drag", "bodies.archimedes",
+                                         "bodies.hard_h7", "bodies.hard_h10", "bodies.hard_h17"),
+                         [](const auto& param) { return std::string(param.param).substr(7); });
+
 }  // namespace
 }  // namespace lahar::validate

@@ -30,7 +30,8 @@ dem::Particles packed_bed() {
   return particles;
 }
 
-/// Every grain moves in every step, so that all of the mapping is done again. Counted: mapping, collision, forces; the particles' own step is not counted.
+/// Every grain moves in every step, so that all of the mapping is done again. Counted: mapping, collision, forces; the
+/// particles' own step is not counted.
 Figure wet_packed_bed(const Session& session) {
   lbm::FluidOptions o;
   o.domain.cell_size = 1;

@@ -75,10 +75,13 @@ std::vector<Row> hard_h17(const Context& context) {
     std::vector<Row> rows{at_least_row("contacts with the finest sub-steps", reference.contacts, 1)};
     for (const int substeps : context.quick ? std::vector<int>{10} : std::vector<int>{100, 10}) {
       const Bounces b = bounce<Real>(substeps, steps);
-      rows.push_back(relative_row(fmt::format("contacts, {} sub-steps", substeps), b.contacts, reference.contacts, 0.05));
-      rows.push_back(relative_row(fmt::format("impulse on the floor, {} sub-steps", substeps), b.impulse, reference.impulse, 0.05));
+      rows.push_back(
+          relative_row(fmt::format("contacts, {} sub-steps", substeps), b.contacts, reference.contacts, 0.05));
+      rows.push_back(relative_row(fmt::format("impulse on the floor, {} sub-steps", substeps), b.impulse,
+                                  reference.impulse, 0.05));
       rows.push_back(at_most_row(fmt::format("largest force over that of Hertz, {} sub-steps", substeps), b.peak, 10));
-      rows.push_back(at_most_row(fmt::format("momentum audit, {} sub-steps", substeps), b.audit, sizeof(Real) == 8 ? 1e-10 : 1e-4));
+      rows.push_back(at_most_row(fmt::format("momentum audit, {} sub-steps", substeps), b.audit,
+                                 sizeof(Real) == 8 ? 1e-10 : 1e-4));
     }
     return rows;
   });

@@ -11,7 +11,7 @@ namespace lahar::validate {
 namespace {
 
 struct Slam {
-  double peak = 0;  ///< largest force, over rho v^2 pi R^2/2, mean of a twentieth of D/v
+  double peak = 0;                 ///< largest force, over rho v^2 pi R^2/2, mean of a twentieth of D/v
   double lowest = 1, highest = 1;  ///< density
 };
 
@@ -43,7 +43,8 @@ Slam slam_once(const SphereTank& t, std::vector<Row>& rows, const std::string& w
   const auto tank = make_tank<Real>(t);
   auto& step = *tank;
   Slam slam;
-  const int steps = static_cast<int>(1.5 * t.diameter / 0.1), window = std::max(1, static_cast<int>(0.05 * t.diameter / 0.1));
+  const int steps = static_cast<int>(1.5 * t.diameter / 0.1),
+            window = std::max(1, static_cast<int>(0.05 * t.diameter / 0.1));
   std::vector<double> force;
   for (int s = 0; s < steps; ++s) {
     step.advance();
@@ -90,8 +91,8 @@ std::vector<Row> hard_h5(const Context& context) {
         peaks.push_back(slam.peak);
       }
       const std::size_t n = peaks.size();
-      rows.push_back(relative_row(fmt::format("density {:g}: peak force, the last two sizes", 1000 * density), peaks[n - 2],
-                                  peaks[n - 1], context.quick ? 0.5 : 0.2));
+      rows.push_back(relative_row(fmt::format("density {:g}: peak force, the last two sizes", 1000 * density),
+                                  peaks[n - 2], peaks[n - 1], context.quick ? 0.5 : 0.2));
     }
     if (!context.quick) float_up<Real>(rows);
     return rows;

@@ -24,7 +24,8 @@ double ring_net_solidity(double d) {
       bool hit = false;
       for (int a = -1; a <= 1; ++a)
         for (int b = -1; b <= 1; ++b)
-          hit = hit || std::abs(std::hypot((i + 0.5) / n - 0.5 - a, (j + 0.5) / n - 0.5 - b) - kRingOverPitch / 2) < d / 2;
+          hit = hit ||
+                std::abs(std::hypot((i + 0.5) / n - 0.5 - a, (j + 0.5) / n - 0.5 - b) - kRingOverPitch / 2) < d / 2;
       covered += hit;
     }
   return static_cast<double>(covered) / (n * n);
@@ -39,7 +40,8 @@ std::vector<Row> ring_net_drag(const Context& context) {
     int width;
     double pitch_over_diameter;
   };
-  const auto nets = context.quick ? std::vector<Net>{{40, 20}} : std::vector<Net>{{64, 32}, {40, 20}, {64, 16}, {40, 10}};
+  const auto nets =
+      context.quick ? std::vector<Net>{{40, 20}} : std::vector<Net>{{64, 32}, {40, 20}, {64, 16}, {40, 10}};
   for (const auto& [width, ratio] : nets) {
     const double solidity = ring_net_solidity(1 / ratio), table = screen_loss(solidity, 100);
     double low = 1e300, high = 0;
@@ -60,7 +62,8 @@ std::vector<Row> ring_net_drag(const Context& context) {
       const double found = load.drag / (0.5 * load.speed * load.speed * area);
       low = std::min(low, found), high = std::max(high, found);
       audit = std::max(audit, load.audit);
-      rows.push_back(relative_row(fmt::format("K of a ring net, S {:.3f}, Re 100, d/dx {:g}", solidity, d), found, table, 0.20));
+      rows.push_back(
+          relative_row(fmt::format("K of a ring net, S {:.3f}, Re 100, d/dx {:g}", solidity, d), found, table, 0.20));
     }
     if (!context.quick)
       rows.push_back(at_most_row(fmt::format("K of a ring net, S {:.3f}: spread over d/dx 0.5, 1, 2", solidity),

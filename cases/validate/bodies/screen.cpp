@@ -50,8 +50,8 @@ std::vector<Row> screen(const Context& context) {
   const auto ask = [&](double d, double re, double solidity, bool mesh) {
     const Loss loss = screen_of(d, re, solidity, mesh, context);
     audit = std::max(audit, loss.audit);
-    rows.push_back(relative_row(fmt::format("K, {}, S {:.3f}, Re {:g}, d/dx {:g}", mesh ? "square mesh" : "parallel wires",
-                                            loss.solidity, re, d),
+    rows.push_back(relative_row(fmt::format("K, {}, S {:.3f}, Re {:g}, d/dx {:g}",
+                                            mesh ? "square mesh" : "parallel wires", loss.solidity, re, d),
                                 loss.found, loss.table, 0.20));
     return loss.found / loss.table;
   };

@@ -36,8 +36,9 @@ struct Worst {
 
 Row coefficient_row(const WireStream& s, const WireLoad& load, double bar, const std::string& note) {
   const WireCoefficient c = coefficient_of(s, load, 8, s.cells.y());
-  return relative_row(fmt::format("Cd, d/dx {:g}, Re {:g}, tau - 1/2 {:.1e}{}", s.diameter, s.reynolds, load.tau - 0.5, note),
-                      c.found, c.law, bar);
+  return relative_row(
+      fmt::format("Cd, d/dx {:g}, Re {:g}, tau - 1/2 {:.1e}{}", s.diameter, s.reynolds, load.tau - 0.5, note), c.found,
+      c.law, bar);
 }
 
 /// The stream at an angle to the lattice.
@@ -72,12 +73,14 @@ Row diagonal_row(bool yawed, const Context& context, Worst& worst) {
 /// (largest - smallest)/mean of Cd over places between the cells.
 Row jitter_row(double diameter, const Context& context, Worst& worst) {
   double low = 1e300, high = 0;
-  for (const Vec3& offset : {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0.25, 0.25, 0), Vec3(0, 0.5, 0), Vec3(0.4, 0.1, 0)}) {
+  for (const Vec3& offset :
+       {Vec3(0, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0.25, 0.25, 0), Vec3(0, 0.5, 0), Vec3(0.4, 0.1, 0)}) {
     const WireStream s = across(diameter, 1000, 64, offset);
     const double found = coefficient_of(s, worst.run(s, context), 8, 64).found;
     low = std::min(low, found), high = std::max(high, found);
   }
-  return at_most_row(fmt::format("spread of Cd over places, d/dx {:g}, Re 1000", diameter), 2 * (high - low) / (high + low), 0.05);
+  return at_most_row(fmt::format("spread of Cd over places, d/dx {:g}, Re 1000", diameter),
+                     2 * (high - low) / (high + low), 0.05);
 }
 
 }  // namespace
@@ -85,7 +88,8 @@ Row jitter_row(double diameter, const Context& context, Worst& worst) {
 std::vector<Row> wire(const Context& context) {
   std::vector<Row> rows;
   Worst worst;
-  const std::vector<double> sizes = context.quick ? std::vector<double>{0.5, 2} : std::vector<double>{0.25, 0.5, 1, 2, 4, 8};
+  const std::vector<double> sizes =
+      context.quick ? std::vector<double>{0.5, 2} : std::vector<double>{0.25, 0.5, 1, 2, 4, 8};
   for (const double d : sizes)
     for (const double re : context.quick ? std::vector<double>{100} : std::vector<double>{1, 10, 100, 1000, 1e4}) {
       if (d == 8 && re < 100) continue;  // the wake at rest is wider than an affordable box

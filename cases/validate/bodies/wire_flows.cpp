@@ -31,7 +31,9 @@ void add_wire(const HeldWire& wire, double diameter, dem::Particles& particles, 
     add_bead(ring ? Vec3(wire.start + r * Vec3(0, std::cos(angle), std::sin(angle)))
                   : Vec3(wire.start + share * (wire.end - wire.start)),
              diameter, particles);
-    if (k > 0) bonds.add({first + static_cast<dem::ParticleIndex>(k) - 1, first + static_cast<dem::ParticleIndex>(k), 0}, particles);
+    if (k > 0)
+      bonds.add({first + static_cast<dem::ParticleIndex>(k) - 1, first + static_cast<dem::ParticleIndex>(k), 0},
+                particles);
   }
   if (ring) bonds.add({first + static_cast<dem::ParticleIndex>(pieces) - 1, first, 0}, particles);
 }
