@@ -50,14 +50,18 @@ double wet_volume_in(const GridSphere<Real>& s, const Block<Real>& block, const 
   return sum;
 }
 
-/// The inertia of the liquid in the body's place is known one step late; beyond the body's own mass that would feed
-/// back on itself. Bodies lighter than about 1.4 times the liquid keep part of that inertia and are too sluggish for
-/// it. The torque is limited alike: on a body of one or two cells the liquid in the partly covered cells turns with
-/// more inertia than a light body has.
-constexpr double kInertiaLimit = 0.7;
+/// A body that is not heavier than this many times the liquid that moves with it gets the fluid's force smoothed.
+constexpr double kSureInertia = 1 / 0.7;
 
-double limited_share(double body, double liquid) {
-  return std::min(1.0, kInertiaLimit * body / std::max(liquid, 1e-300));
+/// Force (or torque) that a body gets, from the last one and that of now. A light body answers so fast that the added
+/// mass of the liquid around it, felt a step late, would make it swing from step to step once it exceeds the body's own
+/// mass m. A virtual mass on both sides of m dv = F (Schwarz, Kempe & Froehlich 2015, J. Comput. Phys. 281:591) is the
+/// same as smoothing the force, F <- (m F_now + m_v F_last)/(m + m_v): no inertia is added, the impulse comes m_v/m
+/// steps later. m_v is what the liquid in the body's place exceeds a share of m by.
+Vec3 smoothed(Vec3& last, const Vec3& now, double body, double liquid) {
+  const double virtual_mass = std::max(0.0, liquid - body / kSureInertia);
+  last = (body * now + virtual_mass * last) / (body + virtual_mass);
+  return last;
 }
 
 [[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
@@ -95,7 +99,7 @@ template <class Real>
 void BodyMap<Real>::map(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
   collect(fluid, particles);
   sort_by_block(fluid);
-  normalize(fluid);
+  normalize();
   write_fields(fluid);
 }
 
@@ -115,9 +119,7 @@ void BodyMap<Real>::measure_old(lbm::Fluid<Real>& fluid) {
       return;
     }
     const Block<Real>& block = fluid.grid().block(p.block);
-    p.wet_volume = block.wet_cells == lbm::kBlockCells
-                       ? p.volume
-                       : wet_volume_in(spheres_[p.body], block, fluid.grid().lowest_cell(p.block));
+    p.wet_volume = block.wet_cells == lbm::kBlockCells ? p.volume : wet_volume_in(spheres_[p.body], block, p.lowest);
   });
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Body& b = bodies_[k];
@@ -131,7 +133,8 @@ template <class Real>
 void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
   const auto& units = fluid.units();
   old_wet_.resize(particles.size(), 0.0);
-  last_velocity_.resize(particles.size(), Vec3::Zero());
+  for (auto* field : {&last_velocity_, &last_spin_, &last_force_, &last_torque_})
+    field->resize(particles.size(), Vec3::Zero());
   known_.resize(particles.size(), 0);
   former_.swap(bodies_);
   bodies_.clear(), spheres_.clear(), pairs_.clear();
@@ -151,10 +154,14 @@ void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& parti
     Body b;
     b.particle = i;
     b.volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
-    if (known_[i]) b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
+    if (known_[i]) {
+      b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
+      b.angular_acceleration = (particles.angular_velocity[i] - last_spin_[i]) / units.time_step;
+    }
     b.old_wet_volume = old_wet_[i];
     old_wet_[i] = 0;
     last_velocity_[i] = particles.velocity[i];
+    last_spin_[i] = particles.angular_velocity[i];
     known_[i] = 1;
     bodies_.push_back(b);
     spheres_.push_back(s);
@@ -185,7 +192,7 @@ void BodyMap<Real>::add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body)
         if (block == kNoBlock)
           b.all_blocks = false;
         else
-          pairs_.push_back({block, body, fluid.grid().block(block).birth});
+          pairs_.push_back({block, body, fluid.grid().block(block).birth, lbm::kBlockWidth * Vec3i(x, y, z)});
       }
   b.pairs = pairs_.size() - b.first_pair;
 }
@@ -203,12 +210,12 @@ void BodyMap<Real>::sort_by_block(const lbm::Fluid<Real>& fluid) {
 
 /// Scales each sphere to its exact volume, where all blocks that it reaches exist.
 template <class Real>
-void BodyMap<Real>::normalize(const lbm::Fluid<Real>& fluid) {
+void BodyMap<Real>::normalize() {
   parallel_for(0, bodies_.size(), 64, [&](std::size_t k) {
     Body& b = bodies_[k];
     double sum = 0;
     for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
-      pairs_[p].volume = volume_in(spheres_[k], fluid.grid().lowest_cell(pairs_[p].block));
+      pairs_[p].volume = volume_in(spheres_[k], pairs_[p].lowest);
       sum += pairs_[p].volume;
     }
     const double factor = b.all_blocks && sum > 0 ? b.volume / sum : 1.0;
@@ -234,12 +241,12 @@ void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
   auto& grid = fluid.grid();
   Block<Real>& block = grid.block(index);
   lbm::BodyFields<Real>& f = *block.body;
-  const Vec3i lowest = grid.lowest_cell(index);
   const auto at = static_cast<std::size_t>(index);
   const bool mixed = block.wet_cells < lbm::kBlockCells || block.surface;
   for (std::uint32_t k = block_start_[at]; k < block_start_[at + 1]; ++k) {
     Pair& pair = pairs_[by_block_[k]];
     const GridSphere<Real>& s = spheres_[pair.body];
+    const Vec3i lowest = pair.lowest;
     pair.wet_volume = mixed ? 0 : pair.volume;
     pair.surface_weight = 0;
     for_rows(s, lowest, [&](int row, int y, int z, const Real* eps) {
@@ -286,7 +293,7 @@ void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
     for (std::uint32_t k = block_start_[at]; k < block_start_[at + 1]; ++k) {
       const std::uint32_t body = pairs_[by_block_[k]].body;
       if (displaced_[body] == 0) continue;
-      for_rows(spheres_[body], fluid.grid().lowest_cell(index), [&](int row, int, int, const Real* eps) {
+      for_rows(spheres_[body], pairs_[by_block_[k]].lowest, [&](int row, int, int, const Real* eps) {
         for (int c = 0; c < lbm::kBlockWidth; ++c)
           if (block.type[static_cast<std::size_t>(row + c)] == CellType::interface)
             block.surface->mass[row + c] += static_cast<Real>(displaced_[body]) * eps[c];
@@ -307,7 +314,7 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
     const Block<Real>& block = grid.block(pair.block);
     const lbm::BodyFields<Real>& f = *block.body;
     const GridSphere<Real>& s = spheres_[pair.body];
-    const Vec3i lowest = grid.lowest_cell(pair.block);
+    const Vec3i lowest = pair.lowest;
     for_rows(s, lowest, [&](int row, int y, int z, const Real* eps) {
       for (int c = 0; c < lbm::kBlockWidth; ++c) {
         if (eps[c] == 0 || f.solid_fraction[row + c] == 0) continue;
@@ -344,13 +351,14 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
     total += force;
     // The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body. The
     // weight of that liquid is carried by the fluid: the body's buoyancy.
-    const double cell = units.cell_size * units.cell_size;
-    const double share = limited_share(particles.mass[b.particle], units.mass() * locked);
-    torque *= limited_share(particles.inertia[b.particle], units.mass() * cell * locked_inertia);
-    force += locked * share * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
+    force += locked * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
+    torque += locked_inertia * units.time_step * units.time_step * b.angular_acceleration;
     if (!force.allFinite()) report_bad_force(particles, b.particle, fluid.steps());
-    particles.external_force.add(b.particle, force * units.force_to_si(1.0));
-    particles.external_torque.add(b.particle, torque * units.torque_to_si(1.0));
+    const double mass = units.mass(), area = units.cell_size * units.cell_size;
+    particles.external_force.add(b.particle, smoothed(last_force_[b.particle], force * units.force_to_si(1.0),
+                                                      particles.mass[b.particle], mass * locked));
+    particles.external_torque.add(b.particle, smoothed(last_torque_[b.particle], torque * units.torque_to_si(1.0),
+                                                       particles.inertia[b.particle], mass * area * locked_inertia));
   }
   return total;
 }

@@ -42,10 +42,11 @@ class BodyMap {
   /// A body and one block that it reaches.
   struct Pair {
     lbm::BlockIndex block;
-    std::uint32_t body;         ///< index into bodies_
-    std::uint64_t birth;        ///< of the block
-    double volume = 0;          ///< cells, over all cells of the block
-    double wet_volume = 0;      ///< cells, over wet cells
+    std::uint32_t body;     ///< index into bodies_
+    std::uint64_t birth;    ///< of the block
+    Vec3i lowest;           ///< first cell of the block as the body sees it: beyond a periodic face not the block's own
+    double volume = 0;      ///< cells, over all cells of the block
+    double wet_volume = 0;  ///< cells, over wet cells
     double surface_weight = 0;  ///< sum of eps over interface cells
     double locked = 0;          ///< sum of the coverage weight over wet cells: liquid that moves with the body
     double locked_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
@@ -54,10 +55,11 @@ class BodyMap {
   struct Body {
     dem::ParticleIndex particle;
     std::size_t first_pair = 0, pairs = 0;
-    bool all_blocks = true;            ///< every block in reach exists
-    double volume = 0;                 ///< exact, cells
-    double old_wet_volume = 0;         ///< of the former mapping, under present cell types
-    Vec3 acceleration = Vec3::Zero();  ///< m/s^2, mean of the last step
+    bool all_blocks = true;                    ///< every block in reach exists
+    double volume = 0;                         ///< exact, cells
+    double old_wet_volume = 0;                 ///< of the former mapping, under present cell types
+    Vec3 acceleration = Vec3::Zero();          ///< m/s^2, mean of the last step
+    Vec3 angular_acceleration = Vec3::Zero();  ///< rad/s^2, the same
   };
 
   [[nodiscard]] bool is_alive(const lbm::Fluid<Real>& fluid, const Pair& pair) const;
@@ -66,7 +68,7 @@ class BodyMap {
   void collect(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   void add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body);
   void sort_by_block(const lbm::Fluid<Real>& fluid);
-  void normalize(const lbm::Fluid<Real>& fluid);
+  void normalize();
   void write_fields(lbm::Fluid<Real>& fluid);
   void write_block(lbm::Fluid<Real>& fluid, lbm::BlockIndex b);
   void book_displacement(lbm::Fluid<Real>& fluid);
@@ -75,13 +77,14 @@ class BodyMap {
 
   std::vector<Body> bodies_, former_;
   std::vector<GridSphere<Real>> spheres_;
-  std::vector<Pair> pairs_;                  // by body, then block
-  std::vector<std::uint32_t> by_block_;      // pair indices sorted by block
-  std::vector<std::uint32_t> block_start_;   // per block index, into by_block_
-  std::vector<std::uint32_t> next_;          // scratch of the sort
-  std::vector<double> old_wet_, displaced_;  // per particle; per body
-  std::vector<Vec3> last_velocity_;          // per particle, m/s
-  std::vector<std::uint8_t> known_;          // per particle: last_velocity_ is set
+  std::vector<Pair> pairs_;                      // by body, then block
+  std::vector<std::uint32_t> by_block_;          // pair indices sorted by block
+  std::vector<std::uint32_t> block_start_;       // per block index, into by_block_
+  std::vector<std::uint32_t> next_;              // scratch of the sort
+  std::vector<double> old_wet_, displaced_;      // per particle; per body
+  std::vector<Vec3> last_velocity_, last_spin_;  // per particle, m/s and rad/s
+  std::vector<Vec3> last_force_, last_torque_;   // per particle: what it got in the last step, N and N m
+  std::vector<std::uint8_t> known_;              // per particle: last_velocity_ is set
   double wet_volume_ = 0;
 };
 

@@ -1,4 +1,6 @@
 // What the coupling hands to a checkpoint and takes from it.
+#include <utility>
+
 #include "coupling/coupled_step.h"
 
 namespace lahar::coupling {
@@ -34,7 +36,14 @@ void BodyMap<Real>::transfer(Archive& archive) {
   archive.pieces<double>("pair_volume", pairs, 2, [&](std::size_t k, double* at) {
     carry(pairs_[k].volume, at[0]), carry(pairs_[k].wet_volume, at[1]);
   });
+  archive.pieces<std::int32_t>("pair_lowest", pairs, 3, [&](std::size_t k, std::int32_t* at) {
+    for (int a = 0; a < 3; ++a) carry(pairs_[k].lowest[a], at[a]);
+  });
   archive.list("last_velocity", last_velocity_);
+  for (auto [name, list] : {std::pair{"last_spin", &last_spin_}, {"last_force", &last_force_}, {"last_torque", &last_torque_}}) {
+    archive.list(name, *list);
+    if (list->size() != last_velocity_.size()) archive.refuse(name, "is not there for every particle");
+  }
   archive.list_of("known", known_, last_velocity_.size());
   archive.value("wet_volume", wet_volume_);
   if (!loading) return;

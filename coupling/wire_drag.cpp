@@ -4,6 +4,8 @@
 
 #include "core/parallel.h"
 #include "coupling/drag_law.h"
+#include "coupling/wire_crowding.h"
+#include "coupling/wire_kernel.h"
 
 namespace lahar::coupling {
 
@@ -13,26 +15,7 @@ using lbm::kNoBlock;
 
 namespace {
 
-/// Lowest of the 27 cells around a point, in cells.
-Vec3i lowest_kernel_cell(const Vec3& place) {
-  return Vec3i(place.array().floor().cast<int>().matrix()) - Vec3i::Ones();
-}
-
-/// The 27 cells around a point with their kernel weights.
-template <class Visit>
-void for_kernel_cells(const Vec3& place, const Visit& visit) {
-  const Vec3i base = lowest_kernel_cell(place);
-  double weight[3][3];
-  for (int a = 0; a < 3; ++a) {
-    for (int k = 0; k < 3; ++k) weight[a][k] = roma_kernel(base[a] + k + 0.5 - place[a]);
-  }
-  for (int x = 0; x < 3; ++x)
-    for (int y = 0; y < 3; ++y)
-      for (int z = 0; z < 3; ++z) {
-        const double w = weight[0][x] * weight[1][y] * weight[2][z];
-        if (w > 0) visit(Vec3i(base + Vec3i(x, y, z)), w);
-      }
-}
+constexpr std::int64_t kCrowdingEvery = 16;  // fluid steps between looks at the neighbours
 
 int cell_in_block(const Vec3i& cell) { return lbm::cell_index(cell.x() & 7, cell.y() & 7, cell.z() & 7); }
 
@@ -45,15 +28,14 @@ double liquid_share(const Block<Real>& block, int cell) {
 }
 
 /// Drag on a piece of wire, SI: normal and tangential parts by their own laws.
-Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double diameter, double length, double density,
-                double viscosity, double diameter_cells) {
+Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double length, double density, const WireInCells& wire) {
   const Vec3 along = relative.dot(tangent) * tangent, across = relative - along;
-  const double sampled = across.norm();
-  const double speed = undisturbed_speed(sampled, diameter, viscosity, diameter_cells);
-  const double re = speed * diameter / viscosity;
+  const double sampled = across.norm(), d = wire.diameter;
+  const double speed = undisturbed_speed(sampled, wire);
+  const double re = speed * d / wire.kinematic_viscosity;
   const Vec3 normal_velocity = sampled > 0 ? Vec3(across * (speed / sampled)) : Vec3(Vec3::Zero());
-  return 0.5 * density * diameter * length *
-         (normal_drag_coefficient(re) * speed * normal_velocity +
+  return 0.5 * density * d * length *
+         (normal_drag_coefficient(re) * screen_factor(wire.screen) * speed * normal_velocity +
           tangential_drag_coefficient(re) * along.norm() * along);
 }
 
@@ -81,6 +63,7 @@ WireDrag<Real>::WireDrag(const dem::Particles& particles, const dem::Bonds& bond
 
 template <class Real>
 Vec3 WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
+  if (applied_++ % kCrowdingEvery == 0) look_at_neighbours(fluid, particles);
   allocate_fields(fluid, particles);
   parallel_for(0, beads_.size(), 128,
                [&](std::size_t k) { samples_[k] = beads_[k].near ? sample(fluid, particles, beads_[k]) : Sample{}; });
@@ -95,8 +78,7 @@ Vec3 WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
     ++wet_beads_;
     total += s.force;
     particles.external_force.add(i, s.force * fluid.units().force_to_si(1.0));
-    const Vec3 place = (particles.position[i] - grid.domain().origin()) / fluid.units().cell_size;
-    for_kernel_cells(place, [&](const Vec3i& cell, double w) {
+    kernel_at(fluid, particles, i).for_cells([&](const Vec3i& cell, double w) {
       const BlockIndex b = block_at(beads_[k], cell);
       const int n = cell_in_block(cell);
       if (b == kNoBlock || !lbm::is_wet(grid.block(b).type[static_cast<std::size_t>(n)])) return;
@@ -112,9 +94,37 @@ Vec3 WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
 }
 
 template <class Real>
+WireKernel WireDrag<Real>::kernel_at(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
+                                     dem::ParticleIndex i) {
+  const double dx = fluid.units().cell_size;
+  return {(particles.position[i] - fluid.grid().domain().origin()) / dx, kernel_scale(2 * particles.radius[i] / dx)};
+}
+
+template <class Real>
+void WireDrag<Real>::look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+  std::vector<WirePiece> pieces(beads_.size());
+  for (std::size_t k = 0; k < beads_.size(); ++k) {
+    const Bead& bead = beads_[k];
+    pieces[k] = {particles.position[bead.particle], tangent_of(particles, bead), 2 * particles.radius[bead.particle],
+                 bead.length};
+  }
+  const Vec3 period =
+      lbm::kBlockWidth * fluid.units().cell_size * fluid.grid().domain().period().template cast<double>();
+  const std::vector<Crowding> crowding = wire_crowding(pieces, period);
+  for (std::size_t k = 0; k < beads_.size(); ++k) beads_[k].crowding = crowding[k];
+}
+
+/// Along the wire: from the bead before to the one after.
+template <class Real>
+Vec3 WireDrag<Real>::tangent_of(const dem::Particles& particles, const Bead& bead) {
+  const Vec3 chord = particles.position[bead.after] - particles.position[bead.before];
+  return chord.squaredNorm() > 0 ? Vec3(chord.normalized()) : Vec3(Vec3::UnitX());
+}
+
+template <class Real>
 BlockIndex WireDrag<Real>::block_at(const Bead& bead, const Vec3i& cell) {
   const Vec3i d = lbm::block_of(cell) - bead.lowest;
-  return bead.blocks[static_cast<std::size_t>(4 * d.x() + 2 * d.y() + d.z())];
+  return bead.blocks[static_cast<std::size_t>(9 * d.x() + 3 * d.y() + d.z())];
 }
 
 /// Blocks in reach of a bead are looked up once, and get body fields, so that forces can be written and velocities
@@ -124,17 +134,16 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particl
   auto& grid = fluid.grid();
   for (Bead& bead : beads_) {
     bead.near = false;
-    const Vec3i base =
-        lowest_kernel_cell((particles.position[bead.particle] - grid.domain().origin()) / fluid.units().cell_size);
-    bead.lowest = lbm::block_of(base);
-    const Vec3i more = lbm::block_of(base + Vec3i::Constant(2)) - bead.lowest;
+    const WireKernel kernel = kernel_at(fluid, particles, bead.particle);
+    bead.lowest = lbm::block_of(kernel.lowest());
+    const Vec3i more = lbm::block_of(kernel.highest()) - bead.lowest;
     bead.blocks.fill(kNoBlock);
     for (int x = 0; x <= more.x(); ++x)
       for (int y = 0; y <= more.y(); ++y)
         for (int z = 0; z <= more.z(); ++z) {
           const BlockIndex b = grid.topology().find(bead.lowest + Vec3i(x, y, z));
           if (b == kNoBlock || grid.block(b).wet_cells == 0) continue;
-          bead.blocks[static_cast<std::size_t>(4 * x + 2 * y + z)] = b;
+          bead.blocks[static_cast<std::size_t>(9 * x + 3 * y + z)] = b;
           grid.require_body(b).used = true;
           bead.near = true;
         }
@@ -149,26 +158,26 @@ typename WireDrag<Real>::Sample WireDrag<Real>::sample(const lbm::Fluid<Real>& f
   const dem::ParticleIndex i = bead.particle;
   Sample s;
   Vec3 velocity = Vec3::Zero();
-  for_kernel_cells(
-      (particles.position[i] - grid.domain().origin()) / units.cell_size, [&](const Vec3i& cell, double w) {
-        const BlockIndex b = block_at(bead, cell);
-        if (b == kNoBlock) return;
-        const int n = cell_in_block(cell);
-        const Block<Real>& block = grid.block(b);
-        if (!lbm::is_wet(block.type[static_cast<std::size_t>(n)])) return;
-        const double share = w * liquid_share(block, n);
-        s.weight += share;
-        velocity +=
-            share * Vec3(static_cast<double>(block.body->velocity_x[n]), static_cast<double>(block.body->velocity_y[n]),
-                         static_cast<double>(block.body->velocity_z[n]));
-      });
+  kernel_at(fluid, particles, i).for_cells([&](const Vec3i& cell, double w) {
+    const BlockIndex b = block_at(bead, cell);
+    if (b == kNoBlock) return;
+    const int n = cell_in_block(cell);
+    const Block<Real>& block = grid.block(b);
+    if (!lbm::is_wet(block.type[static_cast<std::size_t>(n)])) return;
+    const double share = w * liquid_share(block, n);
+    s.weight += share;
+    velocity +=
+        share * Vec3(static_cast<double>(block.body->velocity_x[n]), static_cast<double>(block.body->velocity_y[n]),
+                     static_cast<double>(block.body->velocity_z[n]));
+  });
   if (s.weight < 1e-6) return {};
   const Vec3 relative = units.velocity_to_si(1.0) * (velocity / s.weight) - particles.velocity[i];
-  const Vec3 chord = particles.position[bead.after] - particles.position[bead.before];
-  const Vec3 tangent = chord.squaredNorm() > 0 ? Vec3(chord.normalized()) : Vec3(Vec3::UnitX());
   const double d = 2 * particles.radius[i], rho = fluid.options().density;
-  const Vec3 drag =
-      wire_force(relative, tangent, d, bead.length, rho, fluid.options().kinematic_viscosity, d / units.cell_size);
+  const WireInCells wire{.diameter = d,
+                         .diameter_cells = d / units.cell_size,
+                         .kinematic_viscosity = fluid.options().kinematic_viscosity,
+                         .screen = bead.crowding};
+  const Vec3 drag = wire_force(relative, tangent_of(particles, bead), bead.length, rho, wire);
   const Vec3 buoyancy = -rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
   s.force = std::min(1.0, s.weight) * (drag + buoyancy) * units.force_to_lu(1.0);
   return s;

@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "coupling/wire_crowding.h"
+#include "coupling/wire_kernel.h"
 #include "dem/bonds.h"
 #include "dem/particles.h"
 #include "lbm/fluid.h"
@@ -31,11 +33,12 @@ class WireDrag {
  private:
   struct Bead {
     dem::ParticleIndex particle;
-    dem::ParticleIndex before, after;         ///< neighbours along the wire; itself where there is none
-    double length;                            ///< m, of wire that the bead stands for
-    bool near = false;                        ///< a wet block is in reach in this step
-    Vec3i lowest = Vec3i::Zero();             ///< block coordinate of the lowest cell in reach
-    std::array<lbm::BlockIndex, 8> blocks{};  ///< wet blocks in reach, from `lowest` on, (x, y, z) at 4x + 2y + z
+    dem::ParticleIndex before, after;          ///< neighbours along the wire; itself where there is none
+    double length;                             ///< m, of wire that the bead stands for
+    bool near = false;                         ///< a wet block is in reach in this step
+    Vec3i lowest = Vec3i::Zero();              ///< block coordinate of the lowest cell in reach
+    Crowding crowding = {};                    ///< the screen that it is part of
+    std::array<lbm::BlockIndex, 27> blocks{};  ///< wet blocks in reach, from `lowest` on, (x, y, z) at 9x + 3y + z
   };
   /// What a bead samples and gives, filled in parallel.
   struct Sample {
@@ -45,6 +48,9 @@ class WireDrag {
 
   /// The block in reach of a bead that holds a cell; kNoBlock if it is missing or dry.
   static lbm::BlockIndex block_at(const Bead& bead, const Vec3i& cell);
+  static WireKernel kernel_at(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, dem::ParticleIndex i);
+  static Vec3 tangent_of(const dem::Particles& particles, const Bead& bead);
+  void look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   void allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   [[nodiscard]] Sample sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const Bead& bead) const;
 
@@ -52,6 +58,7 @@ class WireDrag {
   std::vector<Sample> samples_;
   Vec3 given_ = Vec3::Zero();
   std::size_t wet_beads_ = 0;
+  std::int64_t applied_ = 0;
 };
 
 extern template class WireDrag<float>;

@@ -91,5 +91,10 @@ INSTANTIATE_TEST_SUITE_P(SolidsContact, QuickEntry,
                                          "solids.column_collapse", "solids.energy_ledger"),
                          [](const auto& param) { return std::string(param.param).substr(7); });
 
+INSTANTIATE_TEST_SUITE_P(Bodies, QuickEntry,
+                         testing::Values("bodies.wire", "bodies.screen", "bodies.ring_net_drag", "bodies.archimedes",
+                                         "bodies.hard_h7", "bodies.hard_h10", "bodies.hard_h17"),
+                         [](const auto& param) { return std::string(param.param).substr(7); });
+
 }  // namespace
 }  // namespace lahar::validate

@@ -1,9 +1,23 @@
 #include "cases/validate/bodies/entries.h"
 
+#include "cases/validate/bodies/wire_entries.h"
+
 namespace lahar::validate {
 
 std::vector<Entry> bodies_entries() {
-  return {};
+  const char* const hard = "hard_cases.csv (thresholds proposed there)";
+  return {
+      {"bodies.wire", "Sucker & Brauer 1975, normal drag of a circular cylinder (cylinder_cd.csv)", wire},
+      {"bodies.screen", "Blevins 1984, round wire screens (screen_net.csv), trusted to 20 %", screen},
+      {"bodies.ring_net_drag", "Blevins 1984 at the net's solidity (screen_net.csv), trusted to 20 %", ring_net_drag},
+      {"bodies.archimedes", "volume of the sphere; ledger", archimedes},
+      {"bodies.floating_sphere", "floating_sphere.csv: 3 x^2 - 2 x^3 = s; added mass 0.5 (approximate)",
+       floating_sphere},
+      {"bodies.hard_h5", hard, hard_h5},
+      {"bodies.hard_h7", hard, hard_h7},
+      {"bodies.hard_h10", hard, hard_h10},
+      {"bodies.hard_h17", hard, hard_h17},
+  };
 }
 
 }  // namespace lahar::validate

@@ -1,0 +1,76 @@
+// A light sphere floats: how deep, and how fast it heaves.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "cases/validate/bodies/sphere_tanks.h"
+#include "cases/validate/bodies/wire_entries.h"
+
+namespace lahar::validate {
+namespace {
+
+/// x with 3 x^2 - 2 x^3 = s, the immersed share of the diameter (floating_sphere.csv).
+double immersion(double s) {
+  double low = 0, high = 1;
+  for (int k = 0; k < 60; ++k) {
+    const double x = (low + high) / 2;
+    (3 * x * x - 2 * x * x * x < s ? low : high) = x;
+  }
+  return low;
+}
+
+/// Small heave with added mass 0.44 of the body's (1.2 times the period without, floating_sphere.csv): the waterline's
+/// area gives the spring.
+double heave_period(double s, double radius, double gravity) {
+  const double off = 2 * immersion(s) - 1, waterline = radius * radius * (1 - off * off);
+  return 1.2 * 2 * std::numbers::pi * std::sqrt(s * 4.0 / 3.0 * std::pow(radius, 3) / (gravity * waterline));
+}
+
+/// Starts a tenth of a diameter too high and is followed for some periods.
+template <class Real>
+void float_one(std::vector<Row>& rows, double s, double diameter, const Context& context) {
+  const int w = static_cast<int>(4 * diameter);
+  SphereTank t;
+  t.cells = Vec3i(w, w, w);
+  t.depth = 2 * diameter + 0.4;
+  t.diameter = diameter;
+  t.density = s;
+  const double area = static_cast<double>(w) * w, volume = std::numbers::pi / 6 * std::pow(diameter, 3);
+  const double level = t.depth + s * volume / area, deep = immersion(s) * diameter;
+  t.place = Vec3(w / 2 + 0.2, w / 2 - 0.1, level - deep + diameter / 2 + 0.1 * diameter);
+  t.depth = level;  // the sphere's place is part of the fill
+  const double period = heave_period(s, diameter / 2, t.gravity);
+  const auto tank = make_tank<Real>(t);
+  auto& step = *tank;
+  const int steps = static_cast<int>((context.quick ? 1.5 : 4.5) * period);
+  const auto height = [&] { return step.solids()->particles().position.z[0]; };
+  double lowest = 1e300, late = 0;
+  int turn = 0, samples = 0;
+  for (int k = 0; k < steps; ++k) {
+    step.advance();
+    // Half a period: from the start at rest to the first turn at the bottom.
+    if (height() < lowest && k < static_cast<int>(0.9 * period)) lowest = height(), turn = k + 1;
+    if (k >= steps - static_cast<int>(period)) late += height(), ++samples;
+  }
+  const std::string what = fmt::format("density ratio {:g}, D {:g} cells", s, diameter);
+  const double surface = filled_volume(*step.fluid()) / area;
+  if (!context.quick)
+    rows.push_back(absolute_row(what + ": immersion depth, diameters", (surface - late / samples) / diameter + 0.5,
+                                immersion(s), 0.02));
+  rows.push_back(relative_row(what + ": heave period", 2.0 * turn, period, 0.10));
+  add_ledgers(rows, what, step);
+}
+
+}  // namespace
+
+std::vector<Row> floating_sphere(const Context& context) {
+  return in_precision(context, [&]<class Real>() {
+    std::vector<Row> rows;
+    for (const double s : {0.25, 0.5, 0.75})
+      if (!context.quick || s == 0.5) float_one<Real>(rows, s, 8, context);
+    return rows;
+  });
+}
+
+}  // namespace lahar::validate

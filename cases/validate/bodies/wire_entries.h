@@ -1,0 +1,17 @@
+#pragma once
+// Entries on wires and nets, and on bodies at the surface.
+#include "cases/validate/entry.h"
+
+namespace lahar::validate {
+
+std::vector<Row> wire(const Context& context);
+std::vector<Row> screen(const Context& context);
+std::vector<Row> ring_net_drag(const Context& context);
+std::vector<Row> archimedes(const Context& context);
+std::vector<Row> floating_sphere(const Context& context);
+std::vector<Row> hard_h5(const Context& context);
+std::vector<Row> hard_h7(const Context& context);
+std::vector<Row> hard_h10(const Context& context);
+std::vector<Row> hard_h17(const Context& context);
+
+}  // namespace lahar::validate
