@@ -18,6 +18,10 @@ namespace lahar::coupling {
 template <class Real>
 class BodyMap {
  public:
+  /// `radius_shift`: what is added to the radius (in cells) at which the fluid comes to rest, with
+  /// BodyWeighting::wall_distance; the volume stays that of the body.
+  explicit BodyMap(double radius_shift = 0) : radius_shift_(radius_shift) {}
+
   /// Maps all free and fixed grains (not beads) at their present places into cleared body fields (see body_fields.h),
   /// and books displaced volume.
   void update(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
@@ -40,10 +44,11 @@ class BodyMap {
     lbm::BlockIndex block;
     std::uint32_t body;         ///< index into bodies_
     std::uint64_t birth;        ///< of the block
+    Vec3i lowest;               ///< lowest cell of the block as the body sees it: past the end of a periodic axis
     double volume = 0;          ///< cells, over all cells of the block
     double wet_volume = 0;      ///< cells, over wet cells
     double surface_weight = 0;  ///< sum of eps over interface cells
-    double locked = 0;          ///< sum of the coverage weight over wet cells: liquid that moves with the body
+    double locked = 0;          ///< liquid in wet cells that moves with the body, cells
     double locked_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
   };
@@ -63,7 +68,7 @@ class BodyMap {
   void collect(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   void add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body);
   void sort_by_block(const lbm::Fluid<Real>& fluid);
-  void normalize(const lbm::Fluid<Real>& fluid);
+  void normalize();
   void write_fields(lbm::Fluid<Real>& fluid);
   void write_block(lbm::Fluid<Real>& fluid, lbm::BlockIndex b);
   void book_displacement(lbm::Fluid<Real>& fluid);
@@ -79,6 +84,7 @@ class BodyMap {
   std::vector<double> old_wet_, displaced_;  // per particle; per body
   std::vector<Vec3> last_velocity_;          // per particle
   std::vector<std::uint8_t> known_;          // per particle: last_velocity_ is set
+  double radius_shift_;
   double wet_volume_ = 0;
 };
 

@@ -24,6 +24,7 @@ struct FluidOptions {
   Vec3 gravity = Vec3::Zero();        ///< m/s^2
   CollisionOperator collision = CollisionOperator::central_moments;
   BodyWeighting weighting = BodyWeighting::solid_fraction;
+  SolidOperator solid_operator = SolidOperator::faded;  ///< those that turn populations: Newtonian without LES only
   double seepage_constant = 0;         ///< in place of tau - 1/2 for BodyWeighting::seepage
   double smagorinsky = 0;              ///< Cs; 0 is off; only with a Newtonian fluid
   RheologyOptions rheology;            ///< flow law of mud and slurry
@@ -76,7 +77,7 @@ class Fluid {
   [[nodiscard]] const LatticeUnits& units() const { return units_; }
   [[nodiscard]] const FluidOptions& options() const { return options_; }
   [[nodiscard]] double tau() const { return parameters_.tau; }
-  [[nodiscard]] double coverage_resistance() const { return parameters_.coverage_resistance; }
+  [[nodiscard]] const CoverageLaw& coverage_law() const { return parameters_.coverage; }
   [[nodiscard]] std::int64_t steps() const { return steps_; }
   [[nodiscard]] FluidGrid<Real>& grid() { return grid_; }
   [[nodiscard]] const FluidGrid<Real>& grid() const { return grid_; }

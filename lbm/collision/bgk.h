@@ -23,7 +23,7 @@ struct Bgk {
   template <class Viscosity, class V>
   static void collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force, const Viscosity& viscosity) {
     const V omega = viscous_rate(f, m, viscosity);
-    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight);
+    const V keep = (V(1) - omega) * (V(1) - force.fade);
     V v[3];
     velocity_after(m, force, v);
     for (int i = 0; i < D3Q19::q; ++i)

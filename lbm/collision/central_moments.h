@@ -72,7 +72,7 @@ struct CentralMoments {
     omega = min(omega, force.largest_rate);
     V v[3];
     const V limited = velocity_after(m, force, v);
-    const V keep = (V(1) - omega) * (V(1) - force.coverage_weight) * force.stress_share * limited;
+    const V keep = (V(1) - omega) * (V(1) - force.fade) * force.stress_share * limited;
     for (V* t : {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz}) *t *= keep;
     from_central_moments(m.drho, v, s, f);
   }
