@@ -58,9 +58,16 @@ constexpr auto names_of(Collision) {
       {{"central_moments", Collision::central_moments}, {"bgk", Collision::bgk}, {"trt", Collision::trt}}};
 }
 constexpr auto names_of(BodyWeighting) {
-  return NameTable<BodyWeighting, 3>{{{"solid_fraction", BodyWeighting::solid_fraction},
+  return NameTable<BodyWeighting, 4>{{{"solid_fraction", BodyWeighting::solid_fraction},
                                       {"noble_torczynski", BodyWeighting::noble_torczynski},
-                                      {"seepage", BodyWeighting::seepage}}};
+                                      {"seepage", BodyWeighting::seepage},
+                                      {"wall_distance", BodyWeighting::wall_distance}}};
+}
+constexpr auto names_of(SolidOperator) {
+  return NameTable<SolidOperator, 4>{{{"faded", SolidOperator::faded},
+                                      {"equilibrium_difference", SolidOperator::equilibrium_difference},
+                                      {"bounce_back", SolidOperator::bounce_back},
+                                      {"holdych", SolidOperator::holdych}}};
 }
 constexpr auto names_of(ProbeKind) {
   return NameTable<ProbeKind, 3>{

@@ -49,7 +49,7 @@ inline CoverageLaw coverage_law(BodyWeighting weighting, double tau, double cons
       // In a covered cell B = 2 would be bounce-back: no slip exactly half-way through the step, but undamped. B = 1
       // leaves a slip of the order of nu/2, so it may stay at 1 where the viscosity is small.
       const double nu = (tau - 0.5) / 3;
-      return {nu, nu / 2, 1, 1e30, 1 + std::min(0.5, 2 * (tau - 0.5))};
+      return {nu, nu / 2, 1, 1e30, 1 + std::min(0.25, 2 * (tau - 0.5))};
     }
     case BodyWeighting::solid_fraction:
       break;
