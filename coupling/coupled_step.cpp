@@ -1,6 +1,7 @@
 #include "coupling/coupled_step.h"
 
 #include "coupling/body_fields.h"
+#include "coupling/lubrication.h"
 
 namespace lahar::coupling {
 
@@ -70,6 +71,12 @@ void CoupledStep<Real>::hold_fluid_forces() {
     const ScopedTimer timer(timers_.section("coupling.forces"));
     const Vec3 on_grains = bodies_.add_forces(*fluid_, particles);
     audit_.book(on_grains, momentum_given_to_bodies(fluid_->grid()));
+  }
+  if (options_.immersed_grains && options_.lubrication) {
+    const ScopedTimer timer(timers_.section("coupling.lubrication"));
+    const lbm::FluidOptions& o = fluid_->options();
+    add_lubrication(particles, o.domain.cell_size, o.density * o.kinematic_viscosity, time_step_,
+                    [&](const Vec3& p) { return fluid_->cell_at(p).has_value(); });
   }
   audit_.book(on_wires, -from_wires);
 }

@@ -13,6 +13,7 @@ namespace lahar::coupling {
 struct CouplingOptions {
   bool immersed_grains = true;  ///< grains displace and stop the fluid
   double radius_shift = 0;      ///< cells, see BodyMap
+  bool lubrication = false;     ///< films between close grains (lubrication.h)
   bool wire_drag = true;        ///< beads of rings and cables feel drag and give it back
   int substeps = 1;             ///< DEM steps in a fluid step
 };

@@ -233,6 +233,7 @@ struct Coupling {
   BodyWeighting body_weighting = BodyWeighting::solid_fraction;
   SolidOperator solid_operator = SolidOperator::faded;
   double radius_shift_cells = -0.06;  ///< body_weighting = wall_distance only
+  bool lubrication = false;
   bool wire_drag = true;
   bool operator==(const Coupling&) const = default;
 };

@@ -51,14 +51,15 @@ Drag drag_in(const Stream& s, const Immersion& immersion) {
 std::vector<Row> run(const Context& context) {
   std::vector<Row> rows;
   const auto ask = [&](const Stream& s, double reference, double tolerance) {
-    const Drag drag = drag_in<float>(s, {.collision = lbm::CollisionOperator::central_moments});
+    const Drag drag = drag_in<float>(s, {});
     rows.push_back(relative_row(fmt::format("Cd, Re {:g}, {} cells, tau - 1/2 = {:.2g}", s.reynolds, s.diameter,
                                             drag.shifted_viscosity),
                                 drag.coefficient, reference, tolerance));
   };
   for (const Reference& r : kReferences) {
     if (context.quick && r.reynolds != 100) continue;
-    ask({8, r.reynolds, 6, 8}, r.drag, 0.10);
+    // No bar at 8 cells: 15 % keeps watch over it.
+    ask({8, r.reynolds, 6, 8}, r.drag, 0.15);
     if (!context.quick) ask({16, r.reynolds, 6, 8}, r.drag, 0.05);
   }
   return rows;

