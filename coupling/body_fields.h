@@ -15,9 +15,8 @@ void clear_body_fields(lbm::FluidGrid<Real>& grid) {
     lbm::BodyFields<Real>* f = grid.block(b).body;
     if (!f) continue;
     f->used = false;
-    for (Real* field :
-         {f->solid_fraction, f->coverage, f->resistance, f->momentum_x, f->momentum_y, f->momentum_z, f->exchange_x, f->exchange_y,
-                        f->exchange_z})
+    for (Real* field : {f->solid_fraction, f->coverage, f->resistance, f->momentum_x, f->momentum_y, f->momentum_z,
+                        f->exchange_x, f->exchange_y, f->exchange_z})
       std::fill(field, field + lbm::kBlockCells, Real(0));
   }
 }

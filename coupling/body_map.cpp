@@ -127,9 +127,7 @@ void BodyMap<Real>::measure_old(lbm::Fluid<Real>& fluid) {
       return;
     }
     const Block<Real>& block = fluid.grid().block(p.block);
-    p.wet_volume = block.wet_cells == lbm::kBlockCells
-                       ? p.volume
-                       : wet_volume_in(spheres_[p.body], block, p.lowest);
+    p.wet_volume = block.wet_cells == lbm::kBlockCells ? p.volume : wet_volume_in(spheres_[p.body], block, p.lowest);
   });
   for (std::size_t k = 0; k < bodies_.size(); ++k) {
     Body& b = bodies_[k];
@@ -345,9 +343,8 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
         pair.force += force;
         pair.torque += arm.cross(force);
         if (!lbm::is_wet(block.type[static_cast<std::size_t>(row + c)])) continue;
-        const double held = by_distance
-                                ? static_cast<double>(eps[c])
-                                : share * lbm::coverage_weight(static_cast<double>(f.resistance[row + c]), law);
+        const double held = by_distance ? static_cast<double>(eps[c])
+                                        : share * lbm::coverage_weight(static_cast<double>(f.resistance[row + c]), law);
         pair.locked += held;
         pair.locked_inertia += held * 2.0 / 3.0 * arm.squaredNorm();
       }

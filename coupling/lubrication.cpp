@@ -16,9 +16,7 @@ struct Boxed {
 
 constexpr std::int64_t kRow = 1 << 20;  // boxes along an axis
 
-std::int64_t key_of(const Vec3i& box) {
-  return (static_cast<std::int64_t>(box.x()) * kRow + box.y()) * kRow + box.z();
-}
+std::int64_t key_of(const Vec3i& box) { return (static_cast<std::int64_t>(box.x()) * kRow + box.y()) * kRow + box.z(); }
 
 Vec3i box_of(const Vec3& p, double width) { return (p / width).array().floor().cast<int>(); }
 
@@ -37,7 +35,8 @@ struct Films {
     const Vec3 normal = apart / distance;
     const double approach = (particles.velocity[i] - particles.velocity[j]).dot(normal);
     if (approach == 0 || !is_wet(particles.position[i] + (a + 0.5 * gap) * normal)) return;
-    const double resistance = std::min(squeeze_resistance(a, b, gap, cut_off, viscosity), 1 / (inverse_mass * time_step));
+    const double resistance =
+        std::min(squeeze_resistance(a, b, gap, cut_off, viscosity), 1 / (inverse_mass * time_step));
     const Vec3 force = resistance * approach * normal;
     particles.external_force.add(i, -force);
     particles.external_force.add(j, force);

@@ -25,10 +25,10 @@ struct FluidOptions {
   CollisionOperator collision = CollisionOperator::central_moments;
   BodyWeighting weighting = BodyWeighting::solid_fraction;
   SolidOperator solid_operator = SolidOperator::faded;  ///< those that turn populations: Newtonian without LES only
-  double seepage_constant = 0;         ///< in place of tau - 1/2 for BodyWeighting::seepage
-  double smagorinsky = 0;              ///< Cs; 0 is off; only with a Newtonian fluid
-  RheologyOptions rheology;            ///< flow law of mud and slurry
-  std::vector<InflowOptions> inflows;  ///< boxes through which liquid enters
+  double seepage_constant = 0;                          ///< in place of tau - 1/2 for BodyWeighting::seepage
+  double smagorinsky = 0;                               ///< Cs; 0 is off; only with a Newtonian fluid
+  RheologyOptions rheology;                             ///< flow law of mud and slurry
+  std::vector<InflowOptions> inflows;                   ///< boxes through which liquid enters
 };
 
 /// How the populations of a flow without a surface start.

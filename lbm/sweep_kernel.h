@@ -163,8 +163,8 @@ class BlockKernel {
       const V tiny(Real(1e-12));
       const V sum(body.coverage + n, stdx::vector_aligned);
       const V inverse = V(1) / stdx::max(sum, tiny);
-      force.coverage_weight =
-          coverage_weight(V(body.resistance + n, stdx::vector_aligned), uniform.alpha, uniform.beta, uniform.gamma, uniform.cap, uniform.largest);
+      force.coverage_weight = coverage_weight(V(body.resistance + n, stdx::vector_aligned), uniform.alpha, uniform.beta,
+                                              uniform.gamma, uniform.cap, uniform.largest);
       force.fade = uniform.fade * force.coverage_weight;
       force.solid_velocity[0] = V(body.momentum_x + n, stdx::vector_aligned) * inverse;
       force.solid_velocity[1] = V(body.momentum_y + n, stdx::vector_aligned) * inverse;

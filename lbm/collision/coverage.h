@@ -5,7 +5,8 @@
 //   solid_fraction      g = eps   B = eps
 //   noble_torczynski    g = eps   B = eps t / ((1 - eps) + t), t = tau - 1/2
 //   seepage             g = eps   the same with a constant in place of t
-//   wall_distance       g = h     k = nu h is the drag that the cell needs, B = k / (1 + k/2): with the velocity half-way
+//   wall_distance       g = h     k = nu h is the drag that the cell needs, B = k / (1 + k/2): with the velocity
+//   half-way
 //                                 through the step, (u + u')/2, the exchange is then k times the slip exactly
 #include <algorithm>
 

@@ -144,7 +144,8 @@ TEST(BodyMap, TenThousandGrains) {
   fluid.fill({{Vec3::Zero(), Vec3(0.5, 0.4, 0.24)}});
   dem::Particles particles;
   for (int k = 0; k < 10000; ++k)
-    particles.add(grain(Vec3(0.01 + 0.02 * (k % 25), 0.01 + 0.02 * (k / 25 % 20), 0.012 + 0.024 * (k / 500)), 0.01, 2500));
+    particles.add(
+        grain(Vec3(0.01 + 0.02 * (k % 25), 0.01 + 0.02 * (k / 25 % 20), 0.012 + 0.024 * (k / 500)), 0.01, 2500));
   BodyMap<float> map;
   map.embed(fluid, particles);
   fluid.open_ledger();

@@ -48,7 +48,8 @@ TEST(Lubrication, FindsAllPairs) {
   dem::Particles p;
   std::size_t expected = 0;
   for (int k = 0; k < 343; ++k) p.add(grain(0.101 * Vec3(k % 7 - 3, k / 7 % 7 - 3, k / 49 - 3), 0.05, 2500));
-  for (std::size_t i = 0; i < p.size(); ++i) p.velocity.set(i, Vec3(0.01 * double(i), 0.02 * double(i % 5), 1.0 / double(i + 1)));
+  for (std::size_t i = 0; i < p.size(); ++i)
+    p.velocity.set(i, Vec3(0.01 * double(i), 0.02 * double(i % 5), 1.0 / double(i + 1)));
   for (std::size_t i = 0; i < p.size(); ++i)
     for (std::size_t j = i + 1; j < p.size(); ++j) {
       const Vec3 d = p.position[j] - p.position[i];

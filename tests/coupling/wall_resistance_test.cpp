@@ -17,7 +17,8 @@ TEST(WallResistance, IsTheAverageOverAllNormals) {
     const int n = 20000;
     double mean = 0;
     for (int k = 0; k < n; ++k) {  // points of a Fibonacci lattice on the sphere
-      const double z = 1 - (2 * k + 1.0) / n, r = std::sqrt(1 - z * z), angle = std::numbers::pi * (3 - std::sqrt(5)) * k;
+      const double z = 1 - (2 * k + 1.0) / n, r = std::sqrt(1 - z * z),
+                   angle = std::numbers::pi * (3 - std::sqrt(5)) * k;
       const double normal[3] = {r * std::cos(angle), r * std::sin(angle), z};
       for (int i = 1; i < D3Q19::q; ++i) {
         double across = 0;

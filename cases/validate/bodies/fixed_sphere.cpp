@@ -17,13 +17,13 @@ struct Reference {
 };
 constexpr Reference kReferences[] = {{20, 2.735}, {50, 1.581}, {100, 1.102}, {200, 0.790}, {300, 0.656}};
 
-constexpr int kSlab = 8;          // cells
-constexpr double kPull = 0.2;     // B in the slab
-constexpr double kSpeed = 0.05;   // lu
+constexpr int kSlab = 8;           // cells
+constexpr double kPull = 0.2;      // B in the slab
+constexpr double kSpeed = 0.05;    // lu
 constexpr double kPassages = 1.5;  // of the box by the stream, before the drag is averaged over another half
 
 struct Stream {
-  int diameter;   ///< cells
+  int diameter;  ///< cells
   double reynolds;
   int wide, longer;  ///< the box, diameters
 };
@@ -52,9 +52,9 @@ std::vector<Row> run(const Context& context) {
   std::vector<Row> rows;
   const auto ask = [&](const Stream& s, double reference, double tolerance) {
     const Drag drag = drag_in<float>(s, {});
-    rows.push_back(relative_row(fmt::format("Cd, Re {:g}, {} cells, tau - 1/2 = {:.2g}", s.reynolds, s.diameter,
-                                            drag.shifted_viscosity),
-                                drag.coefficient, reference, tolerance));
+    rows.push_back(relative_row(
+        fmt::format("Cd, Re {:g}, {} cells, tau - 1/2 = {:.2g}", s.reynolds, s.diameter, drag.shifted_viscosity),
+        drag.coefficient, reference, tolerance));
   };
   for (const Reference& r : kReferences) {
     if (context.quick && r.reynolds != 100) continue;

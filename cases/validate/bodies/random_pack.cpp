@@ -88,7 +88,9 @@ std::vector<Row> run(const Context& context) {
   coupling::MomentumAudit worst;
   for (const Pack& pack : packs) {
     // The slower the flow, the larger the viscosity: tau - 1/2 from 0.15 to 0.006.
-    const double speed = pack.reynolds < 5 ? 0.002 * std::min(1.0, 4 * pack.reynolds) : pack.reynolds < 50 ? 0.02 : 0.025;
+    const double speed = pack.reynolds < 5    ? 0.002 * std::min(1.0, 4 * pack.reynolds)
+                         : pack.reynolds < 50 ? 0.02
+                                              : 0.025;
     // Two relaxation times carry creeping flow with a place of the wall that does not depend on tau, and are unstable
     // at the larger Reynolds numbers.
     Immersion immersion;
@@ -97,7 +99,8 @@ std::vector<Row> run(const Context& context) {
     if (r.audit.relative() > worst.relative()) worst = r.audit;
     rows.push_back(relative_row(fmt::format("F, phi {:.2f}, Re {:.3g}, {:.1f} cells, tau - 1/2 = {:.2g}", pack.fraction,
                                             r.reynolds, r.diameter, r.shifted_viscosity),
-                                r.drag, beetstra(pack.fraction, r.reynolds), context.quick ? 0.15 : 0.10));  // 21 spheres scatter
+                                r.drag, beetstra(pack.fraction, r.reynolds),
+                                context.quick ? 0.15 : 0.10));  // 21 spheres scatter
   }
   rows.push_back(audit_row("worst of all", worst));
   return rows;

@@ -1,6 +1,6 @@
 // Creeping flow through simple-cubic arrays of fixed spheres. Driven by a body force g in every cell, the spheres take
-// all of it once the flow is steady: F = g L^3 (the pressure gradient's buoyancy included), K = F / (6 pi nu a U), U the
-// superficial velocity.
+// all of it once the flow is steady: F = g L^3 (the pressure gradient's buoyancy included), K = F / (6 pi nu a U), U
+// the superficial velocity.
 #include <fmt/format.h>
 
 #include <numbers>
@@ -14,8 +14,8 @@ namespace {
 
 using lbm::CollisionOperator;
 
-constexpr double kSpeed = 1e-6;       // lu: the Reynolds number stays below 0.1 down to tau - 1/2 = 1e-3
-constexpr double kSettled = 2e-4;     // two extrapolations in a row agree to that
+constexpr double kSpeed = 1e-6;    // lu: the Reynolds number stays below 0.1 down to tau - 1/2 = 1e-3
+constexpr double kSettled = 2e-4;  // two extrapolations in a row agree to that
 
 }  // namespace
 
@@ -71,9 +71,9 @@ std::vector<Row> run(const Context& context) {
   const auto ask = [&](const Case& c, double t, const Immersion& immersion, const char* name) {
     const ArrayResult r = array_drag(c.array, t, immersion);
     if (r.audit.relative() > worst.relative()) worst = r.audit;
-    rows.push_back(relative_row(fmt::format("K, phi {:.3f}, {:.1f} cells, tau - 1/2 = {:g}, {}", c.array.fraction,
-                                            r.diameter, t, name),
-                                r.drag, c.array.drag, c.tolerance));
+    rows.push_back(relative_row(
+        fmt::format("K, phi {:.3f}, {:.1f} cells, tau - 1/2 = {:g}, {}", c.array.fraction, r.diameter, t, name), r.drag,
+        c.array.drag, c.tolerance));
   };
   for (const Case& c : kCases) {
     // The small boxes; phi 0.064 and 0.125 at 16 cells take hours at 1e-3 (time ~ L^2 / nu).
@@ -87,8 +87,7 @@ std::vector<Row> run(const Context& context) {
   }
   if (!context.quick)
     for (const Case& c : {kCases[0], kCases[4], kCases[7], kCases[11]})
-      for (const double t : shifted)
-        ask(c, t, {.collision = CollisionOperator::central_moments}, "central moments");
+      for (const double t : shifted) ask(c, t, {.collision = CollisionOperator::central_moments}, "central moments");
   rows.push_back(audit_row("worst of all", worst));
   return rows;
 }

@@ -5,11 +5,11 @@
 namespace lahar::validate {
 
 struct SphereArray {
-  int cells = 8;         ///< of the periodic cube
-  int per_side = 1;      ///< spheres along an edge of the cube
-  double fraction = 0;   ///< volume fraction
-  double drag = 1;       ///< K of the reference
-  Vec3 offset;           ///< centre of the first sphere
+  int cells = 8;        ///< of the periodic cube
+  int per_side = 1;     ///< spheres along an edge of the cube
+  double fraction = 0;  ///< volume fraction
+  double drag = 1;      ///< K of the reference
+  Vec3 offset;          ///< centre of the first sphere
 };
 
 struct ArrayResult {

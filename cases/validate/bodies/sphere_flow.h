@@ -25,8 +25,8 @@ Row audit_row(const std::string& label, const coupling::MomentumAudit& audit);
 /// periodic box.
 struct Fringe {
   int first = 0, last = 0;
-  double speed = 0;        ///< lu
-  double resistance = 0;   ///< in the units of the weighting
+  double speed = 0;       ///< lu
+  double resistance = 0;  ///< in the units of the weighting
 };
 
 template <class Real>
