@@ -18,12 +18,24 @@ namespace {
 /// Calls visit(first cell of the row, y, z, eps[8]) for the rows of a block that a sphere reaches.
 template <class Real, class Visit>
 void for_rows(const GridSphere<Real>& s, const Vec3i& lowest, const Visit& visit) {
-  const RowRange rows = rows_in_reach(s, lowest);
+  const RowRange rows = rows_in_reach(s, lowest, s.radius + Real(0.5));
   Real eps[lbm::kBlockWidth];
   for (int z = rows.low[1]; z < rows.high[1]; ++z)
     for (int y = rows.low[0]; y < rows.high[0]; ++y) {
       sphere_row(s, lowest.x(), lowest.y() + y, lowest.z() + z, eps);
       visit(lbm::cell_index(0, y, z), y, z, eps);
+    }
+}
+
+/// Calls visit(first cell of the row, y, z, eps[8], coverage[8]) for the rows that a sphere's coverage reaches.
+template <class Real, class Visit>
+void for_covered_rows(const GridSphere<Real>& s, const Vec3i& lowest, const Visit& visit) {
+  const RowRange rows = rows_in_reach(s, lowest, reach_of(s));
+  Real eps[lbm::kBlockWidth], coverage[lbm::kBlockWidth];
+  for (int z = rows.low[1]; z < rows.high[1]; ++z)
+    for (int y = rows.low[0]; y < rows.high[0]; ++y) {
+      sphere_coverage_row(s, lowest.x(), lowest.y() + y, lowest.z() + z, eps, coverage);
+      visit(lbm::cell_index(0, y, z), y, z, eps, coverage);
     }
 }
 
@@ -50,18 +62,14 @@ double wet_volume_in(const GridSphere<Real>& s, const Block<Real>& block, const 
   return sum;
 }
 
-/// A body that is not heavier than this many times the liquid that moves with it gets the fluid's force smoothed.
-constexpr double kSureInertia = 1 / 0.7;
+/// The inertia of the liquid in the body's place is known one step late; beyond the body's own mass that would feed
+/// back on itself. Bodies lighter than about 1.4 times the liquid keep part of that inertia and are too sluggish for
+/// it. The torque is limited alike: on a body of one or two cells the liquid in the partly covered cells turns with
+/// more inertia than a light body has.
+constexpr double kInertiaLimit = 0.7;
 
-/// Force (or torque) that a body gets, from the last one and that of now. A light body answers so fast that the added
-/// mass of the liquid around it, felt a step late, would make it swing from step to step once it exceeds the body's own
-/// mass m. A virtual mass on both sides of m dv = F (Schwarz, Kempe & Froehlich 2015, J. Comput. Phys. 281:591) is the
-/// same as smoothing the force, F <- (m F_now + m_v F_last)/(m + m_v): no inertia is added, the impulse comes m_v/m
-/// steps later. m_v is what the liquid in the body's place exceeds a share of m by.
-Vec3 smoothed(Vec3& last, const Vec3& now, double body, double liquid) {
-  const double virtual_mass = std::max(0.0, liquid - body / kSureInertia);
-  last = (body * now + virtual_mass * last) / (body + virtual_mass);
-  return last;
+double limited_share(double body, double liquid) {
+  return std::min(1.0, kInertiaLimit * body / std::max(liquid, 1e-300));
 }
 
 [[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
@@ -132,9 +140,9 @@ void BodyMap<Real>::measure_old(lbm::Fluid<Real>& fluid) {
 template <class Real>
 void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
   const auto& units = fluid.units();
+  const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
   old_wet_.resize(particles.size(), 0.0);
-  for (auto* field : {&last_velocity_, &last_spin_, &last_force_, &last_torque_})
-    field->resize(particles.size(), Vec3::Zero());
+  last_velocity_.resize(particles.size(), Vec3::Zero());
   known_.resize(particles.size(), 0);
   former_.swap(bodies_);
   bodies_.clear(), spheres_.clear(), pairs_.clear();
@@ -151,17 +159,14 @@ void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& parti
       s.spin[a] = static_cast<Real>(w[a]);
     }
     s.radius = static_cast<Real>(mapping_radius(r));
+    s.surface = by_distance ? static_cast<Real>(std::max(0.0, r + radius_shift_)) : Real(-2);
     Body b;
     b.particle = i;
     b.volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
-    if (known_[i]) {
-      b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
-      b.angular_acceleration = (particles.angular_velocity[i] - last_spin_[i]) / units.time_step;
-    }
+    if (known_[i]) b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
     b.old_wet_volume = old_wet_[i];
     old_wet_[i] = 0;
     last_velocity_[i] = particles.velocity[i];
-    last_spin_[i] = particles.angular_velocity[i];
     known_[i] = 1;
     bodies_.push_back(b);
     spheres_.push_back(s);
@@ -178,21 +183,24 @@ void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& parti
 template <class Real>
 void BodyMap<Real>::add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body) {
   const GridSphere<Real>& s = spheres_[body];
-  Vec3i low, high;
+  const auto block_at = [&](int a, Real offset) { return static_cast<int>(std::floor(s.centre[a] + offset)) >> 3; };
+  const Real reach = reach_of(s), inner = s.radius + Real(0.5);
+  Vec3i low, high, inner_low, inner_high;
   for (int a = 0; a < 3; ++a) {
-    low[a] = static_cast<int>(std::floor(s.centre[a] - s.radius - Real(0.5))) >> 3;
-    high[a] = static_cast<int>(std::floor(s.centre[a] + s.radius + Real(0.5))) >> 3;
+    low[a] = block_at(a, -reach), high[a] = block_at(a, reach);
+    inner_low[a] = block_at(a, -inner), inner_high[a] = block_at(a, inner);
   }
   Body& b = bodies_[body];
   b.first_pair = pairs_.size();
   for (int x = low.x(); x <= high.x(); ++x)
     for (int y = low.y(); y <= high.y(); ++y)
       for (int z = low.z(); z <= high.z(); ++z) {
-        const BlockIndex block = fluid.grid().topology().find({x, y, z});
-        if (block == kNoBlock)
+        const Vec3i place(x, y, z);
+        const BlockIndex block = fluid.grid().topology().find(place);
+        if (block != kNoBlock)
+          pairs_.push_back({block, body, fluid.grid().block(block).birth, place * lbm::kBlockWidth});
+        else if ((place.array() >= inner_low.array()).all() && (place.array() <= inner_high.array()).all())
           b.all_blocks = false;
-        else
-          pairs_.push_back({block, body, fluid.grid().block(block).birth, lbm::kBlockWidth * Vec3i(x, y, z)});
       }
   b.pairs = pairs_.size() - b.first_pair;
 }
@@ -242,22 +250,26 @@ void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
   Block<Real>& block = grid.block(index);
   lbm::BodyFields<Real>& f = *block.body;
   const auto at = static_cast<std::size_t>(index);
+  const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
+  const Real gap = by_distance ? Real(kGapResistance) : Real(0);
   const bool mixed = block.wet_cells < lbm::kBlockCells || block.surface;
   for (std::uint32_t k = block_start_[at]; k < block_start_[at + 1]; ++k) {
     Pair& pair = pairs_[by_block_[k]];
     const GridSphere<Real>& s = spheres_[pair.body];
-    const Vec3i lowest = pair.lowest;
     pair.wet_volume = mixed ? 0 : pair.volume;
     pair.surface_weight = 0;
-    for_rows(s, lowest, [&](int row, int y, int z, const Real* eps) {
+    const Vec3i lowest = pair.lowest;
+    for_covered_rows(s, lowest, [&](int row, int y, int z, const Real* eps, const Real* coverage) {
       const Real ry = static_cast<Real>(lowest.y() + y) + Real(0.5) - s.centre[1];
       const Real rz = static_cast<Real>(lowest.z() + z) + Real(0.5) - s.centre[2];
       for (int c = 0; c < lbm::kBlockWidth; ++c) {
         const Real rx = static_cast<Real>(lowest.x() + c) + Real(0.5) - s.centre[0];
         f.solid_fraction[row + c] += eps[c];
-        f.momentum_x[row + c] += eps[c] * (s.velocity[0] + s.spin[1] * rz - s.spin[2] * ry);
-        f.momentum_y[row + c] += eps[c] * (s.velocity[1] + s.spin[2] * rx - s.spin[0] * rz);
-        f.momentum_z[row + c] += eps[c] * (s.velocity[2] + s.spin[0] * ry - s.spin[1] * rx);
+        f.coverage[row + c] += coverage[c];
+        f.resistance[row + c] = joined_resistance(f.resistance[row + c], coverage[c], gap);
+        f.momentum_x[row + c] += coverage[c] * (s.velocity[0] + s.spin[1] * rz - s.spin[2] * ry);
+        f.momentum_y[row + c] += coverage[c] * (s.velocity[1] + s.spin[2] * rx - s.spin[0] * rz);
+        f.momentum_z[row + c] += coverage[c] * (s.velocity[2] + s.spin[0] * ry - s.spin[1] * rx);
       }
       for (int c = 0; mixed && c < lbm::kBlockWidth; ++c) {
         const CellType t = block.type[static_cast<std::size_t>(row + c)];
@@ -291,9 +303,10 @@ void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
     if (!block.surface) return;
     const auto at = static_cast<std::size_t>(index);
     for (std::uint32_t k = block_start_[at]; k < block_start_[at + 1]; ++k) {
-      const std::uint32_t body = pairs_[by_block_[k]].body;
+      const Pair& pair = pairs_[by_block_[k]];
+      const std::uint32_t body = pair.body;
       if (displaced_[body] == 0) continue;
-      for_rows(spheres_[body], pairs_[by_block_[k]].lowest, [&](int row, int, int, const Real* eps) {
+      for_rows(spheres_[body], pair.lowest, [&](int row, int, int, const Real* eps) {
         for (int c = 0; c < lbm::kBlockWidth; ++c)
           if (block.type[static_cast<std::size_t>(row + c)] == CellType::interface)
             block.surface->mass[row + c] += static_cast<Real>(displaced_[body]) * eps[c];
@@ -305,7 +318,8 @@ void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
 template <class Real>
 Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
   auto& grid = fluid.grid();
-  const double resistance = fluid.coverage_resistance();
+  const lbm::CoverageLaw& law = fluid.coverage_law();
+  const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
   parallel_for(0, pairs_.size(), 128, [&](std::size_t k) {
     Pair& pair = pairs_[k];
     pair.force = pair.torque = Vec3::Zero();
@@ -315,10 +329,10 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
     const lbm::BodyFields<Real>& f = *block.body;
     const GridSphere<Real>& s = spheres_[pair.body];
     const Vec3i lowest = pair.lowest;
-    for_rows(s, lowest, [&](int row, int y, int z, const Real* eps) {
+    for_covered_rows(s, lowest, [&](int row, int y, int z, const Real* eps, const Real* coverage) {
       for (int c = 0; c < lbm::kBlockWidth; ++c) {
-        if (eps[c] == 0 || f.solid_fraction[row + c] == 0) continue;
-        const double share = static_cast<double>(eps[c]) / static_cast<double>(f.solid_fraction[row + c]);
+        if (coverage[c] == 0 || f.coverage[row + c] == 0) continue;
+        const double share = static_cast<double>(coverage[c]) / static_cast<double>(f.coverage[row + c]);
         const Vec3 force =
             share * Vec3(static_cast<double>(f.exchange_x[row + c]), static_cast<double>(f.exchange_y[row + c]),
                          static_cast<double>(f.exchange_z[row + c]));
@@ -328,8 +342,8 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
         pair.force += force;
         pair.torque += arm.cross(force);
         if (!lbm::is_wet(block.type[static_cast<std::size_t>(row + c)])) continue;
-        const double held =
-            share * lbm::coverage_weight(std::min(1.0, static_cast<double>(f.solid_fraction[row + c])), resistance);
+        const double held = by_distance ? static_cast<double>(eps[c])
+                                        : share * lbm::coverage_weight(static_cast<double>(f.resistance[row + c]), law);
         pair.locked += held;
         pair.locked_inertia += held * 2.0 / 3.0 * arm.squaredNorm();
       }
@@ -351,14 +365,13 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
     total += force;
     // The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body. The
     // weight of that liquid is carried by the fluid: the body's buoyancy.
-    force += locked * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
-    torque += locked_inertia * units.time_step * units.time_step * b.angular_acceleration;
+    const double area = units.cell_size * units.cell_size;
+    const double share = limited_share(particles.mass[b.particle], units.mass() * locked);
+    torque *= limited_share(particles.inertia[b.particle], units.mass() * area * locked_inertia);
+    force += locked * share * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
     if (!force.allFinite()) report_bad_force(particles, b.particle, fluid.steps());
-    const double mass = units.mass(), area = units.cell_size * units.cell_size;
-    particles.external_force.add(b.particle, smoothed(last_force_[b.particle], force * units.force_to_si(1.0),
-                                                      particles.mass[b.particle], mass * locked));
-    particles.external_torque.add(b.particle, smoothed(last_torque_[b.particle], torque * units.torque_to_si(1.0),
-                                                       particles.inertia[b.particle], mass * area * locked_inertia));
+    particles.external_force.add(b.particle, force * units.force_to_si(1.0));
+    particles.external_torque.add(b.particle, torque * units.torque_to_si(1.0));
   }
   return total;
 }

@@ -18,6 +18,10 @@ namespace lahar::coupling {
 template <class Real>
 class BodyMap {
  public:
+  /// `radius_shift`: what is added to the radius (in cells) at which the fluid comes to rest, with
+  /// BodyWeighting::wall_distance; the volume stays that of the body.
+  explicit BodyMap(double radius_shift = 0) : radius_shift_(radius_shift) {}
+
   /// Maps all free and fixed grains (not beads) at their present places into cleared body fields (see body_fields.h),
   /// and books displaced volume.
   void update(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
@@ -42,24 +46,23 @@ class BodyMap {
   /// A body and one block that it reaches.
   struct Pair {
     lbm::BlockIndex block;
-    std::uint32_t body;     ///< index into bodies_
-    std::uint64_t birth;    ///< of the block
-    Vec3i lowest;           ///< first cell of the block as the body sees it: beyond a periodic face not the block's own
-    double volume = 0;      ///< cells, over all cells of the block
-    double wet_volume = 0;  ///< cells, over wet cells
+    std::uint32_t body;         ///< index into bodies_
+    std::uint64_t birth;        ///< of the block
+    Vec3i lowest;               ///< first cell of the block as the body sees it: past the end of a periodic axis
+    double volume = 0;          ///< cells, over all cells of the block
+    double wet_volume = 0;      ///< cells, over wet cells
     double surface_weight = 0;  ///< sum of eps over interface cells
-    double locked = 0;          ///< sum of the coverage weight over wet cells: liquid that moves with the body
+    double locked = 0;          ///< liquid in wet cells that moves with the body, cells
     double locked_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
   };
   struct Body {
     dem::ParticleIndex particle;
     std::size_t first_pair = 0, pairs = 0;
-    bool all_blocks = true;                    ///< every block in reach exists
-    double volume = 0;                         ///< exact, cells
-    double old_wet_volume = 0;                 ///< of the former mapping, under present cell types
-    Vec3 acceleration = Vec3::Zero();          ///< m/s^2, mean of the last step
-    Vec3 angular_acceleration = Vec3::Zero();  ///< rad/s^2, the same
+    bool all_blocks = true;            ///< every block in reach exists
+    double volume = 0;                 ///< exact, cells
+    double old_wet_volume = 0;         ///< of the former mapping, under present cell types
+    Vec3 acceleration = Vec3::Zero();  ///< m/s^2, mean of the last step
   };
 
   [[nodiscard]] bool is_alive(const lbm::Fluid<Real>& fluid, const Pair& pair) const;
@@ -77,14 +80,14 @@ class BodyMap {
 
   std::vector<Body> bodies_, former_;
   std::vector<GridSphere<Real>> spheres_;
-  std::vector<Pair> pairs_;                      // by body, then block
-  std::vector<std::uint32_t> by_block_;          // pair indices sorted by block
-  std::vector<std::uint32_t> block_start_;       // per block index, into by_block_
-  std::vector<std::uint32_t> next_;              // scratch of the sort
-  std::vector<double> old_wet_, displaced_;      // per particle; per body
-  std::vector<Vec3> last_velocity_, last_spin_;  // per particle, m/s and rad/s
-  std::vector<Vec3> last_force_, last_torque_;   // per particle: what it got in the last step, N and N m
-  std::vector<std::uint8_t> known_;              // per particle: last_velocity_ is set
+  std::vector<Pair> pairs_;                  // by body, then block
+  std::vector<std::uint32_t> by_block_;      // pair indices sorted by block
+  std::vector<std::uint32_t> block_start_;   // per block index, into by_block_
+  std::vector<std::uint32_t> next_;          // scratch of the sort
+  std::vector<double> old_wet_, displaced_;  // per particle; per body
+  std::vector<Vec3> last_velocity_;          // per particle, m/s
+  std::vector<std::uint8_t> known_;          // per particle: last_velocity_ is set
+  double radius_shift_;
   double wet_volume_ = 0;
 };
 

@@ -2,15 +2,15 @@
 
 #include <cmath>
 
-#include "core/parallel.h"
 #include "coupling/body_fields.h"
+#include "coupling/lubrication.h"
 
 namespace lahar::coupling {
 
 template <class Real>
 CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::optional<dem::Solids> solids,
                                CouplingOptions options)
-    : solids_(std::move(solids)), options_(options) {
+    : solids_(std::move(solids)), options_(options), bodies_(options.radius_shift) {
   require(fluid || solids_, "CoupledStep: neither fluid nor solids");
   require(options_.substeps > 0, "CoupledStep: substeps must be positive");
   if (fluid) {
@@ -84,29 +84,15 @@ void CoupledStep<Real>::hold_fluid_forces() {
   if (options_.immersed_grains) {
     const ScopedTimer timer(timers_.section("coupling.forces"));
     const Vec3 on_grains = bodies_.add_forces(*fluid_, particles);
-    audit_.book(on_grains, body_momentum_in_fields());
+    audit_.book(on_grains, momentum_given_to_bodies(fluid_->grid()));
+  }
+  if (options_.immersed_grains && options_.lubrication) {
+    const ScopedTimer timer(timers_.section("coupling.lubrication"));
+    const lbm::FluidOptions& o = fluid_->options();
+    add_lubrication(particles, o.domain.cell_size, o.density * o.kinematic_viscosity, clock_.time_step(),
+                    [&](const Vec3& p) { return fluid_->cell_at(p).has_value(); });
   }
   audit_.book(on_wires, -from_wires);
-}
-
-/// Momentum that the fluid gave away in this step, read from the fields, cell by cell.
-template <class Real>
-Vec3 CoupledStep<Real>::body_momentum_in_fields() const {
-  const auto& active = fluid_->grid().active();
-  return ordered_sum<Vec3>(
-      active.size(),
-      [&](std::size_t k) {
-        Vec3 sum = Vec3::Zero();
-        const auto& block = fluid_->grid().block(active[k]);
-        if (!block.body) return sum;
-        for (int n = 0; n < lbm::kBlockCells; ++n) {
-          if (block.body->solid_fraction[n] == 0) continue;
-          sum += Vec3(static_cast<double>(block.body->exchange_x[n]), static_cast<double>(block.body->exchange_y[n]),
-                      static_cast<double>(block.body->exchange_z[n]));
-        }
-        return sum;
-      },
-      16, Vec3(Vec3::Zero()));
 }
 
 template class CoupledStep<float>;

@@ -13,6 +13,8 @@ namespace lahar::coupling {
 
 struct CouplingOptions {
   bool immersed_grains = true;  ///< grains displace and stop the fluid
+  double radius_shift = 0;      ///< cells, see BodyMap
+  bool lubrication = false;     ///< films between close grains (lubrication.h)
   bool wire_drag = true;        ///< beads of rings and cables feel drag and give it back
   int substeps = 1;  ///< DEM steps in a fluid step; where that adapts they stay no longer than those of the first
 };
@@ -48,7 +50,6 @@ class CoupledStep {
  private:
   void follow_time_step();
   void hold_fluid_forces();
-  [[nodiscard]] Vec3 body_momentum_in_fields() const;
 
   std::optional<lbm::Fluid<Real>> fluid_;
   std::optional<dem::Solids> solids_;

@@ -1,6 +1,4 @@
 // What the coupling hands to a checkpoint and takes from it.
-#include <utility>
-
 #include "coupling/coupled_step.h"
 
 namespace lahar::coupling {
@@ -24,10 +22,10 @@ void BodyMap<Real>::transfer(Archive& archive) {
     carry(bodies_[k].particle, at[0]), carry(bodies_[k].first_pair, at[1]), carry(bodies_[k].pairs, at[2]);
     if (loading && (at[1] > pairs || at[2] > pairs - at[1])) archive.refuse("body", "does not fit the pairs");
   });
-  archive.pieces<Real>("sphere", bodies, 11, [&](std::size_t k, Real* at) {
+  archive.pieces<Real>("sphere", bodies, 12, [&](std::size_t k, Real* at) {
     GridSphere<Real>& s = spheres_[k];
     for (int a = 0; a < 3; ++a) carry(s.centre[a], at[a]), carry(s.velocity[a], at[3 + a]), carry(s.spin[a], at[6 + a]);
-    carry(s.radius, at[9]), carry(s.factor, at[10]);
+    carry(s.radius, at[9]), carry(s.factor, at[10]), carry(s.surface, at[11]);
   });
   archive.pieces<std::uint64_t>("pair", pairs, 3, [&](std::size_t k, std::uint64_t* at) {
     carry(pairs_[k].block, at[0]), carry(pairs_[k].body, at[1]), carry(pairs_[k].birth, at[2]);
@@ -40,16 +38,29 @@ void BodyMap<Real>::transfer(Archive& archive) {
     for (int a = 0; a < 3; ++a) carry(pairs_[k].lowest[a], at[a]);
   });
   archive.list("last_velocity", last_velocity_);
-  for (auto [name, list] : {std::pair{"last_spin", &last_spin_}, {"last_force", &last_force_}, {"last_torque", &last_torque_}}) {
-    archive.list(name, *list);
-    if (list->size() != last_velocity_.size()) archive.refuse(name, "is not there for every particle");
-  }
   archive.list_of("known", known_, last_velocity_.size());
   archive.value("wet_volume", wet_volume_);
   if (!loading) return;
   old_wet_.assign(last_velocity_.size(), 0.0);
   for (const Body& b : bodies_)
     if (b.particle >= old_wet_.size()) archive.refuse("body", "is a particle that does not exist");
+}
+
+/// The neighbours of the beads are looked at once in many steps.
+template <class Real>
+void WireDrag<Real>::transfer(Archive& archive) {
+  archive.value("wet_beads", wet_beads_);
+  archive.value("applied", applied_);
+  archive.pieces<double>("crowding", beads_.size(), 3, [&](std::size_t k, double* stored) {
+    Crowding& c = beads_[k].crowding;
+    double* const own[] = {&c.area, &c.parallel, &c.solidity};
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (archive.loading())
+        *own[a] = stored[a];
+      else
+        stored[a] = *own[a];
+    }
+  });
 }
 
 template <class Real>
@@ -73,6 +84,8 @@ void CoupledStep<Real>::transfer_timers(Archive& archive) {
 
 template void BodyMap<float>::transfer(Archive&);
 template void BodyMap<double>::transfer(Archive&);
+template void WireDrag<float>::transfer(Archive&);
+template void WireDrag<double>::transfer(Archive&);
 template void CoupledStep<float>::transfer(Archive&);
 template void CoupledStep<double>::transfer(Archive&);
 template void CoupledStep<float>::transfer_timers(Archive&);

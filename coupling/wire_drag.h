@@ -26,9 +26,8 @@ class WireDrag {
   /// Momentum that the last `apply` put into cells, lu; the audit compares it with the forces on the beads.
   [[nodiscard]] const Vec3& given_to_fluid() const { return given_; }
   [[nodiscard]] std::size_t wet_beads() const { return wet_beads_; }
-  /// State of a checkpoint: a figure for the series. All else is looked up anew in every step; what the wires sample is
-  /// the fluid's.
-  void transfer(Archive& archive) { archive.value("wet_beads", wet_beads_); }
+  /// State of a checkpoint (coupled_step_transfer.cpp): what is not looked up anew in every step.
+  void transfer(Archive& archive);
 
  private:
   struct Bead {

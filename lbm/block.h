@@ -30,7 +30,9 @@ struct SurfaceFields {
 template <class Real>
 struct BodyFields {
   alignas(64) Real solid_fraction[kBlockCells];  ///< sum over bodies, may exceed 1 where bodies overlap
-  alignas(64) Real momentum_x[kBlockCells];      ///< sum over bodies of solid fraction times velocity, lu
+  alignas(64) Real coverage[kBlockCells];        ///< sum over bodies of their parts in the cell's exchange
+  alignas(64) Real resistance[kBlockCells];      ///< what B follows from (collision/coverage.h)
+  alignas(64) Real momentum_x[kBlockCells];      ///< sum over bodies of coverage times velocity, lu
   alignas(64) Real momentum_y[kBlockCells];
   alignas(64) Real momentum_z[kBlockCells];
   /// In: momentum given to the cell by wires in the coming step. Out (by the sweep): momentum that the fluid gave to

@@ -35,8 +35,8 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   SweepParameters p;
   p.collision = o.collision;
   p.tau = 0.5 + 3 * units.viscosity_to_lu(o.kinematic_viscosity);
-  if (o.weighting == BodyWeighting::noble_torczynski) p.coverage_resistance = 1 / (p.tau - 0.5);
-  if (o.weighting == BodyWeighting::seepage) p.coverage_resistance = 1 / o.seepage_constant;
+  p.coverage = coverage_law(o.weighting, p.tau, o.seepage_constant);
+  p.solid_operator = o.solid_operator;
   p.smagorinsky = o.smagorinsky;
   // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield
   // stress.
@@ -44,6 +44,8 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
           "Fluid: the time step is longer than ripples of two cells allow (core/capillary.h)");
   require(o.rheology.law == FlowLaw::newtonian || o.smagorinsky == 0,
           "Fluid: Smagorinsky is for Newtonian fluids alone");
+  require(!turns_populations(o.solid_operator) || (o.rheology.law == FlowLaw::newtonian && o.smagorinsky == 0),
+          "Fluid: solid operators that turn populations are for a constant viscosity alone");
   const auto& walls = o.domain.walls.all();
   const bool modelled =
       std::any_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip == WallSlip::wall_model; });

@@ -29,10 +29,11 @@ struct FluidOptions {
   double surface_tension = 0;         ///< N/m; 0 is off
   CollisionOperator collision = CollisionOperator::central_moments;
   BodyWeighting weighting = BodyWeighting::solid_fraction;
-  double seepage_constant = 0;         ///< in place of tau - 1/2 for BodyWeighting::seepage
-  double smagorinsky = 0;              ///< Cs; 0 is off; only with a Newtonian fluid
-  RheologyOptions rheology;            ///< flow law of mud and slurry
-  std::vector<InflowOptions> inflows;  ///< boxes through which liquid enters
+  SolidOperator solid_operator = SolidOperator::faded;  ///< those that turn populations: Newtonian without LES only
+  double seepage_constant = 0;                          ///< in place of tau - 1/2 for BodyWeighting::seepage
+  double smagorinsky = 0;                               ///< Cs; 0 is off; only with a Newtonian fluid
+  RheologyOptions rheology;                             ///< flow law of mud and slurry
+  std::vector<InflowOptions> inflows;                   ///< boxes through which liquid enters
 };
 
 /// How the populations of a flow without a surface start.
@@ -88,7 +89,7 @@ class Fluid {
   [[nodiscard]] const LatticeUnits& units() const { return units_; }
   [[nodiscard]] const FluidOptions& options() const { return options_; }
   [[nodiscard]] double tau() const { return parameters_.tau; }
-  [[nodiscard]] double coverage_resistance() const { return parameters_.coverage_resistance; }
+  [[nodiscard]] const CoverageLaw& coverage_law() const { return parameters_.coverage; }
   [[nodiscard]] std::int64_t steps() const { return clock_.steps(); }
   [[nodiscard]] FluidGrid<Real>& grid() { return grid_; }
   [[nodiscard]] const FluidGrid<Real>& grid() const { return grid_; }

@@ -116,6 +116,8 @@ void FluidGrid<Real>::transfer_bodies(Archive& archive) {
   };
   using Fields = BodyFields<Real>;
   field("solid_fraction", &Fields::solid_fraction);
+  field("coverage", &Fields::coverage);
+  field("resistance", &Fields::resistance);
   field("body_momentum_x", &Fields::momentum_x);
   field("body_momentum_y", &Fields::momentum_y);
   field("body_momentum_z", &Fields::momentum_z);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lbm/block.h"
+#include "lbm/collision/coverage.h"
 #include "lbm/rheology/rheology.h"
 #include "lbm/streaming.h"
 
@@ -11,26 +12,14 @@ namespace lahar::lbm {
 
 enum class CollisionOperator { central_moments, bgk, trt };
 
-/// How much of the collision a body takes over, B(solid fraction).
-enum class BodyWeighting {
-  solid_fraction,    ///< B = eps
-  noble_torczynski,  ///< B = eps (tau - 1/2) / ((1 - eps) + (tau - 1/2)), Noble & Torczynski 1998
-  seepage,           ///< the same form with a constant in place of tau - 1/2, from the seepage through a packed bed
-};
-
-/// B = eps / ((1 - eps) resistance + 1): resistance 0 for B = eps, 1/(tau - 1/2) for Noble & Torczynski.
-template <class V>
-V coverage_weight(const V& eps, const V& resistance) {
-  return eps / ((V(1) - eps) * resistance + V(1));
-}
-
 /// Uniform parameters of a sweep, lattice units.
 struct SweepParameters {
   CollisionOperator collision = CollisionOperator::central_moments;
-  double coverage_resistance = 0;  ///< see coverage_weight
-  double tau = 1;                  ///< relaxation time of the viscous moments
-  double smagorinsky = 0;          ///< Cs, 0 is off
-  RheologyParameters rheology;     ///< in place of tau where the flow law is not Newtonian
+  CoverageLaw coverage;  ///< B of what bodies wrote into a cell
+  SolidOperator solid_operator = SolidOperator::faded;
+  double tau = 1;               ///< relaxation time of the viscous moments
+  double smagorinsky = 0;       ///< Cs, 0 is off
+  RheologyParameters rheology;  ///< in place of tau where the flow law is not Newtonian
   std::array<double, 3> gravity{0, 0, 0};
   Parity parity;
 };

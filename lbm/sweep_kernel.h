@@ -7,6 +7,7 @@
 #include "lbm/collision/bgk.h"
 #include "lbm/collision/central_moments.h"
 #include "lbm/collision/smagorinsky.h"
+#include "lbm/collision/solid_operators.h"
 #include "lbm/collision/stress_limit.h"
 #include "lbm/collision/trt.h"
 #include "lbm/gather.h"
@@ -22,7 +23,10 @@ inline constexpr std::uint64_t kAllRows = ~std::uint64_t{0};
 template <class V, class Viscosity>
 struct Uniform {
   Viscosity viscosity;
-  V gravity[3], resistance, stress_limit;
+  V gravity[3], stress_limit;
+  V alpha, beta, gamma, cap, largest;  ///< CoverageLaw
+  V fade;                              ///< 1 for SolidOperator::faded
+  bool turned, holdych;                ///< the solid operator is another one
 };
 
 template <class V, class Viscosity>
@@ -36,8 +40,15 @@ Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
     largest_stress = stress_limit(p.tau);
   return {Viscosity::of(p),
           {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])},
-          real(p.coverage_resistance),
-          real(largest_stress)};
+          real(largest_stress),
+          real(p.coverage.alpha),
+          real(p.coverage.beta),
+          real(p.coverage.gamma),
+          real(p.coverage.cap),
+          real(p.coverage.largest),
+          real(p.solid_operator == SolidOperator::faded),
+          turns_populations(p.solid_operator),
+          p.solid_operator == SolidOperator::holdych};
 }
 
 template <class Real, bool kMixed, bool kBody>
@@ -134,9 +145,20 @@ class BlockKernel {
       stdx::where(dry, force.coverage_weight) = V(0);
       for (V& k : force.kick) stdx::where(dry, k) = V(0);
     }
-    const Departure<V> after = Operator::collide(f, m, force, uniform.viscosity);
+    Departure<V> after;
+    bool turned = false;
+    if constexpr (kBody && std::is_same_v<std::remove_cvref_t<decltype(uniform.viscosity)>, Newtonian<V>>)
+      turned = uniform.turned;
+    if (turned) [[unlikely]] {
+      if constexpr (kBody) {
+        after = velocity_after(m, force);
+        collide_turned<Operator>(f, m, force, uniform.viscosity, uniform.holdych);
+      }
+    } else {
+      after = Operator::collide(f, m, force, uniform.viscosity);
+    }
     watch.see(m, after);
-    if constexpr (kBody) record_exchange(block, n, m, force, after);
+    if constexpr (kBody) record_exchange(block, n, m, force, uniform.holdych, after);
     f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
       f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);
@@ -164,11 +186,12 @@ class BlockKernel {
                                                  const Moments<V>& m, CellForcing<V>& force) {
     if constexpr (kBody) {
       const BodyFields<Real>& body = *block.body;
-      const V tiny(Real(1e-12)), one(1);
-      const V sum(body.solid_fraction + n, stdx::vector_aligned);
-      const V eps = stdx::min(sum, one);
-      const V inverse = one / stdx::max(sum, tiny);
-      force.coverage_weight = coverage_weight(eps, uniform.resistance);
+      const V tiny(Real(1e-12));
+      const V sum(body.coverage + n, stdx::vector_aligned);
+      const V inverse = V(1) / stdx::max(sum, tiny);
+      force.coverage_weight = coverage_weight(V(body.resistance + n, stdx::vector_aligned), uniform.alpha, uniform.beta,
+                                              uniform.gamma, uniform.cap, uniform.largest);
+      force.fade = uniform.fade * force.coverage_weight;
       force.solid_velocity[0] = V(body.momentum_x + n, stdx::vector_aligned) * inverse;
       force.solid_velocity[1] = V(body.momentum_y + n, stdx::vector_aligned) * inverse;
       force.solid_velocity[2] = V(body.momentum_z + n, stdx::vector_aligned) * inverse;
@@ -183,14 +206,21 @@ class BlockKernel {
   }
 
   /// Momentum that the fluid gives to the bodies of the cell, B rho (u + a - u_s), and the velocity after collision.
+  /// The operator of Holdych gives B rho (2 (u - u_s) + a).
   [[gnu::always_inline]] static void record_exchange(Block<Real>& block, int n, const Moments<V>& m,
-                                                     const CellForcing<V>& force, const Departure<V>& after) {
+                                                     const CellForcing<V>& force, bool holdych,
+                                                     const Departure<V>& after) {
     const V weight = force.coverage_weight * (V(1) + m.drho);
     Real* const out[3] = {block.body->exchange_x, block.body->exchange_y, block.body->exchange_z};
     Real* const velocity[3] = {block.body->velocity_x, block.body->velocity_y, block.body->velocity_z};
     for (int a = 0; a < 3; ++a) {
-      (weight * (m.u[a] + force.acceleration[a] - force.solid_velocity[a])).copy_to(out[a] + n, stdx::vector_aligned);
-      after.v[a].copy_to(velocity[a] + n, stdx::vector_aligned);
+      V loss = m.u[a] + force.acceleration[a] - force.solid_velocity[a], velocity_a = after.v[a];
+      if (holdych) [[unlikely]] {
+        const V slip = m.u[a] - force.solid_velocity[a];
+        loss += slip, velocity_a -= force.coverage_weight * slip;
+      }
+      (weight * loss).copy_to(out[a] + n, stdx::vector_aligned);
+      velocity_a.copy_to(velocity[a] + n, stdx::vector_aligned);
     }
   }
 };

@@ -28,10 +28,26 @@ lbm::BodyWeighting weighting_of(scene::BodyWeighting w) {
       return lbm::BodyWeighting::noble_torczynski;
     case scene::BodyWeighting::seepage:
       return lbm::BodyWeighting::seepage;
+    case scene::BodyWeighting::wall_distance:
+      return lbm::BodyWeighting::wall_distance;
     case scene::BodyWeighting::solid_fraction:
       break;
   }
   return lbm::BodyWeighting::solid_fraction;
+}
+
+lbm::SolidOperator solid_operator_of(scene::SolidOperator o) {
+  switch (o) {
+    case scene::SolidOperator::equilibrium_difference:
+      return lbm::SolidOperator::equilibrium_difference;
+    case scene::SolidOperator::bounce_back:
+      return lbm::SolidOperator::bounce_back;
+    case scene::SolidOperator::holdych:
+      return lbm::SolidOperator::holdych;
+    case scene::SolidOperator::faded:
+      break;
+  }
+  return lbm::SolidOperator::faded;
 }
 
 /// Sum of d^3 over sum of d^2 of all grains, m.
@@ -126,6 +142,7 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
   o.surface_tension = scene.fluid.surface_tension;
   o.collision = collision_of(scene.fluid.collision);
   o.weighting = weighting_of(scene.coupling.body_weighting);
+  o.solid_operator = solid_operator_of(scene.coupling.solid_operator);
   if (o.weighting == lbm::BodyWeighting::seepage)
     o.seepage_constant = coupling::seepage_constant(sauter_diameter(scene), o.kinematic_viscosity, o.gravity.norm(),
                                                     {o.domain.cell_size, o.time_step, o.density});

@@ -219,6 +219,13 @@ void check_uses(const Scene& scene, Findings& findings) {
     if (!scene.has_solids())
       findings.mistake("coupling.enabled", "coupling.enabled is true without grains or barrier, expected some");
   }
+  const bool turns = scene.coupling.solid_operator == SolidOperator::bounce_back ||
+                     scene.coupling.solid_operator == SolidOperator::holdych;
+  if (scene.coupling.enabled && turns && findings.sound({"coupling", "fluid"}) &&
+      (scene.fluid.smagorinsky > 0 || scene.fluid.rheology.law != FlowLaw::newtonian))
+    findings.mistake("coupling.solid_operator",
+                     "coupling.solid_operator turns populations, which is for a constant viscosity alone, expected "
+                     "fluid.smagorinsky = 0 and a Newtonian fluid, or another solid operator");
   if (!scene.fluid.enabled && !scene.has_solids() && findings.sound({"fluid", "grains", "barrier"}))
     findings.mistake("scene", "the scene is empty, expected a fluid, grains or a barrier");
   check_section(scene, findings);

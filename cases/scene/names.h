@@ -61,9 +61,16 @@ constexpr auto names_of(ContactLaw) {
   return NameTable<ContactLaw, 2>{{{"hertz_mindlin", ContactLaw::hertz_mindlin}, {"linear", ContactLaw::linear}}};
 }
 constexpr auto names_of(BodyWeighting) {
-  return NameTable<BodyWeighting, 3>{{{"solid_fraction", BodyWeighting::solid_fraction},
+  return NameTable<BodyWeighting, 4>{{{"solid_fraction", BodyWeighting::solid_fraction},
                                       {"noble_torczynski", BodyWeighting::noble_torczynski},
-                                      {"seepage", BodyWeighting::seepage}}};
+                                      {"seepage", BodyWeighting::seepage},
+                                      {"wall_distance", BodyWeighting::wall_distance}}};
+}
+constexpr auto names_of(SolidOperator) {
+  return NameTable<SolidOperator, 4>{{{"faded", SolidOperator::faded},
+                                      {"equilibrium_difference", SolidOperator::equilibrium_difference},
+                                      {"bounce_back", SolidOperator::bounce_back},
+                                      {"holdych", SolidOperator::holdych}}};
 }
 constexpr auto names_of(ProbeKind) {
   return NameTable<ProbeKind, 3>{

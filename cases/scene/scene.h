@@ -19,7 +19,8 @@ enum class WallShape { plane, box, cylinder, sphere, mesh, heightmap };
 enum class RegionShape { box, cylinder, sphere, mesh };
 enum class Collision { central_moments, bgk, trt };
 enum class ContactLaw { hertz_mindlin, linear };
-enum class BodyWeighting { solid_fraction, noble_torczynski, seepage };
+enum class BodyWeighting { solid_fraction, noble_torczynski, seepage, wall_distance };
+enum class SolidOperator { faded, equilibrium_difference, bounce_back, holdych };
 enum class WallPlacement { half_way, interpolated };
 enum class FlowLaw { newtonian, bingham, herschel_bulkley };
 enum class ProbeKind { height, pressure, force };
@@ -251,6 +252,9 @@ struct RigidBarrier {
 struct Coupling {
   bool enabled = false;
   BodyWeighting body_weighting = BodyWeighting::solid_fraction;
+  SolidOperator solid_operator = SolidOperator::faded;
+  double radius_shift_cells = -0.06;  ///< body_weighting = wall_distance only
+  bool lubrication = false;
   bool wire_drag = true;
   bool operator==(const Coupling&) const = default;
 };

@@ -331,6 +331,10 @@ void describe(V& v, Coupling& s) {
   v.value("enabled", s.enabled, required(), "Whether fluid and particles act on each other.");
   v.when_on(s.enabled, [&] {
     v.value("body_weighting", s.body_weighting, {}, "Weight of the solid in a partly covered cell.");
+    v.value("solid_operator", s.solid_operator, {}, "What a body puts in place of the fluid's collision.");
+    v.value("radius_shift_cells", s.radius_shift_cells, {between(-0.5, 0.5)},
+            "Added to the radius at which the fluid comes to rest; with body_weighting = wall_distance.");
+    v.value("lubrication", s.lubrication, {}, "Squeezed films between grains closer than two thirds of a cell.");
     v.value("wire_drag", s.wire_drag, {}, "Drag of wires thinner than the cells by a drag law.");
   });
 }

@@ -20,14 +20,14 @@ struct Moments {
   V u[3];             ///< momentum / rho, before any force
 };
 
-/// What acts on a cell in a step. The velocity after collision is (1 - B) (u + acceleration) + B u_s + kick; B also
-/// fades the non-equilibrium part, so that a fully covered cell ends in the equilibrium of the body's velocity.
+/// What acts on a cell in a step. The velocity after collision is (1 - B) (u + acceleration) + B u_s + kick.
 template <class V>
 struct CellForcing {
   V acceleration[3];      ///< lu, body force per mass
-  V coverage_weight;      ///< B, 0 where there is no body
+  V coverage_weight;      ///< B, 0 where there is no body (collision/coverage.h)
   V solid_velocity[3];    ///< u_s, lu
   V kick[3];              ///< velocity change by forces of wires, lu
+  V fade = V(0);          ///< share of the non-equilibrium part that a body takes away (SolidOperator::faded)
   V largest_rate = V(2);  ///< the viscous moments relax no faster (collision/stress_limit.h)
   V stress_share = V(1);  ///< of the non-equilibrium part that is left after relaxation (same place)
 };

@@ -15,7 +15,7 @@ struct Trt {
                               const Viscosity& viscosity) {
     const V even_rate = viscous_rate(f, m, viscosity);
     const V odd_rate = V(1) / (number<V>(0.5) + number<V>(magic_parameter) / (V(1) / even_rate - number<V>(0.5)));
-    const V stay = V(1) - force.coverage_weight, half = number<V>(0.5);
+    const V stay = V(1) - force.fade, half = number<V>(0.5);
     const V keep_even = (V(1) - even_rate) * stay, keep_odd = (V(1) - odd_rate) * stay;
     const Departure<V> after = velocity_after(m, force);
     const auto& v = after.v;

@@ -95,5 +95,65 @@ TEST(BodyMap, OddBodiesDoNoHarm) {
   EXPECT_NEAR(fluid.mass_drift(), 0, 1e-5);
 }
 
+/// The same with the weighting by distance, whose reach is wider than the body.
+TEST(BodyMap, OddBodiesDoNoHarmByDistance) {
+  auto options = tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4);
+  options.weighting = lbm::BodyWeighting::wall_distance;
+  options.solid_operator = lbm::SolidOperator::equilibrium_difference;
+  lbm::Fluid<float> fluid(options);
+  fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.16)}});
+  dem::Particles particles;
+  particles.add(grain(Vec3(0.101, 0.1, 0.1), 0.006, 2500));  // 0.3 cells
+  particles.add(grain(Vec3(0.2, 0.2, 0.1), 0.03, 2500));
+  particles.add(grain(Vec3(0.2, 0.2, 0.1), 0.03, 2500));    // in the same place
+  particles.add(grain(Vec3(0.0, 0.16, 0.16), 0.04, 2500));  // half in the wall, half out of the water
+  BodyMap<float> map(-0.06);
+  for (int s = 0; s < 300; ++s) {
+    step(fluid, map, particles);
+    for (std::size_t i = 0; i < particles.size(); ++i) ASSERT_TRUE(particles.external_force[i].allFinite());
+  }
+  EXPECT_NE(particles.external_force[0], Vec3::Zero());
+  EXPECT_NEAR(fluid.mass_drift(), 0, 1e-5);
+}
+
+/// A sphere across the face of a periodic box is as good as one in its middle.
+TEST(BodyMap, SphereAcrossAPeriodicFace) {
+  const auto drag = [](const Vec3& centre) {
+    auto options = stream(16, 1, 1);
+    options.density = 1;
+    options.kinematic_viscosity = 0.05;
+    options.gravity = Vec3(1e-6, 0, 0);
+    lbm::Fluid<double> fluid(options);
+    fluid.fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
+    dem::Particles particles;
+    auto spec = grain(centre, 3, 2);
+    spec.state = dem::ParticleState::fixed;
+    particles.add(spec);
+    BodyMap<double> map;
+    for (int s = 0; s < 200; ++s) step(fluid, map, particles);
+    return particles.external_force[0];
+  };
+  const Vec3 inside = drag(Vec3(8.3, 8.2, 8.1)), across = drag(Vec3(0.3, 16.2, 8.1));
+  EXPECT_GT(inside.x(), 0);
+  EXPECT_NEAR((across - inside).norm() / inside.norm(), 0, 1e-9);
+}
+
+/// Ten thousand grains at once, most of them in contact, half of them in air.
+TEST(BodyMap, TenThousandGrains) {
+  lbm::Fluid<float> fluid(tank(Vec3(0.5, 0.4, 0.48), 0.02, 2e-4));
+  fluid.fill({{Vec3::Zero(), Vec3(0.5, 0.4, 0.24)}});
+  dem::Particles particles;
+  for (int k = 0; k < 10000; ++k)
+    particles.add(
+        grain(Vec3(0.01 + 0.02 * (k % 25), 0.01 + 0.02 * (k / 25 % 20), 0.012 + 0.024 * (k / 500)), 0.01, 2500));
+  BodyMap<float> map;
+  map.embed(fluid, particles);
+  fluid.open_ledger();
+  for (int s = 0; s < 5; ++s) step(fluid, map, particles);
+  for (std::size_t i = 0; i < particles.size(); ++i) ASSERT_TRUE(particles.external_force[i].allFinite());
+  EXPECT_GT(particles.external_force.z[0], 0);
+  EXPECT_NEAR(fluid.mass_drift(), 0, 1e-5);
+}
+
 }  // namespace
 }  // namespace lahar::coupling

@@ -56,7 +56,7 @@ TEST(SphereFraction, RowsInReachCoverTheSphere) {
   GridSphere<double> s{};
   s.centre[0] = 4.0, s.centre[1] = 7.9, s.centre[2] = 3.0;
   s.radius = 2.0;
-  const RowRange here = rows_in_reach(s, Vec3i(0, 0, 0)), next = rows_in_reach(s, Vec3i(0, 8, 0));
+  const RowRange here = rows_in_reach(s, Vec3i(0, 0, 0), 2.5), next = rows_in_reach(s, Vec3i(0, 8, 0), 2.5);
   EXPECT_EQ(here.low[0], 5);
   EXPECT_EQ(here.high[0], 8);
   EXPECT_EQ(next.low[0], 0);

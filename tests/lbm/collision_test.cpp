@@ -79,7 +79,7 @@ TYPED_TEST(Collision, FullCoverageGivesTheBodysVelocity) {
   double f[D3Q19::q];
   this->random_state(random, f, 0.02);
   CellForcing<double> force = this->no_force();
-  force.coverage_weight = 1;
+  force.coverage_weight = force.fade = 1;
   force.solid_velocity[0] = 0.03, force.solid_velocity[2] = -0.02;
   const auto before = moments(f);
   TypeParam::collide(f, before, force, Newtonian<double>{0.55});

@@ -7,6 +7,10 @@ namespace lahar::validate {
 std::vector<Entry> bodies_entries() {
   const char* const hard = "hard_cases.csv (thresholds proposed there)";
   return {
+      sphere_array(),
+      random_pack(),
+      fixed_sphere(),
+      settling_sphere(),
       {"bodies.wire", "Sucker & Brauer 1975, normal drag of a circular cylinder (cylinder_cd.csv)", wire},
       {"bodies.screen", "Blevins 1984, round wire screens (screen_net.csv), trusted to 20 %", screen},
       {"bodies.ring_net_drag", "Blevins 1984 at the net's solidity (screen_net.csv), trusted to 20 %", ring_net_drag},

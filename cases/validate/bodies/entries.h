@@ -4,6 +4,11 @@
 
 namespace lahar::validate {
 
+Entry fixed_sphere();
+Entry random_pack();
+Entry settling_sphere();
+Entry sphere_array();
+
 std::vector<Entry> bodies_entries();
 
 }  // namespace lahar::validate
