@@ -444,16 +444,16 @@ void Fluid<Real>::release_dry_blocks() {
 }
 
 template <class Real>
-bool Fluid<Real>::is_watched() const {
-  return steps() % kWatchEvery == 0 && survey_.speed < kNotFinite;
+bool Fluid<Real>::is_in_order() const {
+  const double bearable = std::max(kLimitedCells, kLimitedShare * static_cast<double>(survey_.wet));
+  return survey_.speed < kNotFinite && static_cast<double>(survey_.held_back) <= bearable;
 }
 
 template <class Real>
 void Fluid<Real>::watch() const {
-  const double bearable = std::max(kLimitedCells, kLimitedShare * static_cast<double>(survey_.wet));
   const bool curable = control_ && control_->can_shorten(units_.time_step);
   const bool broken = survey_.speed >= kNotFinite;
-  if (!broken && (curable || static_cast<double>(survey_.held_back) <= bearable)) return;
+  if (is_in_order() || (!broken && curable)) return;
   if (!grid_.exists(survey_.fastest)) return;  // it went dry since
   auto& grid = const_cast<FluidGrid<Real>&>(grid_);
   const CellPlace place = fastest_cell(grid, survey_.fastest, parameters_.parity);

@@ -135,8 +135,8 @@ class Fluid {
   /// State of a checkpoint; loading needs a fluid of the same options that was not filled (fluid_transfer.cpp). Throws
   /// NumericalFailure instead of saving what is not finite.
   void transfer(Archive& archive);
-  /// Whether the watchdog has looked at the present state.
-  [[nodiscard]] bool is_watched() const;
+  /// Whether the last step went well: all numbers finite, few cells held back.
+  [[nodiscard]] bool is_in_order() const;
 
   /// Looks at what the last sweep saw: throws NumericalFailure with cell, step and cause.
   void watch() const;

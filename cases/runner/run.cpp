@@ -192,11 +192,11 @@ class SceneRun {
     loop_.next_sample = step().time() + scene_.run.series_interval;
   }
 
-  /// Only right after the watchdog has found the fluid in order, so that the last checkpoint is a good one.
+  /// Only when the last step of the fluid went well, so that the last checkpoint is a good one.
   bool checkpoint_due(bool end) {
     const scene::Run& run = scene_.run;
     if (end) return run.checkpoint_interval > 0 || run.checkpoint_wall > 0;
-    if (step().fluid() && !step().fluid()->is_watched()) return false;
+    if (step().fluid() && !step().fluid()->is_in_order()) return false;
     return loop_.checkpoints.due(step().time()) ||
            (run.checkpoint_wall > 0 && monitor_.seconds() - last_checkpoint_ >= run.checkpoint_wall);
   }

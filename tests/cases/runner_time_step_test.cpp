@@ -42,9 +42,9 @@ TEST(TimeStep, AdaptsInARun) {
   EXPECT_LT(metrics.at("fluid_time_step_min_s"), 0.4 * first);
   EXPECT_GE(metrics.at("fluid_time_step_max_s"), metrics.at("fluid_time_step_min_s"));
   EXPECT_LT(metrics.at("liquid_mass_drift_rel"), 1e-6);
-  // Compressed by half in the units of the first step; the volume is what stays.
+  // Compressed by half in the units of the first step, which is taken before the first look; the volume is what stays.
   EXPECT_NEAR(metrics.at("liquid_mass_start_kg"), 1.49 * 9.6, 0.1);
-  EXPECT_NEAR(metrics.at("liquid_mass_start_kg") + metrics.at("liquid_rescaled_kg"), 9.6, 0.03 * 9.6);
+  EXPECT_NEAR(metrics.at("liquid_mass_start_kg") + metrics.at("liquid_rescaled_kg"), 9.6, 0.04 * 9.6);
   const Series series = read_series(scratch.path() / "out/series.h5");
   EXPECT_NEAR(series.find("fluid_time_step_s")->values.back(), metrics.at("fluid_time_step_min_s"), 0.5 * first);
   EXPECT_NE(report_text(scene, check_scene(scene)).find("follows the fastest cell"), std::string::npos);

@@ -38,11 +38,11 @@ TEST(StressLimit, TakesStressAloneOut) {
     sheared(0.01, f);
     const auto before = moments(f);
     const CellForcing<double> force{.acceleration = {0, 0, 0},
-                                   .coverage_weight = 0,
-                                   .solid_velocity = {0, 0, 0},
-                                   .kick = {0, 0, 0},
-                                   .largest_rate = c.rate,
-                                   .stress_share = c.share};
+                                    .coverage_weight = 0,
+                                    .solid_velocity = {0, 0, 0},
+                                    .kick = {0, 0, 0},
+                                    .largest_rate = c.rate,
+                                    .stress_share = c.share};
     CentralMoments::collide(f, before, force, Newtonian<double>{0.5});
     const auto after = moments(f);
     EXPECT_NEAR(stress(f, after).xy, c.left * 0.01, 1e-15);

@@ -85,7 +85,10 @@ void add_directions(std::vector<Row>& rows, CollisionOperator collision, int cel
       sideways = std::max(sideways, p.sideways);
     }
   }
-  rows.push_back(at_most_row(name + ": spread of the peak over 9 directions", spread, 1e-9));
+  // Rounding alone for bgk and trt. The default operator puts right what D3Q19 lacks along each axis, not along
+  // diagonals (collision/central_moments.h): of the order of the fourth power of the speed, 2.6e-8 here.
+  const bool corrected = collision == CollisionOperator::central_moments;
+  rows.push_back(at_most_row(name + ": spread of the peak over 9 directions", spread, corrected ? 1e-7 : 1e-9));
   rows.push_back(at_most_row(name + ": largest speed across the flow / peak", sideways, 1e-12));
 }
 
