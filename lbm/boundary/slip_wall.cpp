@@ -1,5 +1,6 @@
 #include "lbm/boundary/slip_wall.h"
 
+#include <array>
 #include <cmath>
 
 #include "lbm/cell_moments.h"
@@ -35,6 +36,22 @@ MirrorLink take_apart(int i, int axis) {
   for (int a = 0; a < 3; ++a) (a == axis ? into : along)[a] = D3Q19::c[i][a];
   for (int a = 0; a < 3; ++a) mirrored[a] = into[a] - along[a];
   return {velocity_index(into), velocity_index(along), velocity_index(mirrored)};
+}
+
+using MirrorTable = std::array<std::array<MirrorLink, D3Q19::q>, 3>;
+
+/// Every velocity, for walls across every axis.
+MirrorTable all_mirror_links() {
+  MirrorTable table{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t i = 0; i < D3Q19::q; ++i) table[axis][i] = take_apart(static_cast<int>(i), static_cast<int>(axis));
+  return table;
+}
+
+const MirrorTable kMirrorLinks = all_mirror_links();
+
+const MirrorLink& mirror_link(int i, int axis) {
+  return kMirrorLinks[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)];
 }
 
 /// The populations of one velocity at a cell.
@@ -76,7 +93,7 @@ void mirror(FluidGrid<Real>& grid, CellPlace place, WallCell& wall, const std::u
   const int axis = normal_axis(wall);
   wall.mirrored = 0;
   for (int k = 0; k < wall.links; ++k) {
-    const MirrorLink link = take_apart(links[k], axis);
+    const MirrorLink& link = mirror_link(links[k], axis);
     const auto way = way_of(grid, place, links[k], parity);
     *way.back = *way.sent;
     if (link.into == 0 || link.along == 0 || !has_link(links, wall.links, link.into)) continue;
@@ -107,7 +124,7 @@ void exchange_over_mirrors(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
       if (!(wall.mirrored >> k & 1)) continue;
       const int i = block.walls.directions[static_cast<std::size_t>(wall.first_link + k)];
       const auto way = way_of(grid, place, i, parity);
-      gain += exchange_share(grid, grid.neighbour(place, take_apart(i, axis).along), fill) * (*way.back - *way.sent);
+      gain += exchange_share(grid, grid.neighbour(place, mirror_link(i, axis).along), fill) * (*way.back - *way.sent);
     }
     block.surface->mass[wall.cell] += gain;
   }
