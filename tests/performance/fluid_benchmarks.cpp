@@ -56,7 +56,7 @@ Figure bulk(const std::string& name, double smagorinsky, double bar, const Sessi
   fluid.fill_everything(wavy, [](const Vec3&) { return 0.0; });
   const double mlups = rate(fluid, 10, session);
   const double limit = session.limits.stream_all * 1e3 / kBytesPerCell<Real>;
-  return {name, mlups, "MLUPS", mlups / limit, "in-place stream rate of all threads", bar};
+  return {name, mlups, "MLUPS", mlups / limit, "in-place stream rate of all threads", bar, true, true};
 }
 
 /// Liquid in layers that fill about a third of each block: slabs of 3 of 8 cells between free-slip walls.
@@ -71,7 +71,7 @@ Figure thin_layer(const Session& session) {
   fluid.fill_everything([](const Vec3&) { return Vec3(0.03, 0.02, 0); }, [](const Vec3&) { return 0.0; });
   const double mlups = rate(fluid, 10, session);
   const double limit = session.limits.stream_all * 1e3 / kBytesPerCell<float>;
-  return {"fluid.thin_layer", mlups, "MLUPS", mlups / limit, "in-place stream rate of all threads", 0.25};
+  return {"fluid.thin_layer", mlups, "MLUPS", mlups / limit, "in-place stream rate of all threads", 0.25, true, true};
 }
 
 FluidOptions dam_options(double cell, const Vec3& upper) {

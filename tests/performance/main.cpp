@@ -136,7 +136,11 @@ int run(const Arguments& a) {
   for (const Benchmark& b : chosen) {
     if (cases::interrupted()) return cases::exit_interrupted;
     measure_limits(session.limits, a.repeats);
-    session.figures.push_back(b.run(session));
+    const double before = session.limits.stream_all;
+    Figure figure = b.run(session);
+    measure_limits(session.limits, a.repeats);
+    if (figure.of_memory_rate) figure.ratio *= before / session.limits.stream_all;
+    session.figures.push_back(figure);
     all_pass = all_pass && session.figures.back().pass();
     if (!a.common.quiet) fmt::print("{}", line_of(session.figures.back()));
     std::fflush(stdout);
