@@ -36,7 +36,7 @@ struct Rows {
   }
 };
 
-/// Shifted populations at rest.
+/// What a missing block holds: rest at density 1, shifted by the weights.
 template <class Real>
 alignas(64) inline constexpr Real kRest[kBlockCells] = {};
 

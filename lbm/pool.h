@@ -32,7 +32,7 @@ class ObjectPool {
   std::vector<T*> free_;
 };
 
-/// Populations of blocks, structure of arrays: groups of 8 blocks, [19][8 x 512 + 16], so that each velocity is one
+/// Populations of blocks, structure of arrays: groups of 8 blocks, [19][8 x 512 + 64], so that each velocity is one
 /// long stream over 8 blocks and no two streams lie a power of two apart (docs/decisions/0001).
 template <class Real>
 class PopulationPool {
@@ -41,7 +41,6 @@ class PopulationPool {
   static constexpr std::size_t stride = blocks_per_group * 512 + 64;  ///< between velocities
   static constexpr std::size_t group_size = D3Q19::q * stride;
   static constexpr std::size_t groups_per_slab = 13;  ///< fills two huge pages (float) or four to 98 %
-  static constexpr std::size_t front = 16;  ///< before the first block: rows are read one number beyond their ends
 
   /// First population of block storage place `p`; velocity i is at + i * stride.
   Real* acquire() {
@@ -59,7 +58,7 @@ class PopulationPool {
   };
   static constexpr std::size_t huge_page = std::size_t{2} << 20;
   static constexpr std::size_t slab_bytes() {
-    return ((groups_per_slab * group_size + front) * sizeof(Real) + huge_page - 1) / huge_page * huge_page;
+    return (groups_per_slab * group_size * sizeof(Real) + huge_page - 1) / huge_page * huge_page;
   }
 
   void grow() {
@@ -70,7 +69,7 @@ class PopulationPool {
 #endif
     slabs_.emplace_back(slab);
     for (std::size_t g = groups_per_slab; g-- > 0;)
-      for (std::size_t b = blocks_per_group; b-- > 0;) free_.push_back(slab + front + g * group_size + b * 512);
+      for (std::size_t b = blocks_per_group; b-- > 0;) free_.push_back(slab + g * group_size + b * 512);
   }
 
   std::vector<std::unique_ptr<Real, Free>> slabs_;

@@ -116,9 +116,7 @@ class BlockKernel {
                                                    const Uniforms& uniform, Watch& watch) {
     V f[D3Q19::q];
     f[0] = V(block.f(0) + n, stdx::vector_aligned);
-    for (int pair = 0; pair < D3Q19::pairs; ++pair) {
-      f[2 * pair + 1] = V(home[pair] + n, stdx::vector_aligned);
-    }
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) f[2 * pair + 1] = V(home[pair] + n, stdx::vector_aligned);
     const Rows rows = Rows::at(n, width / kBlockWidth);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       f[2 * P + 2] = away.template pair<P>().template load<V>(rows);
@@ -159,10 +157,9 @@ class BlockKernel {
     }
     watch.see(m, after);
     if constexpr (kBody) record_exchange(block, n, m, force, uniform.holdych, after);
+    // Dry cells store what came of rest: it goes to places that walls or the surface set before a wet cell reads them.
     f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
-    for (int pair = 0; pair < D3Q19::pairs; ++pair) {
-      f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);
-    }
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);
     for_each_pair([&]<int P, int CX, int CY, int CZ>()
                       __attribute__((always_inline)) { away.template pair<P>().store(rows, f[2 * P + 1]); });
   }
