@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cases/validate/outcome_table.h"
+
 namespace lahar::validate {
 namespace {
 
@@ -52,6 +54,14 @@ TEST(ValidateOutcome, NeedsRowsThatAllPassAndNoFailure) {
   const Outcome outcome = run_entry(broken, {});
   EXPECT_EQ(outcome.failure, "why");
   EXPECT_FALSE(outcome.pass());
+}
+
+TEST(ValidateOutcome, IsWrittenAsTables) {
+  const Entry misses = entry("fluid.misses", {at_most_row("a|b", 2, 1), at_most_row("c", 0.5, 1)});
+  const std::string text = outcomes_markdown({run_entry(kSome[0], {}), run_entry(misses, {})}, {});
+  EXPECT_NE(text.find("1 of 2 entries reach their bars"), std::string::npos) << text;
+  EXPECT_NE(text.find("| a\\|b | 2 | 0 | 2 | 1 | **short** |\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("| c | 0.5 | 0 | 0.5 | 1 |  |\n"), std::string::npos) << text;
 }
 
 TEST(ValidateOutcome, IsWrittenAsJson) {
