@@ -83,7 +83,8 @@ int main(int argc, char** argv) {
   app.add_flag("--list", arguments.list, "List the entries and do not run them");
   app.add_flag("--quick", arguments.quick, "Coarser grids and fewer steps: minutes instead of hours, fewer bars");
   app.add_option("--json", arguments.json, "Write the results there")->type_name("FILE");
-  app.add_option("--table", arguments.table, "Write the results there as a page of tables (Markdown)")->type_name("FILE");
+  app.add_option("--table", arguments.table, "Write the results there as a page of tables (Markdown)")
+      ->type_name("FILE");
   cases::add_common_options(app, arguments.common);
   return cases::parse_and_run(app, argc, argv, [&] { return validate::run(arguments); });
 }

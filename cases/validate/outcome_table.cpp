@@ -34,9 +34,9 @@ std::string entry_markdown(const Outcome& o) {
 std::string outcomes_markdown(const std::vector<Outcome>& outcomes, const Context& context) {
   std::size_t reached = 0;
   for (const Outcome& o : outcomes) reached += o.pass();
-  std::string text = fmt::format(
-      "Written by `bin/validate{} --table`. {}, commit {}. {} of {} entries reach their bars.\n",
-      context.quick ? " --quick" : "", cases::machine_name(), cases::commit(), reached, outcomes.size());
+  std::string text =
+      fmt::format("Written by `bin/validate{} --table`. {}, commit {}. {} of {} entries reach their bars.\n",
+                  context.quick ? " --quick" : "", cases::machine_name(), cases::commit(), reached, outcomes.size());
   for (const Outcome& o : outcomes) text += entry_markdown(o);
   return text;
 }
