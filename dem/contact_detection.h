@@ -15,6 +15,7 @@ namespace lahar::dem {
 /// lies in its slot.
 struct ContactSlots {
   std::vector<std::uint32_t> offset;   ///< per particle
+  std::vector<std::uint32_t> owner;    ///< per slot: the particle of its row
   std::vector<std::uint32_t> partner;  ///< per slot
   std::vector<ContactHistory> history;
   std::vector<std::uint8_t> touching;  ///< 1 where history is in use
@@ -30,25 +31,39 @@ struct StoredContact {
   ContactHistory history;
 };
 
+/// The particles that are in any pair slot, and which slots each of them feels. A place is a position in `particle`.
+struct ContactParties {
+  std::vector<ParticleIndex> particle;  ///< per place, ascending
+  std::vector<std::uint32_t> offset;    ///< per place, CSR
+  std::vector<std::uint32_t> feels;     ///< 2 x slot as owner, 2 x slot + 1 as partner: owned ones first, ascending
+  std::vector<std::uint32_t> owner, partner;  ///< per slot: places of its two particles
+};
+
 /// Slots for all pairs that may touch before the next rebuild. Histories are keyed on the pair, so that they outlive a
 /// rebuild; what a step computes does not depend on when the lists were built.
+///
+/// Two lists, one inside the other (as in molecular dynamics: Pall & Hess 2013, Comput. Phys. Commun. 184:2641): the
+/// neighbour list with a wide skin comes from cells and holds long; the slots are its pairs within a narrow skin, found
+/// by running through it. Few slots then do not touch, and the contact loop takes them all.
 class ContactDetection {
  public:
-  explicit ContactDetection(NeighbourOptions options = {}) : neighbours_(options) {}
+  explicit ContactDetection(NeighbourOptions options = {}) : options_(options), neighbours_(options) {}
 
-  [[nodiscard]] bool outdated(const Particles& particles) const { return neighbours_.outdated(particles); }
-  /// Builds the lists anew and carries the histories over. Positions must be finite.
+  /// True if the slots must be listed again (`refresh`, or `rebuild` where the neighbour list is outdated as well).
+  [[nodiscard]] bool outdated(const Particles& particles) const;
+  /// Builds all lists anew and carries the histories over. Positions must be finite.
   void rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded);
+  /// Lists the slots anew from the neighbour list, which must not be outdated.
+  void refresh(const Particles& particles);
 
   [[nodiscard]] ContactSlots& pairs() { return pairs_; }
   [[nodiscard]] const ContactSlots& pairs() const { return pairs_; }
   [[nodiscard]] ContactSlots& wall_contacts() { return walls_; }
   [[nodiscard]] const ContactSlots& wall_contacts() const { return walls_; }
   [[nodiscard]] const NeighbourList& neighbours() const { return neighbours_; }
-
-  /// Slots in which particle j is the partner: slot_of_partner()[partner_offset()[j] ...], ascending.
-  [[nodiscard]] const std::vector<std::uint32_t>& partner_offset() const { return partner_offset_; }
-  [[nodiscard]] const std::vector<std::uint32_t>& slot_of_partner() const { return slot_of_partner_; }
+  [[nodiscard]] const ContactParties& parties() const { return parties_; }
+  /// Counts `refresh` and `rebuild`.
+  [[nodiscard]] std::int64_t refreshes() const { return refreshes_; }
 
   /// All touching contacts with their histories, ordered.
   [[nodiscard]] std::vector<StoredContact> stored_contacts() const;
@@ -56,12 +71,26 @@ class ContactDetection {
   void restore(const std::vector<StoredContact>& contacts);
 
  private:
-  void list_walls(const Particles& particles, const Walls& walls);
-  void list_partners(std::size_t particles);
+  struct Reach {
+    double x, y, z, reach;  // m; not a number where removed
+  };
 
+  void list_pairs(std::size_t particles);
+  void list_row(std::size_t i, std::vector<std::uint32_t>& row) const;
+  void list_parties(std::size_t particles);
+  void list_walls(const Particles& particles, const Walls& walls);
+  void remember_positions(const Particles& particles);
+
+  NeighbourOptions options_;
   NeighbourList neighbours_;
   ContactSlots pairs_, walls_, previous_pairs_, previous_walls_;
-  std::vector<std::uint32_t> partner_offset_, slot_of_partner_;
+  ContactParties parties_;
+  std::vector<Reach> reach_;
+  std::vector<std::vector<std::uint32_t>> chunk_rows_;
+  std::vector<std::uint32_t> place_;
+  Vec3Field listed_at_;
+  std::vector<double> move_limit2_;
+  std::int64_t refreshes_ = 0;
 };
 
 }  // namespace lahar::dem

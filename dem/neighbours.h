@@ -21,11 +21,15 @@ class PairSet {
   std::vector<ParticleIndex> partner_;  // both directions
 };
 
+/// True if any position is farther from where it was than the root of its limit (m^2), or not a number.
+[[nodiscard]] bool any_moved(const Vec3Field& now, const Vec3Field& then, const std::vector<double>& limit2);
+
 /// A particle's skin is relative_skin x its radius, at least minimum_skin. Two particles are neighbours while their gap
 /// is below the mean of their skins; the list holds until one has moved half its own skin.
 struct NeighbourOptions {
   double relative_skin = 0.25;
-  double minimum_skin = 0;  ///< m
+  double minimum_skin = 0;   ///< m
+  double narrow_share = 0.1;  ///< of the skin: within it lie the pairs that the contact loop runs over
 };
 
 /// Half Verlet list in CSR form: row i lists its neighbours in ascending order, and each pair stands in one row only
@@ -83,7 +87,8 @@ class NeighbourList {
   std::vector<std::uint32_t> offset_;
   std::vector<ParticleIndex> neighbour_;
   std::vector<std::vector<ParticleIndex>> chunk_rows_;
-  std::vector<double> built_x_, built_y_, built_z_, move_limit2_;
+  Vec3Field built_at_;
+  std::vector<double> move_limit2_;
   std::int64_t builds_ = 0;
 };
 

@@ -57,6 +57,7 @@ void Solids::detect() {
   const ScopedTimer timer(*section_detect_);
   if (!contacts_.outdated(particles_)) return;
   check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
+  if (!contacts_.neighbours().outdated(particles_)) return contacts_.refresh(particles_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   contacts_.rebuild(particles_, walls_, bonded_);
 }

@@ -74,7 +74,7 @@ class Solids {
   [[nodiscard]] Vec3 force_on_wall(std::uint32_t wall) const { return contact_forces_.force_on_wall(contacts_, wall); }
   /// Its moment about the origin of the coordinates, N m.
   [[nodiscard]] Vec3 moment_on_wall(std::uint32_t wall) const {
-    return contact_forces_.moment_on_wall(contacts_, walls_, wall);
+    return contact_forces_.moment_on_wall(particles_, contacts_, walls_, wall);
   }
   [[nodiscard]] const Timers& timers() const { return timers_; }
 
