@@ -12,6 +12,10 @@ namespace {
 
 constexpr std::size_t kChunk = 256;
 
+// A refresh costs about as much as ten steps cost for the slots that a wider skin would add.
+constexpr std::int64_t kFewSteps = 8, kManySteps = 60;
+constexpr double kThinnest = 0.02;
+
 /// Copies the histories of row i from `old` to `fresh`: a merge, as both rows ascend.
 void carry_row(const ContactSlots& old, ContactSlots& fresh, std::size_t i) {
   std::uint32_t a = old.offset[i];
@@ -41,7 +45,8 @@ void store(const ContactSlots& slots, bool with_wall, std::vector<StoredContact>
 
 }  // namespace
 
-bool ContactDetection::outdated(const Particles& particles) const {
+bool ContactDetection::outdated(const Particles& particles) {
+  ++asked_;
   return refreshes_ == 0 || particles.size() != listed_at_.size() ||
          any_moved(particles.position, listed_at_, move_limit2_);
 }
@@ -55,6 +60,9 @@ void ContactDetection::rebuild(const Particles& particles, const Walls& walls, c
 }
 
 void ContactDetection::refresh(const Particles& particles) {
+  if (refreshes_ > 0 && asked_ < kFewSteps) narrow_share_ = std::min(1.0, 1.5 * narrow_share_);
+  if (asked_ > kManySteps) narrow_share_ = std::max(kThinnest, narrow_share_ / 1.5);
+  asked_ = 0;
   remember_positions(particles);
   std::swap(pairs_, previous_pairs_);
   list_pairs(particles.size());
@@ -69,7 +77,7 @@ void ContactDetection::remember_positions(const Particles& particles) {
   move_limit2_.resize(n);
   reach_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const double limit = 0.5 * options_.narrow_share * neighbours_.skin(particles, i);
+    const double limit = 0.5 * narrow_share_ * neighbours_.skin(particles, i);
     const bool removed = particles.state[i] == ParticleState::removed;
     move_limit2_[i] = limit * limit;
     reach_[i] = {particles.position.x[i], particles.position.y[i], particles.position.z[i],

@@ -44,13 +44,14 @@ struct ContactParties {
 ///
 /// Two lists, one inside the other (as in molecular dynamics: Pall & Hess 2013, Comput. Phys. Commun. 184:2641): the
 /// neighbour list with a wide skin comes from cells and holds long; the slots are its pairs within a narrow skin, found
-/// by running through it. Few slots then do not touch, and the contact loop takes them all.
+/// by running through it. Few slots then do not touch, and the contact loop takes them all. The narrow skin widens
+/// where particles are fast and thins where they rest.
 class ContactDetection {
  public:
-  explicit ContactDetection(NeighbourOptions options = {}) : options_(options), neighbours_(options) {}
+  explicit ContactDetection(NeighbourOptions options = {}) : neighbours_(options) {}
 
   /// True if the slots must be listed again (`refresh`, or `rebuild` where the neighbour list is outdated as well).
-  [[nodiscard]] bool outdated(const Particles& particles) const;
+  [[nodiscard]] bool outdated(const Particles& particles);
   /// Builds all lists anew and carries the histories over. Positions must be finite.
   void rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded);
   /// Lists the slots anew from the neighbour list, which must not be outdated.
@@ -81,7 +82,6 @@ class ContactDetection {
   void list_walls(const Particles& particles, const Walls& walls);
   void remember_positions(const Particles& particles);
 
-  NeighbourOptions options_;
   NeighbourList neighbours_;
   ContactSlots pairs_, walls_, previous_pairs_, previous_walls_;
   ContactParties parties_;
@@ -90,7 +90,8 @@ class ContactDetection {
   std::vector<std::uint32_t> place_;
   Vec3Field listed_at_;
   std::vector<double> move_limit2_;
-  std::int64_t refreshes_ = 0;
+  double narrow_share_ = 0.1;  // of the skin
+  std::int64_t refreshes_ = 0, asked_ = 0;
 };
 
 }  // namespace lahar::dem

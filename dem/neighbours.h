@@ -28,8 +28,7 @@ class PairSet {
 /// is below the mean of their skins; the list holds until one has moved half its own skin.
 struct NeighbourOptions {
   double relative_skin = 0.25;
-  double minimum_skin = 0;   ///< m
-  double narrow_share = 0.1;  ///< of the skin: within it lie the pairs that the contact loop runs over
+  double minimum_skin = 0;  ///< m
 };
 
 /// Half Verlet list in CSR form: row i lists its neighbours in ascending order, and each pair stands in one row only

@@ -134,8 +134,9 @@ EnergyLedger Solids::ledger() const {
   ledger.elastic_tangential = c.elastic_tangential;
   ledger.contact_damping = c.damping;
   ledger.friction = c.friction;
-  ledger.bond_elastic = bond_forces_.energy().elastic();
-  ledger.bond_dissipated = bond_forces_.energy().dissipated();
+  const BondEnergy bonds = bond_energy();
+  ledger.bond_elastic = bonds.elastic();
+  ledger.bond_dissipated = bonds.dissipated();
   ledger.removed = removed_energy_;
   ledger.external_work = external_work_ + c.wall_work;
   return ledger;

@@ -67,7 +67,7 @@ class Solids {
   [[nodiscard]] double time() const { return time_; }  ///< s
   [[nodiscard]] std::int64_t step_count() const { return step_count_; }
   [[nodiscard]] EnergyLedger ledger() const;
-  [[nodiscard]] const BondEnergy& bond_energy() const { return bond_forces_.energy(); }
+  [[nodiscard]] BondEnergy bond_energy() const { return bond_forces_.energy(bonds_); }
   [[nodiscard]] const ContactDetection& contacts() const { return contacts_; }
   [[nodiscard]] const WorstOverlap& worst_overlap() const { return contact_forces_.worst_overlap(); }
   /// Force of all particles on a wall in the last step, N.

@@ -73,8 +73,8 @@ TEST(ContactDetection, slots_hold_every_pair_within_the_narrow_skin_while_they_l
   ContactDetection contacts;
   contacts.rebuild(p, {}, {});
   std::size_t touching = 0;
-  for (int step = 0; step < 200; ++step) {
-    for (std::size_t i = 0; i < p.size(); ++i) p.position.add(i, 1e-4 * p.velocity[i]);
+  for (int step = 0; step < 400; ++step) {
+    for (std::size_t i = 0; i < p.size(); ++i) p.position.add(i, 2e-5 * p.velocity[i]);
     if (contacts.outdated(p)) contacts.neighbours().outdated(p) ? contacts.rebuild(p, {}, {}) : contacts.refresh(p);
     if (step % 20 != 0) continue;
     std::set<std::pair<std::uint32_t, std::uint32_t>> listed;
