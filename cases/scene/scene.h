@@ -155,7 +155,7 @@ struct MaterialSettings {
 
 struct Contact {
   std::vector<std::string> materials;  ///< two names
-  double friction = 0, restitution = 1;
+  double friction = 0, restitution = 1, rolling_friction = 0;
   bool operator==(const Contact&) const = default;
 };
 

@@ -195,6 +195,10 @@ void describe(V& v, Contact& s) {
           "The two materials that touch (the same name twice for a material with itself).");
   v.value("friction", s.friction, required(non_negative()), "Coulomb coefficient.");
   v.value("restitution", s.restitution, required(above_up_to(0, 1)), "Coefficient of restitution.");
+  v.value(
+      "rolling_friction", s.rolling_friction, {non_negative()},
+      "Coefficient of rolling resistance: the torque that keeps two surfaces rolling on each other / (radius x normal "
+      "force), 1 / radius the sum of both curvatures; 0 = they roll freely.");
 }
 
 template <class V>
