@@ -22,6 +22,7 @@ Solids::Solids(Particles particles, Bonds bonds, Materials materials, Walls wall
       section_contact_(&timers_.section("contact")),
       section_bonds_(&timers_.section("bonds")) {
   set_time_step(options.time_step);
+  if (contact_forces_.rolls()) contacts_.remember_rolling();
 }
 
 void Solids::set_time_step(double time_step) {
@@ -156,9 +157,11 @@ EnergyLedger Solids::ledger() const {
   const ContactEnergy& c = contact_forces_.energy();
   ledger.elastic_normal = c.elastic_normal;
   ledger.elastic_tangential = c.elastic_tangential;
+  ledger.elastic_rolling = c.elastic_rolling;
   // What acts in a kick is booked for all of it, and half of the last one is still to come.
   ledger.contact_damping = c.damping - 0.5 * c.damping_of_step;
   ledger.friction = c.friction;
+  ledger.rolling = c.rolling;
   ledger.bonds = bond_energy();
   ledger.removed = removed_energy_;
   ledger.external_work = external_work_ + c.wall_work - 0.5 * c.wall_work_of_step;

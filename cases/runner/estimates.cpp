@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cases/scene/geometry.h"
+#include "cases/scene/grain_sizes.h"
 #include "cases/scene/net_spec.h"
 #include "core/capillary.h"
 #include "dem/time_step.h"
@@ -60,15 +61,13 @@ std::int64_t net_beads(const scene::Net& net) {
 
 std::int64_t grain_count(const scene::Scene& scene) {
   auto count = static_cast<std::int64_t>(scene.grains.spheres.size());
-  for (const scene::Packing& p : scene.grains.packings)
-    for (const scene::GrainSize& s : p.sizes) count += s.count;
+  for (const scene::GrainSize& s : scene::grain_sizes(scene)) count += s.count;
   return count;
 }
 
 double smallest_grain(const scene::Scene& scene) {
   double smallest = never;
-  for (const scene::Packing& p : scene.grains.packings)
-    for (const scene::GrainSize& s : p.sizes) smallest = std::min(smallest, s.diameter);
+  for (const scene::GrainSize& s : scene::grain_sizes(scene)) smallest = std::min(smallest, s.diameter);
   for (const scene::GrainSphere& s : scene.grains.spheres) smallest = std::min(smallest, s.diameter);
   return smallest;
 }
@@ -86,9 +85,8 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
     for (std::size_t b = 0; b < materials.size(); ++b)
       limits.damped_share = std::min(
           limits.damped_share, dem::damped_share(materials.pair(static_cast<int>(a), static_cast<int>(b)).restitution));
-  for (const scene::Packing& p : scene.grains.packings)
-    for (const scene::GrainSize& s : p.sizes)
-      limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
+  for (const scene::GrainSize& s : scene::grain_sizes(scene))
+    limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
   for (const scene::GrainSphere& s : scene.grains.spheres)
     limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
   if (!scene.barrier.enabled) return limits;

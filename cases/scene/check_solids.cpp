@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/scene/check_gradings.h"
 #include "cases/scene/cross_checks.h"
 #include "cases/scene/geometry.h"
+#include "cases/scene/grain_sizes.h"
 #include "cases/scene/net_spec.h"
 #include "dem/time_step.h"
 
@@ -36,6 +38,8 @@ void check_packing_content(const Packing& packing, const std::string& path, Find
                                         size.diameter, extent.minCoeff()));
     volume += static_cast<double>(size.count) * std::numbers::pi / 6 * std::pow(size.diameter, 3);
   }
+  for (const LogNormalGrains& g : packing.log_normal) volume += solid_volume(packing, g.amount, g.density);
+  for (const SievedGrains& g : packing.sieved) volume += solid_volume(packing, g.amount, g.density);
   constexpr double densest = 0.74;  // of equal spheres; mixtures settle far below
   if (volume > densest * extent.prod())
     findings.mistake(path, fmt::format("{}: grains fill {:.2f} of the box, expected at most {}", path,
@@ -46,9 +50,10 @@ void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
   const Packing& packing = scene.grains.packings[i];
   const std::string path = fmt::format("grains.packing[{}]", i);
   if (!findings.sound({path})) return;
-  if (packing.sizes.empty())
+  if (packing.sizes.empty() && packing.log_normal.empty() && packing.sieved.empty())
     return findings.mistake(path, path + " has no grains, expected at least one [[grains.packing.sizes]]");
-  check_packing_content(packing, path, findings);
+  check_gradings(scene, i, findings);
+  if (findings.sound({path})) check_packing_content(packing, path, findings);
   const double slack = 1e-6 * (packing.upper - packing.lower).norm();
   if (findings.sound({"domain"}) &&
       !(scene.domain.contains(packing.lower, slack) && scene.domain.contains(packing.upper, slack)))

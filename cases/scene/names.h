@@ -60,6 +60,9 @@ constexpr auto names_of(Collision) {
 constexpr auto names_of(ContactLaw) {
   return NameTable<ContactLaw, 2>{{{"hertz_mindlin", ContactLaw::hertz_mindlin}, {"linear", ContactLaw::linear}}};
 }
+constexpr auto names_of(SizeWeighting) {
+  return NameTable<SizeWeighting, 2>{{{"mass", SizeWeighting::mass}, {"number", SizeWeighting::number}}};
+}
 constexpr auto names_of(BodyWeighting) {
   return NameTable<BodyWeighting, 4>{{{"solid_fraction", BodyWeighting::solid_fraction},
                                       {"noble_torczynski", BodyWeighting::noble_torczynski},

@@ -155,7 +155,7 @@ struct MaterialSettings {
 
 struct Contact {
   std::vector<std::string> materials;  ///< two names
-  double friction = 0, restitution = 1;
+  double friction = 0, restitution = 1, rolling_friction = 0;
   bool operator==(const Contact&) const = default;
 };
 
@@ -179,10 +179,46 @@ struct GrainSize {
   bool operator==(const GrainSize&) const = default;
 };
 
+enum class SizeWeighting { mass, number };
+
+/// How much of a grading there is: a mass, or a share of the box up to the packing's target height.
+struct GrainAmount {
+  double mass = 0;  ///< kg, 0 = by the solid fraction
+  double solid_fraction = 0.64;
+  bool operator==(const GrainAmount&) const = default;
+};
+
+struct LogNormalGrains {
+  double median = 0;                 ///< m
+  double deviation = 0;              ///< of ln d
+  double smallest = 0, largest = 0;  ///< m
+  SizeWeighting weighting = SizeWeighting::mass;
+  GrainAmount amount;
+  double density = 0;  ///< kg/m^3
+  std::string material;
+  bool operator==(const LogNormalGrains&) const = default;
+};
+
+/// A point of a sieve curve: what passes an opening (m), in percent of the mass.
+struct SievePoint {
+  double opening = 0, passing = 0;
+  bool operator==(const SievePoint&) const = default;
+};
+
+struct SievedGrains {
+  std::vector<SievePoint> passing;
+  GrainAmount amount;
+  double density = 0;  ///< kg/m^3
+  std::string material;
+  bool operator==(const SievedGrains&) const = default;
+};
+
 struct Packing {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  ///< m
   double target_height = 0;                         ///< m above the floor, 0 = as it comes
   std::vector<GrainSize> sizes;
+  std::vector<LogNormalGrains> log_normal;
+  std::vector<SievedGrains> sieved;
   bool operator==(const Packing&) const = default;
 };
 

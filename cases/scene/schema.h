@@ -195,6 +195,10 @@ void describe(V& v, Contact& s) {
           "The two materials that touch (the same name twice for a material with itself).");
   v.value("friction", s.friction, required(non_negative()), "Coulomb coefficient.");
   v.value("restitution", s.restitution, required(above_up_to(0, 1)), "Coefficient of restitution.");
+  v.value(
+      "rolling_friction", s.rolling_friction, {non_negative()},
+      "Coefficient of rolling resistance: the torque that keeps two surfaces rolling on each other / (radius x normal "
+      "force), 1 / radius the sum of both curvatures; 0 = they roll freely.");
 }
 
 template <class V>
@@ -231,6 +235,37 @@ void describe(V& v, GrainSize& s) {
   v.value("material", s.material, required(), "Name of a material.");
 }
 
+/// Keys of every grading, within its own table.
+template <class V>
+void describe_amount(V& v, GrainAmount& amount, double& density, std::string& material) {
+  v.value(
+      "mass_kg", amount.mass, {non_negative()},
+      "Mass of these grains together; 0 = as much as solid_fraction asks for. Drawn to within one and a half of the "
+      "largest grains (of each two sieves).");
+  v.value("solid_fraction", amount.solid_fraction, {above_up_to(0, 0.74)},
+          "Without a mass: the share of the box, from its floor to target_height_m, that these grains fill.");
+  v.value("density_kg_m3", density, required(positive()), "Density.");
+  v.value("material", material, required(), "Name of a material.");
+}
+
+template <class V>
+void describe(V& v, LogNormalGrains& s) {
+  v.value("median_diameter_m", s.median, required(positive()), "Median of the distribution before it is cut off.");
+  v.value("log_deviation", s.deviation, required(above_up_to(0, 3)), "Standard deviation of ln(diameter).");
+  v.value("smallest_diameter_m", s.smallest, required(positive()), "Lower cut-off.");
+  v.value("largest_diameter_m", s.largest, required(positive()), "Upper cut-off.");
+  v.value("weighting", s.weighting, {}, "Whether the distribution counts mass, as sieves do, or grains.");
+  describe_amount(v, s.amount, s.density, s.material);
+}
+
+template <class V>
+void describe(V& v, SievedGrains& s) {
+  v.value("passing_percent", s.passing, {.range = between(0, 100), .required = true, .min_count = 2},
+          "The sieve curve, straight over ln(opening) between its points: openings rising, percentages by mass from 0 "
+          "to 100.");
+  describe_amount(v, s.amount, s.density, s.material);
+}
+
 template <class V>
 void describe(V& v, Packing& s) {
   v.value("lower_m", s.lower, required(),
@@ -239,6 +274,8 @@ void describe(V& v, Packing& s) {
   v.value("target_height_m", s.target_height, {non_negative()},
           "Height above the floor to which the packing is tapped if it stands higher; 0 = as it settles.");
   v.array("sizes", s.sizes, "The grains, size by size.");
+  v.array("log_normal", s.log_normal, "Grains of log-normal diameters between two cut-offs, drawn by run.seed.");
+  v.array("sieve_curve", s.sieved, "Grains of a sieve curve, drawn by run.seed.");
 }
 
 template <class V>

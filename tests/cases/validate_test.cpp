@@ -96,9 +96,9 @@ INSTANTIATE_TEST_SUITE_P(Fluid, QuickEntry,
 
 INSTANTIATE_TEST_SUITE_P(SolidsContact, QuickEntry,
                          testing::Values("solids.chung_ooi_1", "solids.chung_ooi_2", "solids.chung_ooi_3",
-                                         "solids.incline_35", "solids.restitution", "solids.hard_h15",
-                                         "solids.hard_h16", "solids.hard_h9", "solids.cantilever", "solids.catenary",
-                                         "solids.column_collapse", "solids.energy_ledger"),
+                                         "solids.incline_35", "solids.rolling_incline", "solids.restitution",
+                                         "solids.hard_h15", "solids.hard_h16", "solids.hard_h9", "solids.cantilever",
+                                         "solids.catenary", "solids.column_collapse", "solids.energy_ledger"),
                          [](const auto& param) { return std::string(param.param).substr(7); });
 
 INSTANTIATE_TEST_SUITE_P(Bodies, QuickEntry,

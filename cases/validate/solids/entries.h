@@ -14,6 +14,7 @@ Entry hard_h16();
 Entry hard_h9();
 Entry incline_35();
 Entry restitution();
+Entry rolling_incline();
 
 std::vector<Entry> solids_entries();
 
