@@ -13,7 +13,9 @@ Entry hard_h15();
 Entry hard_h16();
 Entry hard_h9();
 Entry incline_35();
+Entry post();
 Entry restitution();
+Entry two_spans();
 
 std::vector<Entry> solids_entries();
 
