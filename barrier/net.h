@@ -3,10 +3,12 @@
 // 2020, sections 2.1 and 4.1, Table 4).
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "barrier/cable.h"
 #include "barrier/dissipator.h"
+#include "barrier/hexagonal_mesh.h"
 #include "barrier/pattern.h"
 #include "barrier/post.h"
 #include "barrier/wire.h"
@@ -27,7 +29,7 @@ struct NetCable {
   CableSupport support;
 };
 
-/// What a ring net is made of. The defaults are the paper's net, standing across y with the flow along x.
+/// What a net is made of. The defaults are the paper's net, standing across y with the flow along x.
 struct RingNetSpec {
   Vec3 origin = Vec3::Zero();   ///< m, lower left corner of the frame
   Vec3 across = Vec3::UnitY();  ///< unit
@@ -55,6 +57,9 @@ struct RingNetSpec {
   NetCable upper{};
   NetCable left{true, {.fixed_at = {0, 0.5, 1}, .fixed_all = false, .dissipators_at = {0, 1}}};
   NetCable right{true, {.fixed_at = {0, 0.5, 1}, .fixed_all = false, .dissipators_at = {0, 1}}};
+  /// In place of the rings a hexagonal mesh, whose keys above do not count but for those of frame, wire diameter and
+  /// density of the cables: see mesh_net.h.
+  std::optional<HexagonalMesh> mesh{};
 };
 
 /// A net that was built: where its parts lie among particles and bonds. Beads and bonds of a net are contiguous. A net
@@ -71,9 +76,10 @@ struct Net {
   std::vector<Side> cable_sides;                ///< side of each cable
   std::vector<CableEnds> corners;               ///< m, where each cable passes the corners of the net, as built
   std::vector<std::size_t> dissipators;         ///< bonds
+  std::vector<MeshPart> meshes{};               ///< instead of rings: a panel a span
   std::vector<Post> posts{};                    ///< from left to right, one more than spans; none without posts
   std::vector<Wire> retaining{};                ///< cables from anchors to post heads
-  std::vector<std::size_t> ties{};              ///< bonds of cables to posts
+  std::vector<std::size_t> ties{};              ///< bonds of cables to posts and of meshes to cables
   std::vector<dem::ParticleIndex> fixed_beads;  ///< ascending
   dem::ParticleIndex first_bead = 0;
   std::size_t beads = 0;

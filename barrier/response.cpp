@@ -96,11 +96,13 @@ void add_motion(const Net& net, const dem::Particles& particles, const Vec3& gra
 
 std::string_view name(Component component) {
   constexpr std::array<std::string_view, all_components.size()> names{
-      "lower_cable", "upper_cable", "left_cable", "right_cable", "rings", "posts", "retaining_cables", "barrier"};
+      "lower_cable", "upper_cable", "left_cable",       "right_cable", "rings",
+      "mesh",        "posts",       "retaining_cables", "barrier"};
   return names[static_cast<std::size_t>(component)];
 }
 
 bool is_reported(Component component, const Net& net) {
+  if (component == Component::mesh) return !net.meshes.empty();
   if (component == Component::posts) return !net.posts.empty();
   if (component == Component::retaining_cables) return !net.retaining.empty();
   return true;
@@ -121,6 +123,9 @@ BarrierResponse response(const Net& net, const dem::Particles& particles, const 
     add_reactions(net.cables[k], particles, part(component_of(net.cable_sides[k])));
   }
   for (const Wire& ring : net.rings) add_bonds(ring, bonds, part(Component::rings));
+  for (const MeshPart& mesh : net.meshes)
+    for (std::size_t b = mesh.first_bond; b < mesh.first_bond + mesh.bonds; ++b)
+      add_bond(b, bonds, part(Component::mesh));
   for (const Post& post : net.posts) {
     add_bonds(post.wire, bonds, part(Component::posts));
     for (const std::size_t b : post.joint) add_bond(b, bonds, part(Component::posts));

@@ -9,12 +9,23 @@
 namespace lahar::barrier {
 
 /// Parts that are reported by name.
-enum class Component { lower_cable, upper_cable, left_cable, right_cable, rings, posts, retaining_cables, barrier };
-inline constexpr std::array<Component, 8> all_components{
-    Component::lower_cable, Component::upper_cable, Component::left_cable,       Component::right_cable,
-    Component::rings,       Component::posts,       Component::retaining_cables, Component::barrier};
+enum class Component {
+  lower_cable,
+  upper_cable,
+  left_cable,
+  right_cable,
+  rings,
+  mesh,
+  posts,
+  retaining_cables,
+  barrier
+};
+inline constexpr std::array<Component, 9> all_components{
+    Component::lower_cable, Component::upper_cable, Component::left_cable, Component::right_cable,
+    Component::rings,       Component::mesh,        Component::posts,      Component::retaining_cables,
+    Component::barrier};
 [[nodiscard]] std::string_view name(Component component);
-/// Whether results tell of it: posts and their cables only where there are any, all else always.
+/// Whether results tell of it: meshes, posts and their cables only where there are any, all else always.
 [[nodiscard]] bool is_reported(Component component, const Net& net);
 
 struct ComponentResponse {

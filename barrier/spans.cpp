@@ -76,7 +76,8 @@ class Builder {
     net.first_body = spec_.net.first_body + bodies_;
     tied_ = free_ends(net);
     spans_.push_back(build_net(net, particles_, bonds_));
-    bodies_ += static_cast<std::int32_t>(spans_.back().rings.size() + spans_.back().cables.size());
+    bodies_ += static_cast<std::int32_t>(spans_.back().rings.size() + spans_.back().meshes.size() +
+                                         spans_.back().cables.size());
   }
 
   void add_post_at(int k) {
@@ -111,14 +112,16 @@ class Builder {
     all_ = std::move(spans_.front());
     for (std::size_t s = 1; s < spans_.size(); ++s) {
       append(all_.rings, spans_[s].rings);
+      append(all_.meshes, spans_[s].meshes);
       append(all_.cables, spans_[s].cables);
       append(all_.cable_sides, spans_[s].cable_sides);
       append(all_.corners, spans_[s].corners);
       append(all_.dissipators, spans_[s].dissipators);
+      append(all_.ties, spans_[s].ties);
     }
     all_.spans = spec_.spans;
     all_.posts = posts_;
-    all_.ties = ties_;
+    append(all_.ties, ties_);
   }
 
   void add_cables(const RetainingSpec& r) {
@@ -147,19 +150,34 @@ class Builder {
     check_room(k, made.wire);
   }
 
+  static std::string cable_of(int k) { return "the retaining cable of post " + std::to_string(k); }
+  static std::string through_net(int k) {
+    return cable_of(k) + " runs through the net, expected an anchor clear of it";
+  }
+
+  /// Whether a cable comes nearer to a wire of the panel than its nodes' surfaces.
+  [[nodiscard]] bool passes(const Polyline& cable, const MeshPart& mesh) const {
+    for (std::size_t b = mesh.first_bond; b < mesh.first_bond + mesh.bonds; ++b) {
+      const Polyline wire{{particles_.position[bonds_.i[b]], particles_.position[bonds_.j[b]]}, false};
+      if (meet(cable, wire, particles_.radius[bonds_.i[b]] + 0.5 * spec_.net.wire_diameter)) return true;
+    }
+    return false;
+  }
+
   void check_room(int k, const Wire& cable) {
     const Polyline line = centre_line(cable, particles_);
+    for (const MeshPart& mesh : all_.meshes)
+      if (passes(line, mesh)) throw InputError(through_net(k));
     const double d = spec_.net.wire_diameter;
-    const std::string whose = "the retaining cable of post " + std::to_string(k);
     for (const Polyline& other : centre_lines(all_, particles_))
-      if (meet(line, other, d)) throw InputError(whose + " runs through the net, expected an anchor clear of it");
+      if (meet(line, other, d)) throw InputError(through_net(k));
     for (std::size_t p = 0; p < posts_.size(); ++p) {
       const bool own = static_cast<int>(p) == k;
       // Its own post it meets at the head: the bead there counts as touched.
       Polyline axis = centre_line(posts_[p].wire, particles_);
       if (own) axis.points.pop_back();
       if (meet(line, axis, posts_[p].radius + 0.5 * d))
-        throw InputError(whose + " runs through post " + std::to_string(p) + ", expected an anchor clear of it");
+        throw InputError(cable_of(k) + " runs through post " + std::to_string(p) + ", expected an anchor clear of it");
     }
   }
 

@@ -42,8 +42,8 @@ void add_fluid(const scene::Scene& s, const FluidFigures& f, List& list) {
 }
 
 void add_solids(const scene::Scene& s, const SolidsFigures& f, List& list) {
-  const double critical =
-      std::min({f.limits.grain_rayleigh, f.limits.bead_rayleigh, f.limits.ring_bond, f.limits.cable_bond});
+  const double critical = std::min(
+      {f.limits.grain_rayleigh, f.limits.bead_rayleigh, f.limits.ring_bond, f.limits.cable_bond, f.limits.post_bond});
   if (s.solids.time_step > critical)
     list.push_back(fmt::format("solids.time_step_s ({:.3g} s) is above the critical time step ({:.3g} s)",
                                s.solids.time_step, critical));

@@ -38,7 +38,7 @@ barrier::SpansSpec small_spans(int columns, int rows) {
 std::vector<Row> run(const Context& context) {
   dem::Particles particles;
   dem::Bonds bonds;
-  const barrier::Net net = build_spans(context.quick ? small_spans(2, 2) : small_spans(3, 2), particles, bonds);
+  const barrier::Net net = build_spans(context.quick ? small_spans(3, 2) : small_spans(4, 3), particles, bonds);
   const barrier::Topology before = find_topology(net, particles, bonds);
   const double slope = 35 * std::numbers::pi / 180;
   const Vec3 gravity = kGravity * Vec3(std::sin(slope), 0, -std::cos(slope));
