@@ -56,8 +56,10 @@ void Solids::substep(bool first, bool last) {
 
 void Solids::detect() {
   const ScopedTimer timer(*section_detect_);
-  if (!note_broken_bonds() && !contacts_.outdated(particles_)) return;
+  const bool bonds_broke = note_broken_bonds();
+  if (!contacts_.outdated(particles_) && !bonds_broke) return;
   check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
+  if (!bonds_broke && !contacts_.neighbours().outdated(particles_)) return contacts_.refresh(particles_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   contacts_.rebuild(particles_, walls_, bonded_);
 }
@@ -157,7 +159,7 @@ EnergyLedger Solids::ledger() const {
   // What acts in a kick is booked for all of it, and half of the last one is still to come.
   ledger.contact_damping = c.damping - 0.5 * c.damping_of_step;
   ledger.friction = c.friction;
-  ledger.bonds = bond_forces_.energy();
+  ledger.bonds = bond_energy();
   ledger.removed = removed_energy_;
   ledger.external_work = external_work_ + c.wall_work - 0.5 * c.wall_work_of_step;
   return ledger;
