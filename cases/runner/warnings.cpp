@@ -62,6 +62,10 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
   if (f.cells_per_wire && *f.cells_per_wire < 4 && !s.coupling.wire_drag)
     list.push_back(fmt::format(
         "wires are {:.1f} cells across and coupling.wire_drag is off: water does not feel the net", *f.cells_per_wire));
+  if (s.barrier.enabled && s.barrier.net.kind == scene::NetKind::hexagonal)
+    list.push_back("water feels the cables of a hexagonal mesh, but not its wires");
+  if (const double post = s.barrier.posts.diameter / s.fluid.cell_size; s.coupling.wire_drag && post > 4)
+    list.push_back(fmt::format("posts are {:.1f} cells across: their drag law is for wires up to about 4", post));
   if (s.coupling.body_weighting == scene::BodyWeighting::noble_torczynski)
     list.push_back("coupling.body_weighting = \"noble_torczynski\" lets water through bodies at low viscosity");
 }

@@ -118,11 +118,6 @@ void check_hexagonal_net(const Scene& scene, Findings& findings) {
                             fmt::format("barrier.net.twist_length_m is {:g}, expected below mesh_height_m, {:g}",
                                         net.twist_length, net.mesh_height));
   for (const char* wire : {"single", "twist"}) check_law(scene, wire, findings);
-  if (scene.coupling.enabled && scene.coupling.wire_drag && findings.sound({"coupling"}))
-    findings.mistake(
-        "coupling.wire_drag",
-        "coupling.wire_drag is for wires of touching beads, not for the nodes of a hexagonal mesh, expected "
-        "false");
 }
 
 void check_posts(const Scene& scene, Findings& findings) {
