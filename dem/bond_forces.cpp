@@ -211,7 +211,9 @@ void advance(const Arrays& arrays, const BondForces::Constants& constants, doubl
     if constexpr (damped) {
       const double stretch = elongation - old_elongation;
       const double acting = on * rate;
-      const double ca = acting * c.axial_damping * a.axial_mass[b], cs = acting * c.shear_damping * a.shear_mass[b];
+      const double taut = (axial == Axial::linear) | (c.axial.lowest < 0) | (f > 0) ? 1.0 : 0.0;  // slack: none
+      const double ca = taut * acting * c.axial_damping * a.axial_mass[b];
+      const double cs = acting * c.shear_damping * a.shear_mass[b];
       const double cb = acting * c.bending_damping * a.inertia[b], ct = acting * c.torsion_damping * a.inertia[b];
       axial_total += ca * stretch;
       shear_total = shear_total + cs * m.shear;
