@@ -41,7 +41,9 @@ TEST(MeshNet, FillsItsFrame) {
     const double y = p.position.y[i], z = p.position.z[i], r = p.radius[i];
     least = std::min({least, y - r, 0.44 - y - r, z - r, 0.4 - z - r});
     for (std::size_t j = 0; j < i; ++j)
-      if (p.body[i] != p.body[j]) ASSERT_GT((p.position[i] - p.position[j]).norm(), r + p.radius[j] - 1e-12);
+      if (p.body[i] != p.body[j]) {
+        ASSERT_GT((p.position[i] - p.position[j]).norm(), r + p.radius[j] - 1e-12);
+      }
   }
   EXPECT_GT(least, 0);
   EXPECT_LT(least, 1e-3);
