@@ -40,6 +40,20 @@ dem::Solids sphere_on_plane(double angle, double rolling_friction, double speed)
   return {p, {}, m, walls, solids_options(step, Vec3(0, 0, -kGravity))};
 }
 
+/// How far the centre may get before the sphere rests, m, by energy. Neither spring is wound up at the start, so that
+/// they overshoot. With torques over R (t of the weight, the limit l) and the stiffness k of both springs: the weight
+/// does t (Rw + d) on the way Rw that is rolled and d that the surface gives; the springs hold k d^2 / 2 and l^2 / 2k,
+/// and rolling on takes l (Rw - l/k). Hence (l - t) Rw <= (t^2 + l^2) / 2k, and at rest d = t/k. The dashpots make it
+/// less.
+double longest_start(const dem::Solids& solids, double rolling_friction) {
+  const dem::MaterialPair& pair = solids.materials().pair(0, 0);
+  const double weight = solids.particles().mass[0] * kGravity, normal = weight * std::cos(kAngle);
+  const double overlap = std::pow(normal / (4.0 / 3 * pair.effective_modulus * std::sqrt(kRadius)), 2.0 / 3);
+  const double stiffness = 8 * pair.effective_shear_modulus * std::sqrt(kRadius * overlap);
+  const double t = weight * std::sin(kAngle), l = rolling_friction * normal;
+  return 0.5 * (t * t + l * l) / (stiffness * (l - t)) + t / stiffness;
+}
+
 void advance(dem::Solids& solids, LedgerWatch& watch, double time) {
   advance_watched(solids, watch, static_cast<int>(std::lround(time / solids.options().time_step)), 100);
 }
@@ -53,7 +67,8 @@ void ask_slope(std::vector<Row>& rows, double rolling_friction, double time) {
   const double speed = solids.particles().velocity[0].dot(down(kAngle));
   if (rolling_friction >= std::tan(kAngle)) {
     const std::string name = fmt::format("20 degrees, mu_r {:.2f}, rests", rolling_friction);
-    rows.push_back(at_most_row(name + ": way down, m", solids.particles().position[0].dot(down(kAngle)), 1e-6));
+    rows.push_back(at_most_row(name + ": way down, m", solids.particles().position[0].dot(down(kAngle)),
+                               longest_start(solids, rolling_friction)));
     rows.push_back(at_most_row(name + ": speed, m/s", std::abs(speed), 1e-7));
     return;
   }
