@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "lbm/boundary/row_reflection.h"
 #include "lbm/collision/stress_limit.h"
 
 namespace lahar::lbm {
@@ -101,6 +102,7 @@ void FluidGrid<Real>::cut_geometry(BlockIndex b) {
     for (int i = 1; i < D3Q19::q; ++i) fresh.at_rim[cell] = fresh.at_rim[cell] || at(i) == CellType::sink;
     add_wall_links(fresh, n, lowest + Vec3i(p[0], p[1], p[2]), types);
   }
+  list_row_links(fresh.walls, types, domain_.placement());
 }
 
 template <class Real>
