@@ -25,4 +25,13 @@ unsigned wet_cells(const Block<Real>& block, int row) {
   return gather_bytes((types + 0x0101010101010101U) >> 1);
 }
 
+/// Interface cells of a row: of the types with the lowest bit, interface (1) and wall (3), that without the second.
+template <class Real>
+unsigned interface_cells(const Block<Real>& block, int row) {
+  static_assert(static_cast<int>(CellType::gas) == 0 && static_cast<int>(CellType::wall) == 3);
+  std::uint64_t types;
+  std::memcpy(&types, block.type.data() + kBlockWidth * row, sizeof(types));
+  return gather_bytes(types & ~(types >> 1));
+}
+
 }  // namespace lahar::lbm
