@@ -60,7 +60,17 @@ struct WallCell {
   std::int16_t wall = -1;              ///< index of the wall in the domain
   /// Whether the links' pushes cancel for any velocity along the wall, as they do on a flat wall along the lattice.
   bool even = true;
-  std::uint32_t mirrored = 0;  ///< links, by bit, that led to another cell at the last reflection (slip_wall.h)
+};
+
+/// One velocity into walls in a row of cells, where what comes back is a copy of what was sent: off walls at rest and
+/// mirrors (boundary/row_reflection.h). Cells of a row are named by bits.
+struct RowLink {
+  std::uint8_t row;           ///< y + 8 z
+  std::uint8_t direction;     ///< velocity into the wall
+  std::uint8_t along;         ///< its part along a mirror where that leads to another cell, else 0
+  std::uint8_t source;        ///< velocity of what comes back: from that other cell into the wall, else `direction`
+  std::uint8_t cells;         ///< that have this link
+  std::uint8_t mirrored = 0;  ///< of them, those whose link led to another cell at the last reflection (slip_wall.h)
 };
 
 /// Where a link meets its wall; only with WallPlacement::interpolated.
@@ -71,12 +81,17 @@ struct WallHit {
 
 struct WallLinks {
   std::vector<WallCell> cells;
+  std::vector<std::uint16_t> others;     ///< entries of `cells` whose links are not copies by rows
+  std::vector<RowLink> rows;             ///< the links that are
   std::vector<std::uint8_t> directions;  ///< velocity index pointing into the wall
   std::vector<WallHit> hits;             ///< one per direction, or empty
   std::vector<double> gains;  ///< per cell: mass that its links will add in the coming sweep, lu (wall_balance.h)
   double gained = 0;          ///< sum of what liquid cells got in the last sweep, lu
   int takers = 0;             ///< entries of liquid cells whose links may add mass
-  void clear() { cells.clear(), directions.clear(), hits.clear(), gains.clear(), gained = 0, takers = 0; }
+  void clear() {
+    cells.clear(), others.clear(), rows.clear(), directions.clear(), hits.clear(), gains.clear();
+    gained = 0, takers = 0;
+  }
 };
 
 template <class Real>
