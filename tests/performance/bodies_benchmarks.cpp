@@ -42,6 +42,7 @@ Figure wet_packed_bed(const Session& session) {
   o.kinematic_viscosity = 1e-5;
   o.gravity = Vec3(0, 0, -1e-5);
   lbm::Fluid<float> fluid(o);
+  fluid.keep_velocities(false);  // no wires: as in CoupledStep
   fluid.fill_everything([](const Vec3&) { return Vec3(0.01, 0, 0); }, [](const Vec3&) { return 0.0; });
   dem::Particles particles = packed_bed();
   coupling::BodyMap<float> map;
