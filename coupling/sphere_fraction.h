@@ -21,6 +21,9 @@ inline double mapping_radius(double r) {
   return x;
 }
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 warns of registers in its own AVX-512 header
+
 /// Distances of the cells of a row, (x0..x0+7, y, z), from the centre. A cell at the edge must be covered for all
 /// callers or for none: contraction of products and sums is spelled out (core/multiply_add.h).
 template <class Real>
@@ -30,6 +33,8 @@ template <class Real>
   const lbm::Row<Real> dx = (static_cast<Real>(x0) + Real(0.5) - s.centre[0]) + row_places<Real>();
   return stdx::sqrt(multiply_add(dx, dx, base));
 }
+
+#pragma GCC diagnostic pop
 
 /// eps at given distances.
 template <class Real>
