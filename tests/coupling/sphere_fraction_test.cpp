@@ -78,7 +78,7 @@ TEST(SphereFraction, RowsNearASphereHoldAllOfIt) {
       }
   }
   EXPECT_GT(needed, 1000);
-  EXPECT_LT(taken, 1.02 * needed);  // the margin for rounding
+  EXPECT_LT(taken, 1.05 * needed);  // a row may come near the sphere between two of its cells (2 % here)
 }
 
 }  // namespace
