@@ -1,5 +1,6 @@
 #pragma once
 // One block of 8 x 8 x 8 cells: populations for every cell, and optional fields only where the block needs them.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -35,17 +36,30 @@ struct BodyFields {
   alignas(64) Real momentum_x[kBlockCells];      ///< sum over bodies of coverage times velocity, lu
   alignas(64) Real momentum_y[kBlockCells];
   alignas(64) Real momentum_z[kBlockCells];
-  /// In: momentum given to the cell by wires in the coming step. Out (by the sweep): momentum that the fluid gave to
-  /// the bodies in the cell in this step.
+  /// In: momentum given to the cell by wires or an inflow in the coming step (open_kicks). Out (by the sweep): momentum
+  /// that the fluid gave to the bodies in the cell in this step.
   alignas(64) Real exchange_x[kBlockCells];
   alignas(64) Real exchange_y[kBlockCells];
   alignas(64) Real exchange_z[kBlockCells];
-  /// Velocity after the last collision, lu, in wet cells; written by the sweep for the wires to sample.
+  /// Velocity after the last collision, lu, in wet cells; written by the sweep for the wires to sample
+  /// (SweepParameters::keep_velocity).
   alignas(64) Real velocity_x[kBlockCells];
   alignas(64) Real velocity_y[kBlockCells];
   alignas(64) Real velocity_z[kBlockCells];
-  bool used = false;  ///< a body or wire reaches the block in this step
+  bool used = false;      ///< a body or wire reaches the block in this step
+  bool mapped = false;    ///< the first six fields are what the body map wrote: it may leave them as they are
+  bool edited = false;    ///< somebody else wrote into the first six fields: they are cleared before the next step
+  bool no_kicks = false;  ///< exchange holds what came out of the last step; nothing goes in
 };
+
+/// To be called before momentum is added to the exchange fields for the coming step.
+template <class Real>
+void open_kicks(BodyFields<Real>& body) {
+  if (!body.no_kicks) return;
+  for (Real* field : {body.exchange_x, body.exchange_y, body.exchange_z})
+    std::fill(field, field + kBlockCells, Real(0));
+  body.no_kicks = false;
+}
 
 /// A cell next to a wall, with its links into the wall.
 struct WallCell {

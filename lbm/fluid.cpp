@@ -312,7 +312,7 @@ void Fluid<Real>::set_time_step(double time_step) {
 template <class Real>
 void Fluid<Real>::stretch_kicks(double ratio) {
   for (const BlockIndex b : grid_.active())
-    if (BodyFields<Real>* body = grid_.block(b).body)
+    if (BodyFields<Real>* body = grid_.block(b).body; body && !body->no_kicks)
       for (Real* field : {body->exchange_x, body->exchange_y, body->exchange_z})
         for (int n = 0; n < kBlockCells; ++n) field[n] *= static_cast<Real>(ratio);
 }
@@ -323,8 +323,10 @@ void Fluid<Real>::take_time_step(double time_step) {
   options_.time_step = time_step;
   units_ = units_of(options_);
   const Parity parity = parameters_.parity;
+  const bool keep_velocity = parameters_.keep_velocity;
   parameters_ = parameters_of(options_, units_);
   parameters_.parity = parity;
+  parameters_.keep_velocity = keep_velocity;
   grid_.set_velocity_to_lu(units_.velocity_to_lu(1.0));
   for (Inflow<Real>& inflow : inflows_) inflow.set_units(units_);
 }
