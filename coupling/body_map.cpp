@@ -62,14 +62,17 @@ double wet_volume_in(const GridSphere<Real>& s, const Block<Real>& block, const 
   return sum;
 }
 
-/// The inertia of the liquid in the body's place is known one step late; beyond the body's own mass that would feed
-/// back on itself. Bodies lighter than about 1.4 times the liquid keep part of that inertia and are too sluggish for
-/// it. The torque is limited alike: on a body of one or two cells the liquid in the partly covered cells turns with
-/// more inertia than a light body has.
-constexpr double kInertiaLimit = 0.7;
+/// Share of a new force in what a body feels. The liquid that a body holds answers a change of its velocity a step
+/// late, and the liquid that it pushes aside within a few: m a_n = -M a_n-1 with M up to twice what it holds would grow
+/// without bound for a light body. A force that follows the fluid's, F_n = F_n-1 + share (fluid - F_n-1), goes through
+/// the factor 1 - share (1 + M / m) a step instead, here never below -1/2. It is the virtual mass m (1 / share - 1) of
+/// Schwarz, Kempe & Froehlich 2015 (J. Comput. Phys. 281, 591): smooth motions lag by 1 / share steps, no inertia is
+/// added. Bodies of four times the liquid they hold and more feel the force itself.
+double followed_share(double own, double held) { return std::min(1.0, 1.5 * own / (own + 2 * held)); }
 
-double limited_share(double body, double liquid) {
-  return std::min(1.0, kInertiaLimit * body / std::max(liquid, 1e-300));
+/// A body that holds no liquid forgets.
+void follow(Vec3& felt, const Vec3& fluid, double share, bool wet) {
+  felt = wet ? Vec3(felt + share * (fluid - felt)) : fluid;
 }
 
 [[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
@@ -143,6 +146,9 @@ void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& parti
   const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
   old_wet_.resize(particles.size(), 0.0);
   last_velocity_.resize(particles.size(), Vec3::Zero());
+  last_spin_.resize(particles.size(), Vec3::Zero());
+  felt_force_.resize(particles.size(), Vec3::Zero());
+  felt_torque_.resize(particles.size(), Vec3::Zero());
   known_.resize(particles.size(), 0);
   former_.swap(bodies_);
   bodies_.clear(), spheres_.clear(), pairs_.clear();
@@ -163,10 +169,14 @@ void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& parti
     Body b;
     b.particle = i;
     b.volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
-    if (known_[i]) b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
+    if (known_[i]) {
+      b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
+      b.spin_up = (particles.angular_velocity[i] - last_spin_[i]) / units.time_step;
+    }
     b.old_wet_volume = old_wet_[i];
     old_wet_[i] = 0;
     last_velocity_[i] = particles.velocity[i];
+    last_spin_[i] = particles.angular_velocity[i];
     known_[i] = 1;
     bodies_.push_back(b);
     spheres_.push_back(s);
@@ -323,7 +333,7 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
   parallel_for(0, pairs_.size(), 128, [&](std::size_t k) {
     Pair& pair = pairs_[k];
     pair.force = pair.torque = Vec3::Zero();
-    pair.locked = pair.locked_inertia = 0;
+    pair.inside = pair.inside_inertia = pair.held = pair.held_inertia = 0;
     if (!is_alive(fluid, pair)) return;
     const Block<Real>& block = grid.block(pair.block);
     const lbm::BodyFields<Real>& f = *block.body;
@@ -342,10 +352,10 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
         pair.force += force;
         pair.torque += arm.cross(force);
         if (!lbm::is_wet(block.type[static_cast<std::size_t>(row + c)])) continue;
-        const double held = by_distance ? static_cast<double>(eps[c])
-                                        : share * lbm::coverage_weight(static_cast<double>(f.resistance[row + c]), law);
-        pair.locked += held;
-        pair.locked_inertia += held * 2.0 / 3.0 * arm.squaredNorm();
+        const double held = share * lbm::coverage_weight(static_cast<double>(f.resistance[row + c]), law);
+        const double inside = by_distance ? static_cast<double>(eps[c]) : held, square = 2.0 / 3.0 * arm.squaredNorm();
+        pair.inside += inside, pair.inside_inertia += inside * square;
+        pair.held += held, pair.held_inertia += held * square;
       }
     });
   });
@@ -354,24 +364,27 @@ Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particle
   Vec3 total = Vec3::Zero();
   for (const Body& b : bodies_) {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-    double wet = 0, locked = 0, locked_inertia = 0;
+    double wet = 0, inside = 0, inside_inertia = 0, held = 0, held_inertia = 0;
     for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
       force += pairs_[p].force;
       torque += pairs_[p].torque;
       wet += pairs_[p].wet_volume;
-      locked += pairs_[p].locked;
-      locked_inertia += pairs_[p].locked_inertia;
+      inside += pairs_[p].inside, inside_inertia += pairs_[p].inside_inertia;
+      held += pairs_[p].held, held_inertia += pairs_[p].held_inertia;
     }
     total += force;
-    // The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body. The
-    // weight of that liquid is carried by the fluid: the body's buoyancy.
-    const double area = units.cell_size * units.cell_size;
-    const double share = limited_share(particles.mass[b.particle], units.mass() * locked);
-    torque *= limited_share(particles.inertia[b.particle], units.mass() * area * locked_inertia);
-    force += locked * share * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
-    if (!force.allFinite()) report_bad_force(particles, b.particle, fluid.steps());
-    particles.external_force.add(b.particle, force * units.force_to_si(1.0));
-    particles.external_torque.add(b.particle, torque * units.torque_to_si(1.0));
+    // The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body
+    // (Feng & Michaelides 2009; Uhlmann 2005). The weight of that liquid is carried by the fluid: the body's buoyancy.
+    const dem::ParticleIndex i = b.particle;
+    const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
+    force += inside * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
+    torque += inside_inertia * units.time_step * units.time_step * b.spin_up;
+    force *= units.force_to_si(1.0), torque *= units.torque_to_si(1.0);
+    follow(felt_force_[i], force, followed_share(particles.mass[i], to_kg * held), held > 0);
+    follow(felt_torque_[i], torque, followed_share(particles.inertia[i], to_kg_m2 * held_inertia), held > 0);
+    if (!force.allFinite()) report_bad_force(particles, i, fluid.steps());
+    particles.external_force.add(i, felt_force_[i]);
+    particles.external_torque.add(i, felt_torque_[i]);
   }
   return total;
 }

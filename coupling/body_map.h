@@ -52,8 +52,10 @@ class BodyMap {
     double volume = 0;          ///< cells, over all cells of the block
     double wet_volume = 0;      ///< cells, over wet cells
     double surface_weight = 0;  ///< sum of eps over interface cells
-    double locked = 0;          ///< liquid in wet cells that moves with the body, cells
-    double locked_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
+    double inside = 0;          ///< liquid that stands in the body's place in wet cells, cells
+    double held = 0;            ///< liquid in wet cells that a step brings to the body's velocity, cells
+    double inside_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
+    double held_inertia = 0;
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
   };
   struct Body {
@@ -63,6 +65,7 @@ class BodyMap {
     double volume = 0;                 ///< exact, cells
     double old_wet_volume = 0;         ///< of the former mapping, under present cell types
     Vec3 acceleration = Vec3::Zero();  ///< m/s^2, mean of the last step
+    Vec3 spin_up = Vec3::Zero();       ///< rad/s^2, the same
   };
 
   [[nodiscard]] bool is_alive(const lbm::Fluid<Real>& fluid, const Pair& pair) const;
@@ -86,6 +89,9 @@ class BodyMap {
   std::vector<std::uint32_t> next_;          // scratch of the sort
   std::vector<double> old_wet_, displaced_;  // per particle; per body
   std::vector<Vec3> last_velocity_;          // per particle, m/s
+  std::vector<Vec3> last_spin_;              // per particle, rad/s
+  std::vector<Vec3> felt_force_;             // per particle, N: the fluid's force as the body follows it
+  std::vector<Vec3> felt_torque_;            // per particle, N m
   std::vector<std::uint8_t> known_;          // per particle: last_velocity_ is set
   double radius_shift_;
   double wet_volume_ = 0;
