@@ -10,8 +10,8 @@
 // f - f*, (n_i - n_opposite)/2,
 //   f' = collided f + l (1 - 1/tau_odd) n,   (tau - 1/2)(tau_odd - 1/2) = 3/16.
 // n holds no density, momentum or stress: it is the six third central moments, the same in a moving frame. As
-// tau -> 1/2 nothing else damps them. They are limited where they are large, as by Geier, Pasquali & Schoenherr 2017 (J.
-// Comput. Phys. 348, 862):
+// tau -> 1/2 nothing else damps them. They are limited where they are large, as by Geier, Pasquali & Schoenherr 2017
+// (J. Comput. Phys. 348, 862):
 //   l = kLargestThird rho / (kLargestThird rho + |n|),   |n|^2 = sum n_i^2 / w_i.
 // The even moments above the stress stay at equilibrium: relaxed at 1/tau too, as by TRT, K is nearer to the reference,
 // but at tau - 1/2 = 1e-3 they begin to grow by themselves.

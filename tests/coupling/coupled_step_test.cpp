@@ -61,8 +61,7 @@ TEST(CoupledStep, LightSphereStartsWithAddedMass) {
     options.time_step = 1;
     dem::Particles particles;
     particles.add(grain(Vec3(16.2, 15.9, 16.3), 4, s * fluid.density));
-    CoupledStep<double> step(fluid,
-                             dem::Solids(std::move(particles), dem::Bonds{}, rock(), Walls{}, options),
+    CoupledStep<double> step(fluid, dem::Solids(std::move(particles), dem::Bonds{}, rock(), Walls{}, options),
                              {.radius_shift = -0.06, .wire_drag = false});
     step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
     while (step.steps() < 100) step.advance();
