@@ -1,5 +1,6 @@
 #include "dem/solids.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -22,6 +23,7 @@ Solids::Solids(Particles particles, Bonds bonds, Materials materials, Walls wall
       section_contact_(&timers_.section("contact")),
       section_bonds_(&timers_.section("bonds")) {
   set_time_step(options.time_step);
+  if (contact_forces_.rolls()) contacts_.remember_rolling();
 }
 
 void Solids::set_time_step(double time_step) {
@@ -56,8 +58,10 @@ void Solids::substep(bool first, bool last) {
 
 void Solids::detect() {
   const ScopedTimer timer(*section_detect_);
-  if (!note_broken_bonds() && !contacts_.outdated(particles_)) return;
+  const bool bonds_broke = note_broken_bonds();
+  if (!contacts_.outdated(particles_) && !bonds_broke) return;
   check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
+  if (!bonds_broke && !contacts_.neighbours().outdated(particles_)) return contacts_.refresh(particles_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   contacts_.rebuild(particles_, walls_, bonded_);
 }
@@ -96,8 +100,16 @@ void Solids::prepare() {
   evaluate_forces(0);
 }
 
-void Solids::build_all() {
+void Solids::build_bonds() {
   bond_forces_.build(bonds_, particles_);
+  yielding_bonds_.clear();
+  for (std::size_t b = 0; b < bonds_.size(); ++b)
+    if (std::isfinite(bonds_.sorts[static_cast<std::size_t>(bonds_.sort[b])].axial.force_limit[0]))
+      yielding_bonds_.push_back(b);
+}
+
+void Solids::build_all() {
+  build_bonds();
   check_motion(particles_, options_.watchdog, step_count_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   contacts_.rebuild(particles_, walls_, bonded_);
@@ -144,9 +156,15 @@ void Solids::remove(ParticleIndex i) {
   particles_.remove(i);
 }
 
-void Solids::watch() const {
+void Solids::watch() {
   check_motion(particles_, options_.watchdog, step_count_);
   check_overlap(particles_, contact_forces_.worst_overlap(), options_.watchdog, step_count_);
+  double drawn_out = 0;
+  for (const std::size_t b : yielding_bonds_)
+    if (bonds_.intact[b]) drawn_out = std::max(drawn_out, bonds_.elongation[b]);
+  if (drawn_out <= 1.05 * checked_elongation_) return;
+  checked_elongation_ = drawn_out;
+  check_bonds(bonds_, particles_, options_.time_step, step_count_);
 }
 
 EnergyLedger Solids::ledger() const {
@@ -154,10 +172,12 @@ EnergyLedger Solids::ledger() const {
   const ContactEnergy& c = contact_forces_.energy();
   ledger.elastic_normal = c.elastic_normal;
   ledger.elastic_tangential = c.elastic_tangential;
+  ledger.elastic_rolling = c.elastic_rolling;
   // What acts in a kick is booked for all of it, and half of the last one is still to come.
   ledger.contact_damping = c.damping - 0.5 * c.damping_of_step;
   ledger.friction = c.friction;
-  ledger.bonds = bond_forces_.energy();
+  ledger.rolling = c.rolling;
+  ledger.bonds = bond_energy();
   ledger.removed = removed_energy_;
   ledger.external_work = external_work_ + c.wall_work - 0.5 * c.wall_work_of_step;
   return ledger;
