@@ -51,6 +51,9 @@ template <class Real>
 void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
   old_wet_.resize(particles.size(), 0.0);
   last_velocity_.resize(particles.size(), Vec3::Zero());
+  last_spin_.resize(particles.size(), Vec3::Zero());
+  felt_force_.resize(particles.size(), Vec3::Zero());
+  felt_torque_.resize(particles.size(), Vec3::Zero());
   known_.resize(particles.size(), 0);
   radii_.resize(particles.size());
   former_.swap(bodies_), former_spheres_.swap(spheres_), former_pairs_.swap(pairs_);
@@ -96,10 +99,14 @@ void BodyMap<Real>::place_body(const lbm::Fluid<Real>& fluid, const dem::Particl
                   : Real(-2);
   s.factor = 1;
   b.volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
-  if (known_[i]) b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
+  if (known_[i]) {
+    b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
+    b.spin_up = (particles.angular_velocity[i] - last_spin_[i]) / units.time_step;
+  }
   b.old_wet_volume = old_wet_[i];
   old_wet_[i] = 0;
   last_velocity_[i] = particles.velocity[i];
+  last_spin_[i] = particles.angular_velocity[i];
   known_[i] = 1;
   const std::uint32_t former = former_body_[i];
   const bool seen = former != kNoBody && former_[former].pairs > 0;

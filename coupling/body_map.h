@@ -65,8 +65,10 @@ class BodyMap {
   /// What the cells of a pair do to the body, lu.
   struct Load {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-    double locked = 0;          ///< liquid in wet cells that moves with the body, cells
-    double locked_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
+    double inside = 0;          ///< liquid that stands in the body's place in wet cells, cells
+    double held = 0;            ///< liquid in wet cells that a step brings to the body's velocity, cells
+    double inside_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
+    double held_inertia = 0;
   };
   /// Against the former mapping.
   enum class Change : std::uint8_t {
@@ -82,6 +84,7 @@ class BodyMap {
     double volume = 0;                 ///< exact, cells
     double old_wet_volume = 0;         ///< of the former mapping, under present cell types
     Vec3 acceleration = Vec3::Zero();  ///< m/s^2, mean of the last step
+    Vec3 spin_up = Vec3::Zero();       ///< rad/s^2, the same
   };
   /// The blocks in reach of a body, x slowest.
   struct Reach {
@@ -130,6 +133,9 @@ class BodyMap {
   std::vector<Radius> radii_;                              // per particle
   std::vector<double> old_wet_, displaced_, change_;       // per particle; per body; per body
   std::vector<Vec3> last_velocity_;                        // per particle, m/s
+  std::vector<Vec3> last_spin_;                            // per particle, rad/s
+  std::vector<Vec3> felt_force_;                           // per particle, N: the fluid's force as the body follows it
+  std::vector<Vec3> felt_torque_;                          // per particle, N m
   std::vector<std::uint8_t> known_;                        // per particle: last_velocity_ is set
   double radius_shift_;
   double wet_volume_ = 0;

@@ -11,14 +11,17 @@ using lbm::kBlockWidth;
 
 namespace {
 
-/// The inertia of the liquid in the body's place is known one step late; beyond the body's own mass that would feed
-/// back on itself. Bodies lighter than about 1.4 times the liquid keep part of that inertia and are too sluggish for
-/// it. The torque is limited alike: on a body of one or two cells the liquid in the partly covered cells turns with
-/// more inertia than a light body has.
-constexpr double kInertiaLimit = 0.7;
+/// Share of a new force in what a body feels. The liquid that a body holds answers a change of its velocity a step
+/// late, and the liquid that it pushes aside within a few: m a_n = -M a_n-1 with M up to twice what it holds would grow
+/// without bound for a light body. A force that follows the fluid's, F_n = F_n-1 + share (fluid - F_n-1), goes through
+/// the factor 1 - share (1 + M / m) a step instead, here never below -1/2. It is the virtual mass m (1 / share - 1) of
+/// Schwarz, Kempe & Froehlich 2015 (J. Comput. Phys. 281, 591): smooth motions lag by 1 / share steps, no inertia is
+/// added. Bodies of four times the liquid they hold and more feel the force itself.
+double followed_share(double own, double held) { return std::min(1.0, 1.5 * own / (own + 2 * held)); }
 
-double limited_share(double body, double liquid) {
-  return std::min(1.0, kInertiaLimit * body / std::max(liquid, 1e-300));
+/// A body that holds no liquid forgets.
+void follow(Vec3& felt, const Vec3& fluid, double share, bool wet) {
+  felt = wet ? Vec3(felt + share * (fluid - felt)) : fluid;
 }
 
 [[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
@@ -34,7 +37,8 @@ struct RowSums {
   using Row = lbm::Row<Real>;
   Row force[3]{Row(0), Row(0), Row(0)};
   Row y_fx{0}, z_fx{0}, z_fy{0}, y_fz{0};  ///< moments by the arms along y and z
-  Row held{0}, held_arm{0};                ///< liquid that moves with the body; times the squared arm across x
+  Row inside{0}, inside_arm{0};            ///< liquid in the body's place; times the squared arm across x
+  Row held{0}, held_arm{0};                ///< liquid that a step brings to the body's velocity; the same
 
   [[gnu::always_inline]] void add(const Row& share, const lbm::BodyFields<Real>& f, int row, Real ry, Real rz) {
     const Row fx = share * Row(f.exchange_x + row, stdx::vector_aligned);
@@ -43,27 +47,28 @@ struct RowSums {
     force[0] += fx, force[1] += fy, force[2] += fz;
     y_fx += ry * fx, z_fx += rz * fx, z_fy += rz * fy, y_fz += ry * fz;
   }
-  [[gnu::always_inline]] void hold(const Row& share, Real ry, Real rz) {
-    held += share;
-    held_arm += (ry * ry + rz * rz) * share;
+  [[gnu::always_inline]] void hold(const Row& in_place, const Row& moved, Real ry, Real rz) {
+    const Real square = ry * ry + rz * rz;
+    inside += in_place, inside_arm += square * in_place;
+    held += moved, held_arm += square * moved;
   }
 
-  /// `rx`: arms along x. Adds force, torque, held, held times 2/3 of the squared arm.
+  /// `rx`: arms along x. Adds force, torque, inside and held, and these times 2/3 of the squared arm.
   template <class Load>
   [[gnu::always_inline]] void reduce(const Row& rx, Load& load) const {
     const auto sum = [](const Row& row) { return static_cast<double>(stdx::reduce(row)); };
     load.force += Vec3(sum(force[0]), sum(force[1]), sum(force[2]));
     load.torque += Vec3(sum(y_fz - z_fy), sum(z_fx - rx * force[2]), sum(rx * force[1] - y_fx));
-    load.locked += sum(held);
-    load.locked_inertia += 2.0 / 3.0 * sum(held_arm + rx * rx * held);
+    load.inside += sum(inside), load.inside_inertia += 2.0 / 3.0 * sum(inside_arm + rx * rx * inside);
+    load.held += sum(held), load.held_inertia += 2.0 / 3.0 * sum(held_arm + rx * rx * held);
   }
 };
 
-/// How much of a cell's liquid moves with what covers it.
+/// How much of a cell's liquid a step brings to the velocity of what covers it, and how much stands in its place.
 enum class Held {
-  fraction,  ///< wall_distance: eps
-  weight,    ///< B, which is the resistance itself
-  law,       ///< B by the law
+  fraction,  ///< wall_distance: B by the law, and eps
+  weight,    ///< B, which is the resistance itself, for both
+  law,       ///< B by the law for both
 };
 
 template <class Real>
@@ -92,14 +97,17 @@ template <class Real, Held kHeld, bool kMixed, class Body, class Load>
         const Row share = cover.coverage / stdx::max(all, Row(Real(1e-30)));
         sums.add(share, f, row, ry, rz);
         Row held;
-        if constexpr (kHeld == Held::fraction)
-          held = cover.fraction;
-        else if constexpr (kHeld == Held::weight)
+        if constexpr (kHeld == Held::weight)
           held = share * stdx::min(Row(f.resistance + row, stdx::vector_aligned), Row(Real(1)));
         else
           held = held_share<Real>(share, f.resistance + row, law);
-        if constexpr (kMixed) held *= Row(wet + row, stdx::vector_aligned);
-        sums.hold(held, ry, rz);
+        Row inside = held;
+        if constexpr (kHeld == Held::fraction) inside = cover.fraction;
+        if constexpr (kMixed) {
+          const Row liquid(wet + row, stdx::vector_aligned);
+          held *= liquid, inside *= liquid;
+        }
+        sums.hold(inside, held, ry, rz);
       });
   sums.reduce(static_cast<Real>(lowest.x()) + row_places<Real>() + Real(0.5) - s.centre[0], load);
 }
@@ -138,8 +146,8 @@ void BodyMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) 
   }
 }
 
-/// The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body. The
-/// weight of that liquid is carried by the fluid: the body's buoyancy.
+/// The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body (Feng &
+/// Michaelides 2009; Uhlmann 2005). The weight of that liquid is carried by the fluid: the body's buoyancy.
 template <class Real>
 void BodyMap<Real>::hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& particles, std::size_t k) {
   const auto& units = fluid.units();
@@ -149,18 +157,21 @@ void BodyMap<Real>::hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& par
   for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
     sum.force += loads_[p].force;
     sum.torque += loads_[p].torque;
-    sum.locked += loads_[p].locked;
-    sum.locked_inertia += loads_[p].locked_inertia;
+    sum.inside += loads_[p].inside, sum.inside_inertia += loads_[p].inside_inertia;
+    sum.held += loads_[p].held, sum.held_inertia += loads_[p].held_inertia;
     wet += pairs_[p].wet_volume;
   }
   forces_[k] = sum.force;
   const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
-  const double area = units.cell_size * units.cell_size;
-  const double share = limited_share(particles.mass[b.particle], units.mass() * sum.locked);
-  sum.torque *= limited_share(particles.inertia[b.particle], units.mass() * area * sum.locked_inertia);
-  sum.force += sum.locked * share * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
-  particles.external_force.add(b.particle, sum.force * units.force_to_si(1.0));
-  particles.external_torque.add(b.particle, sum.torque * units.torque_to_si(1.0));
+  const dem::ParticleIndex i = b.particle;
+  const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
+  Vec3 force = sum.force + sum.inside * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
+  Vec3 torque = sum.torque + sum.inside_inertia * units.time_step * units.time_step * b.spin_up;
+  force *= units.force_to_si(1.0), torque *= units.torque_to_si(1.0);
+  follow(felt_force_[i], force, followed_share(particles.mass[i], to_kg * sum.held), sum.held > 0);
+  follow(felt_torque_[i], torque, followed_share(particles.inertia[i], to_kg_m2 * sum.held_inertia), sum.held > 0);
+  particles.external_force.add(i, felt_force_[i]);
+  particles.external_torque.add(i, felt_torque_[i]);
 }
 
 template <class Real>

@@ -38,6 +38,9 @@ void BodyMap<Real>::transfer(Archive& archive) {
     for (int a = 0; a < 3; ++a) carry(pairs_[k].lowest[a], at[a]);
   });
   archive.list("last_velocity", last_velocity_);
+  archive.list_of("last_spin", last_spin_, last_velocity_.size());
+  archive.list_of("felt_force", felt_force_, last_velocity_.size());
+  archive.list_of("felt_torque", felt_torque_, last_velocity_.size());
   archive.list_of("known", known_, last_velocity_.size());
   archive.value("wet_volume", wet_volume_);
   if (!loading) return;

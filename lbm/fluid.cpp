@@ -38,6 +38,7 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   p.collision = o.collision;
   p.tau = 0.5 + 3 * units.viscosity_to_lu(o.kinematic_viscosity);
   p.coverage = coverage_law(o.weighting, p.tau, o.seepage_constant);
+  p.places_walls = o.weighting == BodyWeighting::wall_distance;
   p.solid_operator = o.solid_operator;
   p.smagorinsky = o.smagorinsky;
   // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield

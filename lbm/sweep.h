@@ -15,7 +15,8 @@ enum class CollisionOperator { central_moments, bgk, trt };
 /// Uniform parameters of a sweep, lattice units.
 struct SweepParameters {
   CollisionOperator collision = CollisionOperator::central_moments;
-  CoverageLaw coverage;  ///< B of what bodies wrote into a cell
+  CoverageLaw coverage;       ///< B of what bodies wrote into a cell
+  bool places_walls = false;  ///< central moments keep the place of a body's surface (collision/wall_placing.h)
   SolidOperator solid_operator = SolidOperator::faded;
   bool keep_velocity = true;    ///< for wires: writes BodyFields::velocity_x, _y, _z
   double tau = 1;               ///< relaxation time of the viscous moments

@@ -10,6 +10,7 @@
 #include "lbm/collision/solid_operators.h"
 #include "lbm/collision/stress_limit.h"
 #include "lbm/collision/trt.h"
+#include "lbm/collision/wall_placing.h"
 #include "lbm/gather.h"
 #include "lbm/rheology/herschel_bulkley.h"
 #include "lbm/sweep.h"
@@ -195,6 +196,7 @@ class BlockKernel {
       force.coverage_weight = coverage_weight(V(body.resistance + n, stdx::vector_aligned), uniform.alpha, uniform.beta,
                                               uniform.gamma, uniform.cap, uniform.largest);
       force.fade = uniform.fade * force.coverage_weight;
+      stdx::where(sum > V(0), force.near_body) = V(1);
       force.solid_velocity[0] = V(body.momentum_x + n, stdx::vector_aligned) * inverse;
       force.solid_velocity[1] = V(body.momentum_y + n, stdx::vector_aligned) * inverse;
       force.solid_velocity[2] = V(body.momentum_z + n, stdx::vector_aligned) * inverse;
@@ -248,6 +250,8 @@ BlockSweep<Real> pick_operator(const SweepParameters& p) {
     case CollisionOperator::central_moments:
       break;
   }
+  if constexpr (kBody)
+    if (p.places_walls) return pick_viscosity<Real, kMixed, kBody, WallPlacing>(p);
   return pick_viscosity<Real, kMixed, kBody, CentralMoments>(p);
 }
 

@@ -316,8 +316,8 @@ struct RigidBarrier {
 
 struct Coupling {
   bool enabled = false;
-  BodyWeighting body_weighting = BodyWeighting::solid_fraction;
-  SolidOperator solid_operator = SolidOperator::faded;
+  BodyWeighting body_weighting = BodyWeighting::wall_distance;
+  SolidOperator solid_operator = SolidOperator::equilibrium_difference;
   double radius_shift_cells = -0.06;  ///< body_weighting = wall_distance only
   bool lubrication = false;
   bool wire_drag = true;

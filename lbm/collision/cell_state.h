@@ -28,6 +28,7 @@ struct CellForcing {
   V solid_velocity[3];    ///< u_s, lu
   V kick[3];              ///< velocity change by forces of wires, lu
   V fade = V(0);          ///< share of the non-equilibrium part that a body takes away (SolidOperator::faded)
+  V near_body = V(0);     ///< 1 where a body touches the cell (collision/wall_placing.h)
   V largest_rate = V(2);  ///< the viscous moments relax no faster (collision/stress_limit.h)
   V stress_share = V(1);  ///< of the non-equilibrium part that is left after relaxation (same place)
 };

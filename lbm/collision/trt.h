@@ -10,13 +10,19 @@ struct Trt {
   static constexpr bool bounds_stress = false;
   static constexpr double magic_parameter = 3.0 / 16.0;  ///< half-way walls exact for Poiseuille flow
 
+  /// The rate of the odd part with the magic parameter.
+  template <class V>
+  static V odd_rate(const V& even_rate) {
+    const V half = number<V>(0.5);
+    return V(1) / (half + number<V>(magic_parameter) / (V(1) / even_rate - half));
+  }
+
   template <class Viscosity, class V>
   static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,
                               const Viscosity& viscosity) {
     const V even_rate = viscous_rate(f, m, viscosity);
-    const V odd_rate = V(1) / (number<V>(0.5) + number<V>(magic_parameter) / (V(1) / even_rate - number<V>(0.5)));
     const V stay = V(1) - force.fade, half = number<V>(0.5);
-    const V keep_even = (V(1) - even_rate) * stay, keep_odd = (V(1) - odd_rate) * stay;
+    const V keep_even = (V(1) - even_rate) * stay, keep_odd = (V(1) - odd_rate(even_rate)) * stay;
     const Departure<V> after = velocity_after(m, force);
     const auto& v = after.v;
     f[0] =

@@ -36,6 +36,7 @@ void float_one(std::vector<Row>& rows, double s, double diameter, const Context&
   t.depth = 2 * diameter + 0.4;
   t.diameter = diameter;
   t.density = s;
+  t.viscosity = 1e-5;  // the reference has none; 1e-3 would add a boundary layer of a tenth of the mass
   const double area = static_cast<double>(w) * w, volume = std::numbers::pi / 6 * std::pow(diameter, 3);
   const double level = t.depth + s * volume / area, deep = immersion(s) * diameter;
   t.place = Vec3(w / 2 + 0.2, w / 2 - 0.1, level - deep + diameter / 2 + 0.1 * diameter);

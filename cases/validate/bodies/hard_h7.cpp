@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/validate/bodies/sphere_flow.h"
 #include "cases/validate/bodies/wire_entries.h"
 #include "cases/validate/fluid/flows.h"
 #include "cases/validate/fluid/surface_flows.h"
@@ -31,9 +32,13 @@ Flight fly(const Vec3& shift, int steps) {
   dem::SolidsOptions options;
   options.gravity = Vec3::Zero();
   options.time_step = 1;
+  const Immersion immersion;
+  lbm::FluidOptions fluid = lattice_box({32, 24, 24}, 1e-3);
+  fluid.weighting = immersion.weighting;
+  fluid.solid_operator = immersion.solid_operator;
   coupling::CoupledStep<Real> step(
-      lattice_box({32, 24, 24}, 1e-3),
-      dem::Solids(std::move(particles), dem::Bonds{}, std::move(materials), Walls{}, options), {});
+      fluid, dem::Solids(std::move(particles), dem::Bonds{}, std::move(materials), Walls{}, options),
+      {.radius_shift = immersion.radius_shift});
   step.fluid()->fill_everything(at_rest, no_pressure);
   Flight flight;
   for (int s = 0; s < steps; ++s) {

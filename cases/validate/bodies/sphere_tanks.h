@@ -2,6 +2,7 @@
 // Spheres in an open tank of water: what the entries on bodies at the surface share. Lattice units.
 #include <memory>
 
+#include "cases/validate/bodies/sphere_flow.h"
 #include "cases/validate/fluid/surface_flows.h"
 #include "coupling/coupled_step.h"
 
@@ -20,12 +21,15 @@ struct SphereTank {
   double smagorinsky = 0.1;
   int substeps = 10;
   double youngs_modulus = 1;
+  Immersion immersion;  ///< but for its collision operator, which is the default one
 };
 
 template <class Real>
 std::unique_ptr<coupling::CoupledStep<Real>> make_tank(const SphereTank& t) {
   lbm::FluidOptions fluid = open_tank(t.cells, t.viscosity, Vec3(0, 0, -t.gravity));
   fluid.smagorinsky = t.smagorinsky;
+  fluid.weighting = t.immersion.weighting;
+  fluid.solid_operator = t.immersion.solid_operator;
   dem::ParticleSpec sphere;
   sphere.position = t.place;
   sphere.velocity = t.velocity;
@@ -44,6 +48,7 @@ std::unique_ptr<coupling::CoupledStep<Real>> make_tank(const SphereTank& t) {
   options.time_step = 1;
   coupling::CouplingOptions coupling;
   coupling.substeps = t.substeps;
+  coupling.radius_shift = t.immersion.radius_shift;
   auto step = std::make_unique<coupling::CoupledStep<Real>>(
       fluid, dem::Solids(std::move(particles), dem::Bonds{}, std::move(materials), std::move(walls), options),
       coupling);
