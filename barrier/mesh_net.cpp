@@ -26,8 +26,8 @@ Filling fill(double length, double step, double fixed, int least, double edges, 
   if (std::abs(stretch - 1) <= 0.08) return {count, stretch};
   const int fewer = std::max(least, static_cast<int>(std::floor((inside - fixed) / step)));
   const auto size = [&](int n) { return std::to_string(n * step + fixed + edges) + " m"; };
-  throw InputError("barrier: whole meshes do not fill a " + what + " of " + std::to_string(length) + " m; " +
-                   size(fewer) + " and " + size(fewer + 1) + " would do");
+  throw InputError("whole meshes do not fill a " + what + " of " + std::to_string(length) + " m; " + size(fewer) +
+                   " and " + size(fewer + 1) + " would do");
 }
 
 dem::BondSort with_radius(dem::BondSort sort, double wire_diameter) {

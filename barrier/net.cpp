@@ -88,10 +88,9 @@ Filling fill(const RingNetSpec& spec, double length, const std::string& what) {
   const double change = steps > 0 ? spare / steps : 0.0;
   if (std::abs(change) <= 0.08 * spec.ring_pitch) return {count, spec.ring_pitch + change};
   const int fewer = spare < 0 ? count - 1 : count;
-  throw InputError("barrier: whole rings at a pitch of " + std::to_string(spec.ring_pitch) + " m do not fill a " +
-                   what + " of " + std::to_string(length) + " m; " +
-                   std::to_string(filled(spec, fewer, spec.ring_pitch)) + " m and " +
-                   std::to_string(filled(spec, fewer + 1, spec.ring_pitch)) + " m would do");
+  throw InputError("whole rings at a pitch of " + std::to_string(spec.ring_pitch) + " m do not fill a " + what +
+                   " of " + std::to_string(length) + " m; " + std::to_string(filled(spec, fewer, spec.ring_pitch)) +
+                   " m and " + std::to_string(filled(spec, fewer + 1, spec.ring_pitch)) + " m would do");
 }
 
 NetLayout layout_of(const RingNetSpec& spec) {
