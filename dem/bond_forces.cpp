@@ -96,7 +96,8 @@ struct Work {
     void set(std::size_t k, const Triple& v) { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
   };
   Rows arm, mean_turn, relative_turn;  // in: of the ends, see bond_motion
-  Rows force, moment, lever;           // out: force and moment on i (the opposite on j), torque of the shear on both
+  Rows force, reaction;                // out: force on i, the opposite on j
+  Rows moment_i, moment_j;             // out: torques, with that of the shear
   alignas(64) Row length, on, loss;    // m; 1 or 0 for broken; J, damping in this step
   alignas(64) std::array<std::uint8_t, kTile> broke;
 };
@@ -154,33 +155,34 @@ void gather(const BondForces::Link* link, const BondForces::Link* end, const Bon
   for (std::size_t k = 0; k < size; ++k) work.length[k] = std::sqrt(std::max(work.length[k], kTiny));
 }
 
-/// Adds a row of results to consecutive particles.
-void add_row(std::vector<double>& to, std::size_t first, const double* row, std::size_t count, double sign) {
-  double* t = to.data() + first;
+/// Adds what a link's bonds give to their first ends and to their second ones.
+void add_rows(std::vector<double>& to, const BondForces::Link& link, const double* on_i, const double* on_j) {
+  const std::size_t count = link.last - link.first;
+  double *i = to.data() + link.i, *j = to.data() + link.j;
+  if (link.j == link.i + 1) {  // a chain: bead k is the first end of bond k and the second one of bond k - 1
+    i[0] += on_i[0];
+    LAHAR_INDEPENDENT
+    for (std::size_t k = 1; k < count; ++k) i[k] += on_i[k] + on_j[k - 1];
+    i[count] += on_j[count - 1];
+    return;
+  }
   LAHAR_INDEPENDENT
-  for (std::size_t k = 0; k < count; ++k) t[k] += sign * row[k];
+  for (std::size_t k = 0; k < count; ++k) i[k] += on_i[k];
+  LAHAR_INDEPENDENT
+  for (std::size_t k = 0; k < count; ++k) j[k] += on_j[k];
 }
 
-void add_row(std::vector<double>& to, std::size_t first, const double* row, const double* lever, std::size_t count,
-             double sign) {
-  double* t = to.data() + first;
-  LAHAR_INDEPENDENT
-  for (std::size_t k = 0; k < count; ++k) t[k] += sign * row[k] + lever[k];
-}
-
-/// Adds a tile's forces and torques to its particles: to i as they are, to j reversed but for the lever of the shear.
+/// Adds a tile's forces and torques to its particles.
 void scatter(const BondForces::Link* link, const BondForces::Link* end, const Work& work, Particles& particles) {
   const std::size_t base = link->first;
   for (; link != end; ++link) {
-    const std::size_t count = link->last - link->first, w = link->first - base;
-    for (const auto& [particle, sign] : {std::pair{link->i, 1.0}, std::pair{link->j, -1.0}}) {
-      add_row(particles.force.x, particle, &work.force.x[w], count, sign);
-      add_row(particles.force.y, particle, &work.force.y[w], count, sign);
-      add_row(particles.force.z, particle, &work.force.z[w], count, sign);
-      add_row(particles.torque.x, particle, &work.moment.x[w], &work.lever.x[w], count, sign);
-      add_row(particles.torque.y, particle, &work.moment.y[w], &work.lever.y[w], count, sign);
-      add_row(particles.torque.z, particle, &work.moment.z[w], &work.lever.z[w], count, sign);
-    }
+    const std::size_t w = link->first - base;
+    add_rows(particles.force.x, *link, &work.force.x[w], &work.reaction.x[w]);
+    add_rows(particles.force.y, *link, &work.force.y[w], &work.reaction.y[w]);
+    add_rows(particles.force.z, *link, &work.force.z[w], &work.reaction.z[w]);
+    add_rows(particles.torque.x, *link, &work.moment_i.x[w], &work.moment_j.x[w]);
+    add_rows(particles.torque.y, *link, &work.moment_i.y[w], &work.moment_j.y[w]);
+    add_rows(particles.torque.z, *link, &work.moment_i.z[w], &work.moment_j.z[w]);
   }
 }
 
@@ -219,8 +221,9 @@ void advance(const Arrays& arrays, const BondForces::Constants& constants, doubl
     if constexpr (damped) {
       const double stretch = elongation - old_elongation;
       const double acting = on * rate;
-      const double ca = acting * c.axial_damping * a.axial_mass[b],
-                   cs = acting * c.shear_damping * shear_mass<axial>(a, b, w.length[t]);
+      const double taut = (axial == Axial::linear) | (c.axial.lowest < 0) | (f > 0) ? 1.0 : 0.0;  // slack: none
+      const double ca = taut * acting * c.axial_damping * a.axial_mass[b];
+      const double cs = acting * c.shear_damping * shear_mass<axial>(a, b, w.length[t]);
       const double cb = acting * c.bending_damping * a.inertia[b], ct = acting * c.torsion_damping * a.inertia[b];
       axial_total += ca * stretch;
       shear_total = shear_total + cs * m.shear;
@@ -231,9 +234,12 @@ void advance(const Arrays& arrays, const BondForces::Constants& constants, doubl
     }
     // Force and moment on i; j gets the opposite. The shear force acts in the middle of the bond, so that both ends
     // feel its lever in the same sense and angular momentum is kept.
-    w.force.set(t, axial_total * m.direction + shear_total);
-    w.moment.set(t, torsion_total * m.direction + bending_total);
-    w.lever.set(t, 0.5 * cross(arm, shear_total));
+    const Triple force = axial_total * m.direction + shear_total;
+    const Triple moment = torsion_total * m.direction + bending_total, lever = 0.5 * cross(arm, shear_total);
+    w.force.set(t, force);
+    w.reaction.set(t, -1.0 * force);
+    w.moment_i.set(t, lever + moment);
+    w.moment_j.set(t, lever - moment);
   }
 }
 
@@ -308,7 +314,7 @@ double break_bonds(const BondForces::Constants& c, std::size_t first, std::size_
     bonds.axial_force[b] = bonds.torsion_moment[b] = 0;
     work.loss[t] *= 0.5;
     for (Vec3Field* f : {&bonds.shear_force, &bonds.moment}) f->set(b, Vec3::Zero());
-    for (Work::Rows* f : {&work.force, &work.moment, &work.lever}) f->set(t, 0.5 * (*f)[t]);
+    for (Work::Rows* f : {&work.force, &work.reaction, &work.moment_i, &work.moment_j}) f->set(t, 0.5 * (*f)[t]);
   }
   return released;
 }
@@ -333,11 +339,6 @@ void BondForces::build(const Bonds& bonds, const Particles& particles) {
   build_chunks(bonds, particles.size());
   build_tiles(bonds);
   build_colours(bonds, particles.size());
-  for (Chunk& chunk : chunks_)
-    for (std::size_t t = chunk.first_tile; t < chunk.last_tile; ++t)
-      chunk.energy +=
-          energy_of(bonds, constants_[static_cast<std::size_t>(tiles_[t].sort)], tiles_[t].first, tiles_[t].last);
-  sum_energy(bonds);
 }
 
 /// Effective mass of a mode of two free ends; a fixed end counts as infinitely heavy. Shear moves the ends sideways and
@@ -368,13 +369,13 @@ void BondForces::build_chunks(const Bonds& bonds, std::size_t particles) {
     if (reach < b) clean_cut = b;  // nothing before b shares a particle with b or later
     if (b - first == kChunk) {
       const std::size_t cut = clean_cut > first ? clean_cut : b;
-      chunks_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(cut), 0, 0, {}});
+      chunks_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(cut), 0, 0, 0, 0});
       first = cut;
     }
     reach = std::max({reach, last_bond[bonds.i[b]], last_bond[bonds.j[b]]});
   }
   if (first < bonds.size())
-    chunks_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(bonds.size()), 0, 0, {}});
+    chunks_.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(bonds.size()), 0, 0, 0, 0});
 }
 
 void BondForces::build_tiles(const Bonds& bonds) {
@@ -416,15 +417,14 @@ void BondForces::add_forces(Bonds& bonds, Particles& particles, double dt) {
   for (const auto& colour : colours_)
     parallel_for(0, colour.size(), 1, [&](std::size_t c) { advance_chunk(chunks_[colour[c]], bonds, particles, dt); });
   for (const Chunk& chunk : chunks_) {
-    bonds.damping_loss += chunk.energy.damping;
-    bonds.breakage_loss += chunk.energy.breakage;
+    bonds.damping_loss += chunk.damping_loss;
+    bonds.breakage_loss += chunk.breakage_loss;
   }
-  sum_energy(bonds);
 }
 
 void BondForces::advance_chunk(Chunk& chunk, Bonds& bonds, Particles& particles, double dt) const {
   const Arrays arrays(bonds, masses_);
-  chunk.energy = BondEnergy{};
+  chunk.damping_loss = chunk.breakage_loss = 0;
   Work work;
   for (std::size_t t = chunk.first_tile; t < chunk.last_tile; ++t) {
     const Tile& tile = tiles_[t];
@@ -432,19 +432,20 @@ void BondForces::advance_chunk(Chunk& chunk, Bonds& bonds, Particles& particles,
     const Link *link = &links_[tile.first_link], *end = link + (tile.last_link - tile.first_link);
     gather(link, end, bonds, particles, dt, work);
     advance_for(c)(arrays, c, dt, tile.first, tile.last, work);
-    if (c.breakable) chunk.energy.breakage += break_bonds(c, tile.first, tile.last, bonds, work);
+    if (c.breakable) chunk.breakage_loss += break_bonds(c, tile.first, tile.last, bonds, work);
     scatter(link, end, work, particles);
-    chunk.energy += energy_of(bonds, c, tile.first, tile.last);
     if (c.damped)
-      chunk.energy.damping += lane_sum(0, tile.last - tile.first, [&](std::size_t k) { return work.loss[k]; });
+      chunk.damping_loss += lane_sum(0, tile.last - tile.first, [&](std::size_t k) { return work.loss[k]; });
   }
 }
 
-void BondForces::sum_energy(const Bonds& bonds) {
-  energy_ = BondEnergy{};
-  for (const Chunk& chunk : chunks_) energy_ += chunk.energy;
-  energy_.damping = bonds.damping_loss;
-  energy_.breakage = bonds.breakage_loss;
+BondEnergy BondForces::energy(const Bonds& bonds) const {
+  BondEnergy sum;
+  for (const Tile& tile : tiles_)
+    sum += energy_of(bonds, constants_[static_cast<std::size_t>(tile.sort)], tile.first, tile.last);
+  sum.damping = bonds.damping_loss;
+  sum.breakage = bonds.breakage_loss;
+  return sum;
 }
 
 }  // namespace lahar::dem

@@ -38,8 +38,9 @@ class BondForces {
   /// particle that is taken out. Deterministic for any number of threads.
   void add_forces(Bonds& bonds, Particles& particles, double dt);
 
-  /// Energies after the last call of add_forces (or build).
-  [[nodiscard]] const BondEnergy& energy() const { return energy_; }
+  /// Energies of these bonds, which must be those that were built, after the last call of add_forces. Summed when asked
+  /// for, in an order that does not depend on the number of threads.
+  [[nodiscard]] BondEnergy energy(const Bonds& bonds) const;
 
   /// What all bonds of a sort share, from BondSort.
   struct Constants {
@@ -75,7 +76,7 @@ class BondForces {
   struct Chunk {
     std::uint32_t first, last;            // bonds
     std::uint32_t first_tile, last_tile;  // of tiles_
-    BondEnergy energy;                    // damping and breakage: of this step
+    double damping_loss, breakage_loss;   // J, of this step
   };
 
   void build_effective_masses(const Bonds& bonds, const Particles& particles);
@@ -83,7 +84,6 @@ class BondForces {
   void build_tiles(const Bonds& bonds);
   void build_colours(const Bonds& bonds, std::size_t particles);
   void advance_chunk(Chunk& chunk, Bonds& bonds, Particles& particles, double dt) const;
-  void sum_energy(const Bonds& bonds);
 
   std::vector<Constants> constants_;
   EffectiveMasses masses_;
@@ -92,7 +92,6 @@ class BondForces {
   std::vector<Chunk> chunks_;
   std::vector<std::vector<std::uint32_t>> colours_;  // chunks of each colour
   std::size_t size_ = 0;
-  BondEnergy energy_;
 };
 
 }  // namespace lahar::dem

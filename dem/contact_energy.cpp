@@ -36,13 +36,15 @@ double normal_energy_of(ParticleIndex i, const Particles& p, const Materials& ma
   };
   const ContactSlots &pairs = contacts.pairs(), &wall = contacts.wall_contacts();
   if (i + 1 >= pairs.offset.size()) return 0;  // joined after the last step: in no contact yet
-  for (std::uint32_t k = pairs.offset[i]; k < pairs.offset[i + 1]; ++k)
-    if (pairs.touching[k]) add(pairs.partner[k]);
-  for (std::uint32_t n = contacts.partner_offset()[i]; n < contacts.partner_offset()[i + 1]; ++n) {
-    const std::uint32_t k = contacts.slot_of_partner()[n];
-    if (!pairs.touching[k]) continue;
-    const auto row = std::upper_bound(pairs.offset.begin(), pairs.offset.end(), k) - pairs.offset.begin() - 1;
-    add(static_cast<ParticleIndex>(row));
+  const ContactParties& parties = contacts.parties();
+  const auto found = std::lower_bound(parties.particle.begin(), parties.particle.end(), i);
+  if (found != parties.particle.end() && *found == i) {
+    const auto place = static_cast<std::size_t>(found - parties.particle.begin());
+    for (std::uint32_t n = parties.offset[place]; n < parties.offset[place + 1]; ++n) {
+      const std::uint32_t k = parties.feels[n] / 2;
+      const bool as_partner = parties.feels[n] % 2 != 0;
+      if (pairs.touching[k]) add(as_partner ? pairs.owner[k] : pairs.partner[k]);
+    }
   }
   for (std::uint32_t k = wall.offset[i]; k < wall.offset[i + 1]; ++k) {
     if (!wall.touching[k]) continue;

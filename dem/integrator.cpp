@@ -1,5 +1,7 @@
 #include "dem/integrator.h"
 
+#include <array>
+
 #include "core/parallel.h"
 
 namespace lahar::dem {
@@ -13,28 +15,26 @@ void kick_component(double* v, const double* force, const double* inverse_mass, 
   for (std::size_t i = first; i < last; ++i) v[i] += dt * inverse_mass[i] * force[i];
 }
 
-/// For spheres 1/I = 2.5 / (m r^2), 0 where the inverse mass is 0.
-void spin_component(double* w, const double* torque, const double* inverse_mass, const double* radius, double dt,
-                    std::size_t first, std::size_t last) {
-  for (std::size_t i = first; i < last; ++i) w[i] += dt * 2.5 * inverse_mass[i] / (radius[i] * radius[i]) * torque[i];
-}
-
 void drift_component(double* x, const double* v, double dt, std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) x[i] += dt * v[i];
 }
-
-}  // namespace
-
-namespace {
 
 void kick_range(Particles& p, double dt, std::size_t a, std::size_t b) {
   const double *m = p.inverse_mass.data(), *r = p.radius.data();
   kick_component(p.velocity.x.data(), p.force.x.data(), m, dt, a, b);
   kick_component(p.velocity.y.data(), p.force.y.data(), m, dt, a, b);
   kick_component(p.velocity.z.data(), p.force.z.data(), m, dt, a, b);
-  spin_component(p.angular_velocity.x.data(), p.torque.x.data(), m, r, dt, a, b);
-  spin_component(p.angular_velocity.y.data(), p.torque.y.data(), m, r, dt, a, b);
-  spin_component(p.angular_velocity.z.data(), p.torque.z.data(), m, r, dt, a, b);
+  // For spheres 1/I = 2.5 / (m r^2), 0 where the inverse mass is 0. Divided once for all three components.
+  std::array<double, kChunk> inverse_inertia;
+  for (std::size_t i = a; i < b; ++i) inverse_inertia[i - a] = 2.5 * m[i] / (r[i] * r[i]);
+  const auto spin = [&](std::vector<double>& rate, const std::vector<double>& torque) {
+    double* w = rate.data() + a;
+    const double* t = torque.data() + a;
+    for (std::size_t k = 0; k < b - a; ++k) w[k] += dt * inverse_inertia[k] * t[k];
+  };
+  spin(p.angular_velocity.x, p.torque.x);
+  spin(p.angular_velocity.y, p.torque.y);
+  spin(p.angular_velocity.z, p.torque.z);
 }
 
 }  // namespace

@@ -46,20 +46,24 @@ double NeighbourList::skin(const Particles& particles, std::size_t i) const {
   return std::max(options_.relative_skin * particles.radius[i], options_.minimum_skin);
 }
 
-bool NeighbourList::outdated(const Particles& particles) const {
-  const std::size_t n = particles.size();
-  if (builds_ == 0 || n != built_x_.size()) return true;
-  const double *x = particles.position.x.data(), *y = particles.position.y.data(), *z = particles.position.z.data();
+bool any_moved(const Vec3Field& now, const Vec3Field& then, const std::vector<double>& limit2) {
+  const double *x = now.x.data(), *y = now.y.data(), *z = now.z.data();
+  const double *x0 = then.x.data(), *y0 = then.y.data(), *z0 = then.z.data(), *limit = limit2.data();
   std::atomic<bool> moved{false};
-  parallel_for_even_chunks(n, 2048, [&](std::size_t first, std::size_t last) {
-    int any = 0;
+  parallel_for_even_chunks(now.size(), 2048, [&](std::size_t first, std::size_t last) {
+    long long any = 0;
     for (std::size_t i = first; i < last; ++i) {
-      const double dx = x[i] - built_x_[i], dy = y[i] - built_y_[i], dz = z[i] - built_z_[i];
-      any |= !(dx * dx + dy * dy + dz * dz <= move_limit2_[i]);  // also true for a position that is not a number
+      const double dx = x[i] - x0[i], dy = y[i] - y0[i], dz = z[i] - z0[i];
+      any |= dx * dx + dy * dy + dz * dz <= limit[i] ? 0 : 1;  // 1 also for a position that is not a number
     }
     if (any != 0) moved = true;
   });
   return moved;
+}
+
+bool NeighbourList::outdated(const Particles& particles) const {
+  return builds_ == 0 || particles.size() != built_at_.size() ||
+         any_moved(particles.position, built_at_, move_limit2_);
 }
 
 void NeighbourList::build(const Particles& particles, const PairSet& excluded) {
@@ -90,7 +94,7 @@ void NeighbourList::build(const Particles& particles, const PairSet& excluded) {
 }
 
 void NeighbourList::remember_positions(const Particles& particles) {
-  built_x_ = particles.position.x, built_y_ = particles.position.y, built_z_ = particles.position.z;
+  built_at_ = particles.position;
   set_move_limits(particles);
 }
 

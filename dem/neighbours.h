@@ -21,6 +21,9 @@ class PairSet {
   std::vector<ParticleIndex> partner_;  // both directions
 };
 
+/// True if any position is farther from where it was than the root of its limit (m^2), or not a number.
+[[nodiscard]] bool any_moved(const Vec3Field& now, const Vec3Field& then, const std::vector<double>& limit2);
+
 /// A particle's skin is relative_skin x its radius, at least minimum_skin. Two particles are neighbours while their gap
 /// is below the mean of their skins; the list holds until one has moved half its own skin.
 struct NeighbourOptions {
@@ -86,7 +89,8 @@ class NeighbourList {
   std::vector<std::uint32_t> offset_;
   std::vector<ParticleIndex> neighbour_;
   std::vector<std::vector<ParticleIndex>> chunk_rows_;
-  std::vector<double> built_x_, built_y_, built_z_, move_limit2_;
+  Vec3Field built_at_;
+  std::vector<double> move_limit2_;
   std::int64_t builds_ = 0;
 };
 

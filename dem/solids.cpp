@@ -23,6 +23,7 @@ Solids::Solids(Particles particles, Bonds bonds, Materials materials, Walls wall
       section_contact_(&timers_.section("contact")),
       section_bonds_(&timers_.section("bonds")) {
   set_time_step(options.time_step);
+  if (contact_forces_.rolls()) contacts_.remember_rolling();
 }
 
 void Solids::set_time_step(double time_step) {
@@ -57,8 +58,10 @@ void Solids::substep(bool first, bool last) {
 
 void Solids::detect() {
   const ScopedTimer timer(*section_detect_);
-  if (!note_broken_bonds() && !contacts_.outdated(particles_)) return;
+  const bool bonds_broke = note_broken_bonds();
+  if (!contacts_.outdated(particles_) && !bonds_broke) return;
   check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
+  if (!bonds_broke && !contacts_.neighbours().outdated(particles_)) return contacts_.refresh(particles_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   contacts_.rebuild(particles_, walls_, bonded_);
 }
@@ -169,10 +172,12 @@ EnergyLedger Solids::ledger() const {
   const ContactEnergy& c = contact_forces_.energy();
   ledger.elastic_normal = c.elastic_normal;
   ledger.elastic_tangential = c.elastic_tangential;
+  ledger.elastic_rolling = c.elastic_rolling;
   // What acts in a kick is booked for all of it, and half of the last one is still to come.
   ledger.contact_damping = c.damping - 0.5 * c.damping_of_step;
   ledger.friction = c.friction;
-  ledger.bonds = bond_forces_.energy();
+  ledger.rolling = c.rolling;
+  ledger.bonds = bond_energy();
   ledger.removed = removed_energy_;
   ledger.external_work = external_work_ + c.wall_work - 0.5 * c.wall_work_of_step;
   return ledger;

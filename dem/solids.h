@@ -58,14 +58,14 @@ class Solids {
   [[nodiscard]] double time() const { return time_; }  ///< s
   [[nodiscard]] std::int64_t step_count() const { return step_count_; }
   [[nodiscard]] EnergyLedger ledger() const;
-  [[nodiscard]] const BondEnergy& bond_energy() const { return bond_forces_.energy(); }
+  [[nodiscard]] BondEnergy bond_energy() const { return bond_forces_.energy(bonds_); }
   [[nodiscard]] const ContactDetection& contacts() const { return contacts_; }
   [[nodiscard]] const WorstOverlap& worst_overlap() const { return contact_forces_.worst_overlap(); }
   /// Force of all particles on a wall in the last step, N.
   [[nodiscard]] Vec3 force_on_wall(std::uint32_t wall) const { return contact_forces_.force_on_wall(contacts_, wall); }
   /// Its moment about the origin of the coordinates, N m.
   [[nodiscard]] Vec3 moment_on_wall(std::uint32_t wall) const {
-    return contact_forces_.moment_on_wall(contacts_, walls_, wall);
+    return contact_forces_.moment_on_wall(particles_, contacts_, walls_, wall);
   }
   [[nodiscard]] const Timers& timers() const { return timers_; }
 

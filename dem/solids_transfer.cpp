@@ -59,9 +59,8 @@ void NeighbourList::transfer(Archive& archive, const Particles& particles) {
   archive.list("offset", offset_);
   archive.list("neighbour", neighbour_);
   const std::size_t n = builds_ > 0 ? particles.size() : 0;
-  archive.list_of("built_x", built_x_, n);
-  archive.list_of("built_y", built_y_, n);
-  archive.list_of("built_z", built_z_, n);
+  archive.list("built_at", built_at_);
+  if (built_at_.size() != n) archive.refuse("built_at", "is not there for every particle");
   if (!archive.loading()) return;
   if (n > 0) set_move_limits(particles);
   const auto bad = [&](std::uint32_t j) { return j >= particles.size(); };
@@ -73,8 +72,20 @@ void NeighbourList::transfer(Archive& archive, const Particles& particles) {
     archive.refuse("offset", "is no list of neighbours");
 }
 
-void ContactSlots::transfer_histories(Archive& archive) {
-  if (archive.loading()) touching.assign(size(), 0), history.assign(size(), {});
+void ContactSlots::transfer(Archive& archive, std::size_t particles, std::size_t partners) {
+  archive.list("offset", offset);
+  archive.list("partner", partner);
+  const bool rows = offset.empty() ? partner.empty()
+                                   : offset.size() == particles + 1 && offset.front() == 0 &&
+                                         std::is_sorted(offset.begin(), offset.end()) && offset.back() == size();
+  if (!rows || std::any_of(partner.begin(), partner.end(), [&](std::uint32_t j) { return j >= partners; }))
+    archive.refuse("offset", "is no list of contacts");
+  if (archive.loading()) {
+    touching.assign(size(), 0), history.assign(size(), {}), rolling.assign(rolls ? size() : 0, Triple{});
+    owner.resize(size());
+    for (std::size_t i = 0; i + 1 < offset.size(); ++i)
+      std::fill(owner.begin() + offset[i], owner.begin() + offset[i + 1], static_cast<std::uint32_t>(i));
+  }
   archive.list_of("touching", touching, size());
   std::vector<std::size_t> used;
   for (std::size_t k = 0; k < size(); ++k)
@@ -90,27 +101,22 @@ void ContactSlots::transfer_histories(Archive& archive) {
         stored[a] = *own[a];
     }
   });
+  if (!rolls) return;
+  archive.pieces<double>("rolling", used.size(), 3, [&](std::size_t k, double* stored) {
+    Triple& angle = rolling[used[k]];
+    if (archive.loading())
+      angle = {stored[0], stored[1], stored[2]};
+    else
+      stored[0] = angle.x, stored[1] = angle.y, stored[2] = angle.z;
+  });
 }
 
 namespace {
 
-struct PairHistories {
+struct Slots {
   ContactSlots& slots;
-  void transfer(Archive& archive) { slots.transfer_histories(archive); }
-};
-
-/// Unlike pairs, wall contacts are listed nowhere else.
-struct WallContacts {
-  ContactSlots& slots;
-  void transfer(Archive& archive) {
-    archive.list("offset", slots.offset);
-    archive.list("partner", slots.partner);
-    const auto& offset = slots.offset;
-    if (!offset.empty() &&
-        (offset.front() != 0 || !std::is_sorted(offset.begin(), offset.end()) || offset.back() != slots.partner.size()))
-      archive.refuse("offset", "is no list of contacts");
-    slots.transfer_histories(archive);
-  }
+  std::size_t particles, partners;
+  void transfer(Archive& archive) { slots.transfer(archive, particles, partners); }
 };
 
 struct Neighbours {
@@ -121,20 +127,23 @@ struct Neighbours {
 
 }  // namespace
 
-void ContactDetection::transfer(Archive& archive, const Particles& particles) {
+void ContactDetection::transfer(Archive& archive, const Particles& particles, std::size_t walls) {
   Neighbours neighbours{neighbours_, particles};
   archive.part("neighbours", neighbours);
-  if (archive.loading()) {
-    pairs_.offset = neighbours_.offset();
-    pairs_.partner = neighbours_.neighbour();
-  }
-  PairHistories pairs{pairs_};
+  archive.value("refreshes", refreshes_);
+  archive.value("asked", asked_);
+  archive.value("narrow_share", narrow_share_);
+  archive.list("listed_at", listed_at_);
+  if (listed_at_.size() != (refreshes_ > 0 ? particles.size() : 0))
+    archive.refuse("listed_at", "is not there for every particle");
+  Slots pairs{pairs_, particles.size(), particles.size()};
   archive.part("pairs", pairs);
-  WallContacts walls{walls_};
-  archive.part("walls", walls);
-  if (!archive.loading()) return;
+  Slots wall_slots{walls_, particles.size(), walls};
+  archive.part("walls", wall_slots);
   if (walls_.offset.size() != pairs_.offset.size()) archive.refuse("walls", "are not there for every particle");
-  list_partners(particles.size());
+  if (!archive.loading() || refreshes_ == 0) return;
+  set_move_limits(particles);
+  list_parties(particles.size());
 }
 
 namespace {
@@ -142,7 +151,8 @@ namespace {
 struct Contacts {
   ContactDetection& contacts;
   const Particles& particles;
-  void transfer(Archive& archive) { contacts.transfer(archive, particles); }
+  std::size_t walls;
+  void transfer(Archive& archive) { contacts.transfer(archive, particles, walls); }
 };
 
 }  // namespace
@@ -170,7 +180,7 @@ void Solids::transfer(Archive& archive) {
     known_particles_ = particles_.size();
     known_bonds_ = bonds_.size();
   }
-  Contacts contacts{contacts_, particles_};
+  Contacts contacts{contacts_, particles_, walls_.all().size()};
   archive.part("contacts", contacts);
   archive.list("applied_force", applied_force_);
   archive.list("applied_torque", applied_torque_);

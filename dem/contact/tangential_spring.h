@@ -1,10 +1,10 @@
 #pragma once
 // The tangential part that all laws share: a spring with memory and a damper, both inside Coulomb's cone.
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "dem/contact/contact_state.h"
+#include "dem/fast_math.h"
 
 namespace lahar::dem {
 
@@ -14,8 +14,13 @@ namespace detail {
 inline Triple turned_with_contact(const Triple& old, const ContactState& s, double dt) {
   Triple d = old + (s.twist_rate * dt) * cross(s.normal_ij, old);
   d = normal_part(d, s.normal_ij);
-  const double length2 = std::max(dot(d, d), std::numeric_limits<double>::min());
-  return std::sqrt(dot(old, old) / length2) * d;
+  const double old2 = dot(old, old);
+  return (old2 * inverse_root(old2 * dot(d, d))) * d;
+}
+
+/// The part of a force that Coulomb's limit lets through.
+inline double share_within(double limit, const Triple& force) {
+  return std::min(1.0, limit * inverse_root(dot(force, force)));
 }
 
 }  // namespace detail
@@ -38,11 +43,11 @@ inline void add_tangential_spring(const ContactState& s, double stiffness, doubl
   const double kept = std::min(1.0, history.tangential_stiffness / std::max(stiffness, tiny));
   const Triple step = dt * s.tangential_velocity;
   const Triple trial = kept * old + step;
-  const Triple d = std::min(1.0, limit / std::max(stiffness * length(trial), tiny)) * trial;
+  const Triple d = detail::share_within(limit, stiffness * trial) * trial;
 
   const Triple spring = stiffness * d;
   const Triple wish = spring + damping * s.tangential_velocity_end;
-  const Triple force = std::min(1.0, limit / std::max(length(wish), tiny)) * wish;
+  const Triple force = detail::share_within(limit, wish) * wish;
 
   f.tangential = -1.0 * force;
   f.elastic_tangential = 0.5 * dot(spring, d);

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
 #include "tests/dem/small_scenes.h"
 
 namespace lahar::dem {
@@ -21,7 +25,7 @@ TEST(ContactDetection, histories_survive_a_rebuild_with_other_neighbours) {
   ASSERT_EQ(contacts.wall_contacts().size(), 3u);
   contacts.restore({{0, 1, false, mark(1)}, {0, 0, true, mark(2)}});
 
-  p.position.set(2, {0.02, 0.035, 0.02});  // now near both
+  p.position.set(2, {0.02, 0.0347, 0.02});  // now near both
   contacts.rebuild(p, walls, {});
   EXPECT_EQ(contacts.pairs().size(), 3u);
   const auto stored = contacts.stored_contacts();
@@ -42,20 +46,65 @@ TEST(ContactDetection, restoring_a_contact_between_strangers_is_refused) {
   EXPECT_THROW(contacts.restore({{0, 1, false, mark(1)}}), std::logic_error);
 }
 
-TEST(ContactDetection, partners_list_every_slot_once_in_ascending_order) {
+TEST(ContactDetection, parties_feel_every_slot_once_as_owner_and_once_as_partner) {
   const Particles p = testing::random_cloud(20, 0.04, 300, 0.004, {0.3, 0.3, 0.3}, 1, 11);
-  ContactDetection contacts;
+  ContactDetection contacts(NeighbourOptions{2, 0});
   contacts.rebuild(p, {}, {});
+  const ContactParties& t = contacts.parties();
+  const ContactSlots& slots = contacts.pairs();
   std::size_t seen = 0;
-  for (std::size_t j = 0; j < p.size(); ++j)
-    for (auto n = contacts.partner_offset()[j]; n < contacts.partner_offset()[j + 1]; ++n, ++seen) {
-      EXPECT_EQ(contacts.pairs().partner[contacts.slot_of_partner()[n]], j);
-      if (n > contacts.partner_offset()[j]) {
-        EXPECT_LT(contacts.slot_of_partner()[n - 1], contacts.slot_of_partner()[n]);
+  for (std::size_t place = 0; place < t.particle.size(); ++place)
+    for (auto n = t.offset[place]; n < t.offset[place + 1]; ++n, ++seen) {
+      const std::uint32_t slot = t.feels[n] / 2;
+      const bool as_partner = t.feels[n] % 2 == 1;
+      EXPECT_EQ(as_partner ? slots.partner[slot] : slots.owner[slot], t.particle[place]);
+      EXPECT_EQ(as_partner ? t.partner[slot] : t.owner[slot], place);
+      if (n > t.offset[place]) {  // owned slots first, ascending
+        const auto key = [](std::uint32_t feels) { return std::pair(feels % 2, feels); };
+        EXPECT_LT(key(t.feels[n - 1]), key(t.feels[n]));
       }
     }
-  EXPECT_EQ(seen, contacts.pairs().size());
-  EXPECT_GT(seen, 100u);
+  EXPECT_EQ(seen, 2 * slots.size());
+  EXPECT_GT(seen, 200u);
+}
+
+TEST(ContactDetection, slots_hold_every_pair_within_the_narrow_skin_while_they_last) {
+  Particles p = testing::random_cloud(100, 0.03, 300, 0.01, {0.5, 0.5, 0.5}, 1, 12);
+  ContactDetection contacts;
+  contacts.rebuild(p, {}, {});
+  std::size_t touching = 0;
+  for (int step = 0; step < 400; ++step) {
+    for (std::size_t i = 0; i < p.size(); ++i) p.position.add(i, 2e-5 * p.velocity[i]);
+    if (contacts.outdated(p)) contacts.neighbours().outdated(p) ? contacts.rebuild(p, {}, {}) : contacts.refresh(p);
+    if (step % 20 != 0) continue;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> listed;
+    for (std::size_t k = 0; k < contacts.pairs().size(); ++k)
+      listed.insert(std::minmax(contacts.pairs().owner[k], contacts.pairs().partner[k]));
+    for (std::uint32_t i = 0; i < p.size(); ++i)
+      for (std::uint32_t j = i + 1; j < p.size(); ++j)
+        if ((p.position[i] - p.position[j]).norm() < p.radius[i] + p.radius[j]) {
+          ++touching;
+          EXPECT_TRUE(listed.contains({i, j})) << i << ' ' << j << " in step " << step;
+        }
+  }
+  EXPECT_GT(touching, 1000u);
+  EXPECT_GT(contacts.refreshes(), contacts.neighbours().builds() + 5);
+}
+
+TEST(ContactDetection, a_contact_that_parts_at_once_stays_listed_until_its_end_was_seen) {
+  Particles p;
+  p.add(testing::sphere({0, 0, 0}, 0.02, 1000));
+  p.add(testing::sphere({0.0399, 0, 0}, 0.02, 1000));
+  ContactDetection contacts;
+  contacts.rebuild(p, {}, {});
+  contacts.restore({{0, 1, false, mark(1)}});
+  p.position.set(1, {0.0415, 0, 0});  // beyond the narrow skin, within the wide one
+  contacts.refresh(p);
+  ASSERT_EQ(contacts.pairs().size(), 1u);
+  EXPECT_EQ(contacts.pairs().touching[0], 1);
+  contacts.pairs().touching[0] = 0;
+  contacts.refresh(p);
+  EXPECT_EQ(contacts.pairs().size(), 0u);
 }
 
 TEST(ContactDetection, lists_walls_within_reach_only) {

@@ -20,7 +20,9 @@ struct Figure {
   double bar = 0;
   bool at_least = true;         ///< the ratio must reach the bar; otherwise stay below it
   bool of_memory_rate = false;  ///< the ratio is one of the memory rate, which is measured again after the entry
-  [[nodiscard]] bool pass() const { return at_least ? ratio >= bar : ratio <= bar; }
+  std::string missing{};        ///< why there is no ratio, if there is none; the bar is then not reached
+  [[nodiscard]] bool measured() const { return missing.empty(); }
+  [[nodiscard]] bool pass() const { return measured() && (at_least ? ratio >= bar : ratio <= bar); }
 };
 
 /// Shared by the entries of a run: what was measured before, by name.

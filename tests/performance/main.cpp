@@ -96,6 +96,8 @@ void measure_limits(MachineLimits& limits, int repeats) {
 }
 
 std::string line_of(const Figure& f) {
+  if (!f.measured())
+    return fmt::format("-     {:<22} {:>10.4g} {:<7} ratio not measured ({})\n", f.name, f.value, f.unit, f.missing);
   return fmt::format("{} {:<22} {:>10.4g} {:<7} ratio {:>6.3f}  bar {} {:<5.3g} ({})\n", f.pass() ? "pass " : "SHORT",
                      f.name, f.value, f.unit, f.ratio, f.at_least ? ">=" : "<=", f.bar, f.against);
 }
@@ -110,6 +112,8 @@ std::string json_of(const Session& session) {
                        {"against", f.against},
                        {"bar", f.bar},
                        {"pass", f.pass()}});
+  for (std::size_t k = 0; k < session.figures.size(); ++k)
+    if (!session.figures[k].measured()) entries[k]["not_measured"] = session.figures[k].missing;
   return nlohmann::json({{"machine",
                           {{"name", cases::machine_name()},
                            {"stream_gb_s_1", session.limits.stream_one},
