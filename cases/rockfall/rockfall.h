@@ -37,8 +37,8 @@ struct Rockfall {
   double drop_height = 16;        ///< m, from which its speed at the net's plane comes
   double settling_time = 0.65;    ///< s, for which the net sags before the ball comes; not in the paper (1.8 s)
   double settling_drag = 12;      ///< 1/s, deceleration per velocity in the last third of it; not in the paper
-  double duration = 0.34;         ///< s, from time zero: the bottom of the ball is in the net's plane
-  double time_step = 4e-6;        ///< s; 0 for a share of the limits of bonds
+  double duration = 0.45;         ///< s, from time zero: the bottom of the ball is in the net's plane
+  double time_step = 3e-6;        ///< s; 0 for a share of the limits of bonds
   double sample_interval = 1e-3;  ///< s
   bool operator==(const Rockfall&) const = default;
 
