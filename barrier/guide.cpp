@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/check.h"
 
@@ -16,12 +17,16 @@ void Guides::apply(dem::Particles& particles) {
   for (const dem::ParticleIndex i : held_) particles.external_force.set(i, Vec3::Zero());
   held_.clear();
   energy_ = largest_force_ = 0;
+  loosest_ = {.grip = std::numeric_limits<double>::infinity()};
   for (const Guide& g : guides_) {
     Vec3 sum = Vec3::Zero();
+    double grip = 0;
     for (dem::ParticleIndex i = g.first; i < g.last; ++i) {
       const Vec3 from = particles.position[i] - g.point;
       const double along = from.dot(g.axis), weight = 1 - std::abs(along) / g.spacing;
-      if (weight <= 0 || particles.state[i] != dem::ParticleState::free) continue;
+      if (weight <= 0) continue;
+      grip += weight;
+      if (particles.state[i] != dem::ParticleState::free) continue;
       const Vec3 aside = from - along * g.axis, velocity = particles.velocity[i];
       const Vec3 moving_aside = velocity - velocity.dot(g.axis) * g.axis;
       const double k = stiffness_.stiffness, damping = 2 * stiffness_.damping_ratio * std::sqrt(k * particles.mass[i]);
@@ -35,6 +40,7 @@ void Guides::apply(dem::Particles& particles) {
       sum += across;
     }
     largest_force_ = std::max(largest_force_, sum.norm());
+    if (grip < loosest_.grip) loosest_ = {grip, g.point};
   }
 }
 

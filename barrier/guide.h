@@ -14,6 +14,12 @@ struct GuideStiffness {
   double damping_ratio = 0.3;  ///< of critical for one bead, sideways
 };
 
+/// How much of a cable is in its guide.
+struct GuideGrip {
+  double grip = 0;  ///< sum of the weights: 1 for a straight cable, below that once its end slips out
+  Vec3 point = Vec3::Zero();
+};
+
 /// A damped spring from the cable to the guide's axis. A bead at the distance s from the guide along its axis counts
 /// with the weight 1 - |s| / spacing, so that the weights of evenly spaced beads add up to 1 wherever the cable stands:
 /// it slides without bumps. The spring's energy w k r^2 / 2 is taken along the axis too. (Setting a bead back to its
@@ -33,6 +39,9 @@ class Guides {
   [[nodiscard]] double energy() const { return energy_; }
   /// N, the largest sideways force of a guide then.
   [[nodiscard]] double largest_force() const { return largest_force_; }
+  /// The guide that then held least of its cable. A grip of much less than 1 means that a dissipator was drawn out by
+  /// more than the length of cable beside it, and that nothing holds the cable here any more.
+  [[nodiscard]] const GuideGrip& loosest() const { return loosest_; }
 
  private:
   struct Guide {
@@ -45,6 +54,7 @@ class Guides {
   std::vector<Guide> guides_;
   std::vector<dem::ParticleIndex> held_;  // with a force since the last call
   double energy_ = 0, largest_force_ = 0;
+  GuideGrip loosest_;
 };
 
 }  // namespace lahar::barrier

@@ -19,8 +19,8 @@ struct AlignedAllocator {
   AlignedAllocator() = default;
   template <class U>
   AlignedAllocator(const AlignedAllocator<U>&) {}  // NOLINT: allocators convert into each other
-  T* allocate(std::size_t n) { return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{sizeof(Line)})); }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{sizeof(Line)}); }
+  T* allocate(std::size_t n) { return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{sizeof(Line)})); }
+  void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{sizeof(Line)}); }
   bool operator==(const AlignedAllocator&) const { return true; }
 };
 

@@ -1,5 +1,6 @@
 #include "dem/solids.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -99,8 +100,16 @@ void Solids::prepare() {
   evaluate_forces(0);
 }
 
-void Solids::build_all() {
+void Solids::build_bonds() {
   bond_forces_.build(bonds_, particles_);
+  yielding_bonds_.clear();
+  for (std::size_t b = 0; b < bonds_.size(); ++b)
+    if (std::isfinite(bonds_.sorts[static_cast<std::size_t>(bonds_.sort[b])].axial.force_limit[0]))
+      yielding_bonds_.push_back(b);
+}
+
+void Solids::build_all() {
+  build_bonds();
   check_motion(particles_, options_.watchdog, step_count_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   contacts_.rebuild(particles_, walls_, bonded_);
@@ -147,9 +156,15 @@ void Solids::remove(ParticleIndex i) {
   particles_.remove(i);
 }
 
-void Solids::watch() const {
+void Solids::watch() {
   check_motion(particles_, options_.watchdog, step_count_);
   check_overlap(particles_, contact_forces_.worst_overlap(), options_.watchdog, step_count_);
+  double drawn_out = 0;
+  for (const std::size_t b : yielding_bonds_)
+    if (bonds_.intact[b]) drawn_out = std::max(drawn_out, bonds_.elongation[b]);
+  if (drawn_out <= 1.05 * checked_elongation_) return;
+  checked_elongation_ = drawn_out;
+  check_bonds(bonds_, particles_, options_.time_step, step_count_);
 }
 
 EnergyLedger Solids::ledger() const {

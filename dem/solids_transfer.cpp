@@ -176,7 +176,7 @@ void Solids::transfer(Archive& archive) {
       if (std::max(bonds_.i[k], bonds_.j[k]) >= particles_.size() ||
           static_cast<std::size_t>(bonds_.sort[k]) >= bonds_.sorts.size())
         archive.refuse("bonds", "do not fit the particles");
-    bond_forces_.build(bonds_, particles_);
+    build_bonds();
     known_particles_ = particles_.size();
     known_bonds_ = bonds_.size();
   }

@@ -62,6 +62,16 @@ barrier::Guides guides_of(const Rockfall& r, const barrier::Net& net, const dem:
   return guides;
 }
 
+/// Sets the forces of the guides, and sees that every cable still runs through its own.
+void guide(barrier::Guides& guides, dem::Solids& solids) {
+  guides.apply(solids.particles());
+  const barrier::GuideGrip& loosest = guides.loosest();
+  if (loosest.grip > 0.5) return;
+  throw NumericalFailure(
+      "guide at (" + std::to_string(loosest.point.x()) + ", " + std::to_string(loosest.point.y()) + ")",
+      solids.step_count(), "a cable has slipped out: its dissipator is drawn out by more than net.cable_extension_m");
+}
+
 double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Particles& particles) {
   const double limit = dem::bond_time_step(bonds, particles);
   if (r.time_step > limit)
@@ -134,7 +144,7 @@ SettledNet::SettledNet(const Rockfall& r, const std::function<bool(double)>& pro
   const double braked = std::exp(-r.settling_drag * kStretch * p.time_step);
   while (solids.time() < r.settling_time && !p.interrupted) {
     for (int n = 0; n < kStretch; ++n) {
-      p.guides.apply(solids.particles());
+      guide(p.guides, solids);
       solids.step();
     }
     p.interrupted = !progress(solids.time());
@@ -300,7 +310,7 @@ RockfallResult SettledNet::strike(const Rockfall& r, const std::function<bool(do
   strike.sample(0, 0);
   for (std::int64_t k = 1; solids.time() < r.duration && !strike.result.interrupted; ++k) {
     while (solids.time() < static_cast<double>(k) * r.sample_interval) {
-      guides.apply(solids.particles());
+      guide(guides, solids);
       solids.step();
     }
     strike.sample(solids.time(), solids.particles().position.z[ball] - radius);

@@ -174,7 +174,7 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   dem::Bonds bonds;
   add_grains(scene, particles, grains);
   std::optional<barrier::Net> net;
-  if (scene.barrier.enabled) net = barrier::build_net(scene::make_net_spec(scene), particles, bonds);
+  if (scene.barrier.enabled) net = scene::build_barrier(scene, particles, bonds);
   dem::SolidsOptions options;
   options.gravity = scene.gravity.vector();
   options.contact_law = contact_law_of(scene.solids);

@@ -43,8 +43,8 @@ void add_fluid(const scene::Scene& s, const FluidFigures& f, List& list) {
 }
 
 void add_solids(const scene::Scene& s, const SolidsFigures& f, List& list) {
-  const double critical =
-      std::min({f.limits.grain_rayleigh, f.limits.bead_rayleigh, f.limits.ring_bond, f.limits.cable_bond});
+  const double critical = std::min(
+      {f.limits.grain_rayleigh, f.limits.bead_rayleigh, f.limits.ring_bond, f.limits.cable_bond, f.limits.post_bond});
   if (s.solids.time_step > critical)
     list.push_back(fmt::format("solids.time_step_s ({:.3g} s) is above the critical time step ({:.3g} s)",
                                s.solids.time_step, critical));
@@ -63,6 +63,10 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
   if (f.cells_per_wire && *f.cells_per_wire < 4 && !s.coupling.wire_drag)
     list.push_back(fmt::format(
         "wires are {:.1f} cells across and coupling.wire_drag is off: water does not feel the net", *f.cells_per_wire));
+  if (s.barrier.enabled && s.barrier.net.kind == scene::NetKind::hexagonal)
+    list.push_back("water feels the cables of a hexagonal mesh, but not its wires");
+  if (const double post = s.barrier.posts.diameter / s.fluid.cell_size; s.coupling.wire_drag && post > 4)
+    list.push_back(fmt::format("posts are {:.1f} cells across: their drag law is for wires up to about 4", post));
   if (s.coupling.body_weighting == scene::BodyWeighting::noble_torczynski)
     list.push_back("coupling.body_weighting = \"noble_torczynski\" lets water through bodies at low viscosity");
 }

@@ -107,6 +107,7 @@ bool check_directions(const Net& net, Findings& findings) {
 
 /// A frame must hold at least one ring with its cables.
 void check_frame(const Net& net, Findings& findings) {
+  if (net.kind != NetKind::rings) return;  // building it names sizes that would do
   const double least = net.ring_diameter + 2 * net.wire_diameter;
   for (const auto& [length, key] :
        {std::pair{net.width, "barrier.net.width_m"}, std::pair{net.height, "barrier.net.height_m"}})
@@ -117,7 +118,10 @@ void check_frame(const Net& net, Findings& findings) {
 
 void check_net_place(const Scene& scene, Findings& findings) {
   const Net& net = scene.barrier.net;
-  const Vec3 across = net.width * net.width_direction.normalized(), up = net.height * net.height_direction.normalized();
+  const barrier::SpansSpec spans = make_spans_spec(scene);
+  const double more = scene.barrier.posts.enabled ? (spans.spans - 1) * post_distance(spans) : 0.0;
+  const Vec3 across = (net.width + more) * net.width_direction.normalized(),
+             up = net.height * net.height_direction.normalized();
   struct Corner {
     Vec3 position;
     std::string key;
@@ -167,7 +171,7 @@ void check_bond_steps(const Scene& scene, Findings& findings) {
                                    "stiffness per unit area (N/m^3) that allows {:g} s",
                                    key, step, mass, least));
   };
-  refuse(spec.ring, "ring_stiffness_N_m3");
+  if (!spec.mesh) refuse(spec.ring, "ring_stiffness_N_m3");
   refuse(spec.cable, "cable_stiffness_N_m3");
   if (!scene.barrier.bonds.dissipator_stiffness.empty()) refuse(spec.dissipator, "dissipator_stiffness_N_m3");
 }
@@ -202,18 +206,26 @@ void check_barrier(const Scene& scene, Findings& findings) {
   check_bond_steps(scene, findings);
   if (!findings.sound({"barrier.net"}) || !check_directions(scene.barrier.net, findings)) return;
   check_frame(scene.barrier.net, findings);
-  if (findings.sound({"domain", "barrier.net.width_m", "barrier.net.height_m"})) check_net_place(scene, findings);
+  if (findings.sound({"domain", "barrier.posts", "barrier.net.width_m", "barrier.net.height_m"}))
+    check_net_place(scene, findings);
+  check_hexagonal_net(scene, findings);
+  check_posts(scene, findings);
 }
 
 void check_net_can_be_built(const Scene& scene, Findings& findings) {
   if (!scene.barrier.enabled || !findings.mistakes().empty()) return;
-  try {
-    dem::Particles particles;
-    dem::Bonds bonds;
-    barrier::build_net(make_net_spec(scene), particles, bonds);
-  } catch (const InputError& e) {
-    for (const InputMistake& m : e.mistakes()) findings.mistake("barrier.net", "barrier.net: " + m.message);
-  }
+  dem::Particles particles;
+  dem::Bonds bonds;
+  const auto attempt = [&](const std::string& path, const auto& build) {
+    try {
+      build();
+    } catch (const InputError& e) {
+      for (const InputMistake& m : e.mistakes()) findings.mistake(path, path + ": " + m.message);
+    }
+  };
+  attempt("barrier.net", [&] { barrier::build_net(make_net_spec(scene), particles, bonds); });
+  if (scene.barrier.posts.enabled && findings.mistakes().empty())
+    attempt("barrier.posts", [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
 }
 
 void check_uses(const Scene& scene, Findings& findings) {

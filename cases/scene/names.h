@@ -75,6 +75,12 @@ constexpr auto names_of(SolidOperator) {
                                       {"bounce_back", SolidOperator::bounce_back},
                                       {"holdych", SolidOperator::holdych}}};
 }
+constexpr auto names_of(NetKind) {
+  return NameTable<NetKind, 2>{{{"rings", NetKind::rings}, {"hexagonal", NetKind::hexagonal}}};
+}
+constexpr auto names_of(PostFoot) {
+  return NameTable<PostFoot, 2>{{{"fixed", PostFoot::fixed}, {"hinged", PostFoot::hinged}}};
+}
 constexpr auto names_of(ProbeKind) {
   return NameTable<ProbeKind, 3>{
       {{"height", ProbeKind::height}, {"pressure", ProbeKind::pressure}, {"force", ProbeKind::force}}};

@@ -23,6 +23,8 @@ enum class BodyWeighting { solid_fraction, noble_torczynski, seepage, wall_dista
 enum class SolidOperator { faded, equilibrium_difference, bounce_back, holdych };
 enum class WallPlacement { half_way, interpolated };
 enum class FlowLaw { newtonian, bingham, herschel_bulkley };
+enum class NetKind { rings, hexagonal };
+enum class PostFoot { fixed, hinged };
 enum class ProbeKind { height, pressure, force };
 
 struct Identity {
@@ -237,6 +239,7 @@ struct Grains {
 };
 
 struct Net {
+  NetKind kind = NetKind::rings;
   Vec3 origin = Vec3::Zero();  ///< m, the lower corner of the net
   Vec3 width_direction{0, 1, 0}, height_direction{0, 0, 1};
   double width = 0, height = 0;  ///< m
@@ -246,10 +249,17 @@ struct Net {
   double wire_diameter = 0;  ///< m
   double density = 7800;     ///< kg/m^3
   std::string material;
+  // of a hexagonal mesh
+  double mesh_width = 0, mesh_height = 0, twist_length = 0;  ///< m
+  double mesh_wire_diameter = 0, node_diameter = 0;          ///< m
+  std::vector<double> single_strain, twist_strain;           ///< 1
+  std::vector<double> single_force, twist_force;             ///< N
+  bool wires_unload_plastically = true;
   bool operator==(const Net&) const = default;
 };
 
 struct BarrierBonds {
+  bool of_rings = true;                            ///< no key: whether the net has any
   double ring_stiffness = 0, cable_stiffness = 0;  ///< N/m^3
   std::vector<double> dissipator_stiffness;        ///< N/m^3, empty = no dissipators
   std::vector<double> dissipator_force_limit;      ///< N
@@ -265,11 +275,31 @@ struct Anchors {
   bool operator==(const Anchors&) const = default;
 };
 
+struct RetainingCable {
+  std::int64_t post = -1;
+  Vec3 anchor_offset = Vec3::Zero();  ///< m
+  std::vector<double> dissipator_places;
+  bool operator==(const RetainingCable&) const = default;
+};
+
+struct Posts {
+  bool enabled = false;
+  std::int64_t spans = 1;
+  double height = 0, diameter = 0;  ///< m
+  PostFoot foot = PostFoot::fixed;
+  double youngs_modulus = 210e9;       ///< Pa
+  double area = 0, second_moment = 0;  ///< m^2, m^4
+  double density = 7850;               ///< kg/m^3, of the profile
+  std::vector<RetainingCable> retaining;
+  bool operator==(const Posts&) const = default;
+};
+
 struct Barrier {
   bool enabled = false;
   Net net;
   BarrierBonds bonds;
   Anchors anchors;
+  Posts posts;
   bool operator==(const Barrier&) const = default;
 };
 

@@ -69,6 +69,18 @@ TEST(Guide, LetsGoOfBeadsThatHavePassed) {
   EXPECT_NE(cable.particles.external_force.y[5], 0);
 }
 
+TEST(Guide, TellsWhenACableHasSlippedOut) {
+  GuidedCable cable(0.0033, 0);
+  EXPECT_NEAR(cable.guides.loosest().grip, 1, 1e-9);
+  for (double& x : cable.particles.position.x) x += 0.1;  // its first bead is 0.0033 m beyond the guide
+  cable.guides.apply(cable.particles);
+  EXPECT_NEAR(cable.guides.loosest().grip, 0.67, 1e-9);
+  for (double& x : cable.particles.position.x) x += 0.1;
+  cable.guides.apply(cable.particles);
+  EXPECT_EQ(cable.guides.loosest().grip, 0);
+  EXPECT_EQ(cable.guides.loosest().point, Vec3(0.1, 0, 0));
+}
+
 TEST(Guide, DampsSidewaysMotionOnly) {
   GuidedCable cable(0, 0, {.stiffness = 1e6, .damping_ratio = 0.5});
   for (std::size_t i = 0; i < cable.particles.size(); ++i) cable.particles.velocity.set(i, Vec3(3, 0.2, -0.1));

@@ -64,7 +64,8 @@ void write_data(std::ostream& out, const dem::Solids& solids) {
   out << "\nVelocities\n\n";
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vec3 v = p.velocity[i], w = p.angular_velocity[i];
-    out << i + 1 << ' ' << v.x() << ' ' << v.y() << ' ' << v.z() << ' ' << w.x() << ' ' << w.y() << ' ' << w.z() << '\n';
+    out << i + 1 << ' ' << v.x() << ' ' << v.y() << ' ' << v.z() << ' ' << w.x() << ' ' << w.y() << ' ' << w.z()
+        << '\n';
   }
   if (!bonded) return;
   out << "\nBonds\n\n";
@@ -115,8 +116,7 @@ void write_script(std::ostream& out, const dem::Solids& solids, const ScenePair&
   if (bonds.size() > 0) {
     const dem::BondSort& sort = bonds.sorts[0];
     const double k = sort.axial.stiffness[0] * std::numbers::pi * sort.bond_radius * sort.bond_radius;
-    out << "bond_style harmonic\nbond_coeff 1 " << 0.5 * k << ' '
-        << bonds.rest_length[0] << '\n';
+    out << "bond_style harmonic\nbond_coeff 1 " << 0.5 * k << ' ' << bonds.rest_length[0] << '\n';
   }
   out << "neighbor " << 0.2 * smallest << " bin\nneigh_modify delay 0 every 1 check yes\n"
       << "pair_style gran/hertz/history " << contact << "\npair_coeff * *\n";
@@ -131,8 +131,8 @@ void write_script(std::ostream& out, const dem::Solids& solids, const ScenePair&
     out << "group moving union all\n";
   }
   out << "fix gravity moving gravity " << g.norm() << " vector " << g.x() << ' ' << g.y() << ' ' << g.z()
-      << "\nfix motion moving nve/sphere\ntimestep " << solids.options().time_step
-      << "\nthermo 1000000\nrun 50\nrun " << steps << '\n';
+      << "\nfix motion moving nve/sphere\ntimestep " << solids.options().time_step << "\nthermo 1000000\nrun 50\nrun "
+      << steps << '\n';
 }
 
 /// The last "Loop time of S on ..." of a log, s.
@@ -158,8 +158,7 @@ std::optional<double> lammps_rate(const dem::Solids& solids, const ScenePair& pa
     write_script(script, solids, pair, steps);
   }
   std::string run = "lmp -in in -log log -screen none > out 2>&1";
-  if (processes > 1)
-    run = "mpirun --allow-run-as-root --oversubscribe -np " + std::to_string(processes) + " " + run;
+  if (processes > 1) run = "mpirun --allow-run-as-root --oversubscribe -np " + std::to_string(processes) + " " + run;
   const std::string command = "cd '" + folder.path.string() + "' && OMP_NUM_THREADS=1 " + run;
   if (std::system(command.c_str()) != 0) {
     std::ifstream out(folder.path / "out"), log(folder.path / "log");

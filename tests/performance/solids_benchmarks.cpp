@@ -1,5 +1,5 @@
-// Speed of the grains, rings, cables and brakes: particle-steps per second, in total over all threads, against LAMMPS on
-// the same particles in the same run. Bonds of LAMMPS here are plain springs, ours carry moments too.
+// Speed of the grains, rings, cables and brakes: particle-steps per second, in total over all threads, against LAMMPS
+// on the same particles in the same run. Bonds of LAMMPS here are plain springs, ours carry moments too.
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -43,7 +43,8 @@ Figure compare(const std::string& name, const std::function<dem::Solids()>& scen
 
 Benchmark grains(const std::string& name, int count, int threads, int steps) {
   return {name, {}, [=](Session& s) {
-            return compare(name, [count] { return settled_grains(count); }, kRock, threads, steps, 3.0, s);
+            return compare(
+                name, [count] { return settled_grains(count); }, kRock, threads, steps, 3.0, s);
           }};
 }
 
@@ -54,9 +55,12 @@ Benchmark rings(const std::string& name, int threads) {
 }  // namespace
 
 std::vector<Benchmark> solids_benchmarks() {
-  return {grains("solids.grains_5k", 5000, 1, 2000),   grains("solids.grains_5k_2", 5000, 2, 2000),
-          grains("solids.grains_50k", 50000, 1, 200),  grains("solids.grains_50k_2", 50000, 2, 200),
-          rings("solids.ring_net", 1),                 rings("solids.ring_net_2", 2)};
+  return {grains("solids.grains_5k", 5000, 1, 2000),
+          grains("solids.grains_5k_2", 5000, 2, 2000),
+          grains("solids.grains_50k", 50000, 1, 200),
+          grains("solids.grains_50k_2", 50000, 2, 200),
+          rings("solids.ring_net", 1),
+          rings("solids.ring_net_2", 2)};
 }
 
 }  // namespace lahar::performance
