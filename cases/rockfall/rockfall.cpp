@@ -51,13 +51,11 @@ barrier::RingNetSpec net_spec(const Rockfall& r) {
   return spec;
 }
 
-barrier::Guides guides_of(const Rockfall& r, const barrier::Net& net, const dem::Particles& particles) {
+barrier::Guides guides_of(const Rockfall& r, const barrier::Net& net) {
   barrier::Guides guides({.stiffness = r.guide_stiffness});
   for (std::size_t c = 0; c < net.cables.size(); ++c) {
-    const barrier::Wire& cable = net.cables[c];
     const auto& [start, end] = net.corners[c];
-    const double spacing = (particles.position[cable.first_bead + 1] - particles.position[cable.first_bead]).norm();
-    for (const Vec3& corner : {start, end}) guides.add(cable, corner, (end - start).normalized(), spacing);
+    for (const Vec3& corner : {start, end}) guides.add(net.cables[c], corner);
   }
   return guides;
 }
@@ -65,11 +63,11 @@ barrier::Guides guides_of(const Rockfall& r, const barrier::Net& net, const dem:
 /// Sets the forces of the guides, and sees that every cable still runs through its own.
 void guide(barrier::Guides& guides, dem::Solids& solids) {
   guides.apply(solids.particles());
-  const barrier::GuideGrip& loosest = guides.loosest();
-  if (loosest.grip > 0.5) return;
-  throw NumericalFailure(
-      "guide at (" + std::to_string(loosest.point.x()) + ", " + std::to_string(loosest.point.y()) + ")",
-      solids.step_count(), "a cable has slipped out: its dissipator is drawn out by more than net.cable_extension_m");
+  if (!guides.slipped_out()) return;
+  const Vec3& point = *guides.slipped_out();
+  throw NumericalFailure("guide at (" + std::to_string(point.x()) + ", " + std::to_string(point.y()) + ")",
+                         solids.step_count(),
+                         "a cable has slipped out: its dissipator is drawn out by more than net.cable_extension_m");
 }
 
 double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Particles& particles) {
@@ -137,7 +135,7 @@ SettledNet::SettledNet(const Rockfall& r, const std::function<bool(double)>& pro
   Parts& p = *parts_;
   p.net = barrier::build_net(net_spec(r), p.particles, p.bonds);
   p.topology = barrier::find_topology(p.net, p.particles, p.bonds);
-  p.guides = guides_of(r, p.net, p.particles);
+  p.guides = guides_of(r, p.net);
   p.time_step = time_step_of(r, p.bonds, p.particles);
   dem::Solids solids = p.solids(r);
   constexpr int kStretch = 25;  // steps between two brakings

@@ -110,6 +110,16 @@ void check_law(const Scene& scene, const char* wire, Findings& findings) {
 
 }  // namespace
 
+void check_ring_stiffness(const Scene& scene, Findings& findings) {
+  const std::string key = "barrier.bonds.ring_stiffness_N_m3";
+  if (!findings.sound({key, "barrier.net.kind"})) return;
+  const double stiffness = scene.barrier.bonds.ring_stiffness;
+  if (scene.barrier.net.kind == NetKind::rings && stiffness == 0)
+    findings.mistake(key, key + " is 0 or missing, expected a number above 0");
+  if (scene.barrier.net.kind != NetKind::rings && stiffness > 0)
+    findings.mistake(key, key + " does not apply here, expected only with barrier.net.kind = \"rings\"");
+}
+
 void check_hexagonal_net(const Scene& scene, Findings& findings) {
   const Net& net = scene.barrier.net;
   if (net.kind != NetKind::hexagonal || !findings.sound({"barrier.net"})) return;

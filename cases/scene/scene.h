@@ -259,7 +259,6 @@ struct Net {
 };
 
 struct BarrierBonds {
-  bool of_rings = true;                            ///< no key: whether the net has any
   double ring_stiffness = 0, cable_stiffness = 0;  ///< N/m^3
   std::vector<double> dissipator_stiffness;        ///< N/m^3, empty = no dissipators
   std::vector<double> dissipator_force_limit;      ///< N

@@ -340,10 +340,8 @@ void describe(V& v, Net& s) {
 
 template <class V>
 void describe(V& v, BarrierBonds& s) {
-  v.for_shape(s.of_rings, "barrier.net.kind = \"rings\"", [&] {
-    v.value("ring_stiffness_N_m3", s.ring_stiffness, required(positive()),
-            "Normal and shear stiffness of ring bonds, per unit area.");
-  });
+  v.value("ring_stiffness_N_m3", s.ring_stiffness, {non_negative()},
+          "Normal and shear stiffness of ring bonds, per unit area; needed, and only allowed, with rings.");
   v.value("cable_stiffness_N_m3", s.cable_stiffness, required(positive()),
           "Normal and shear stiffness of cable bonds, per unit area.");
   v.value("dissipator_stiffness_N_m3", s.dissipator_stiffness, {.range = positive(), .max_count = 3},
@@ -403,7 +401,6 @@ void describe(V& v, Barrier& s) {
   v.value("enabled", s.enabled, required(), "Whether there is a barrier.");
   v.when_on(s.enabled, [&] {
     v.table("net", s.net, Presence::needed, "The net.");
-    s.bonds.of_rings = s.net.kind == NetKind::rings;
     v.table("bonds", s.bonds, Presence::needed, "Stiffness of wire, cables and dissipators.");
     v.table("anchors", s.anchors, Presence::optional, "What is fixed.");
     v.table("posts", s.posts, Presence::optional, "Spans between posts. One span without posts when left out.");

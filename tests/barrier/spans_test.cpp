@@ -108,7 +108,7 @@ TEST(Spans, RestsFreeOfStressAndReportsEveryBond) {
   options.time_step = 0.3 * dem::bond_time_step(b.bonds, b.particles);
   dem::Solids solids(b.particles, b.bonds, materials, {}, options);
   solids.advance(50);
-  EXPECT_LT(response(b.net, solids.particles(), solids.bonds(), Vec3::Zero())[Component::barrier].force_sum, 1e-6);
+  EXPECT_LT(response(b.net, solids.particles(), solids.bonds(), Vec3::Zero())[Component::barrier].force_sum, 1e-5);
   // Then pushed at the middle post's head: all energy of the ledger is in the components.
   for (int k = 0; k < 20; ++k) {
     solids.particles().external_force.set(b.net.posts[1].head(), {300, 0, 0});

@@ -20,7 +20,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"barrier.posts.foot=hinge"}, "barrier.posts.foot", "did you mean \"hinged\""},
         Rejection{{"barrier.posts.spans=0"}, "barrier.posts.spans", "from 1 to 1000"},
         Rejection{{"barrier.posts.spans=5"}, "barrier.net.width_m", "outside the domain"},
-        Rejection{{"domain.lower_m=[-0.4, -0.015, -0.1]", "barrier.posts.retaining=[]"},
+        Rejection{{"domain.lower_m=[-0.4, -0.01, -0.1]", "barrier.posts.retaining=[]"},
                   "barrier.posts.spans",
                   "stands outside the domain"},
         Rejection{{"barrier.posts.youngs_modulus_Pa=1e18"}, "barrier.posts.youngs_modulus_Pa", "need a time step"},
