@@ -2,39 +2,57 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/check.h"
 
 namespace lahar::barrier {
 
-void Guides::add(const Wire& cable, const Vec3& point, const Vec3& axis, double spacing) {
-  require(spacing > 0 && std::abs(axis.norm() - 1) < 1e-9, "a guide needs a unit axis and a spacing of beads");
-  guides_.push_back({cable.first_bead, cable.first_bead + cable.beads, point, axis, spacing});
+void Guides::add(const Wire& cable, const Vec3& point) {
+  require(cable.beads > 3 && !cable.closed, "a guide needs a cable of more than three beads");
+  guides_.push_back({cable.first_bead, cable.first_bead + cable.beads, point});
+}
+
+/// The nearest point of the cable: of all its segments, seen from the guide.
+Guides::Place Guides::nearest(const Guide& guide, const dem::Particles& particles) {
+  Place best;
+  double least = std::numeric_limits<double>::infinity();
+  Vec3 start = particles.position[guide.first];
+  for (dem::ParticleIndex i = guide.first; i + 1 < guide.last; ++i) {
+    const Vec3 end = particles.position[i + 1], along = end - start, to_guide = guide.point - start;
+    const double share = std::clamp(to_guide.dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const Vec3 aside = share * along - to_guide;
+    if (aside.squaredNorm() < least) {
+      least = aside.squaredNorm();
+      best = {i, share, aside, along.normalized()};
+    }
+    start = end;
+  }
+  return best;
 }
 
 void Guides::apply(dem::Particles& particles) {
   for (const dem::ParticleIndex i : held_) particles.external_force.set(i, Vec3::Zero());
   held_.clear();
   energy_ = largest_force_ = 0;
+  slipped_out_.reset();
   for (const Guide& g : guides_) {
-    Vec3 sum = Vec3::Zero();
-    for (dem::ParticleIndex i = g.first; i < g.last; ++i) {
-      const Vec3 from = particles.position[i] - g.point;
-      const double along = from.dot(g.axis), weight = 1 - std::abs(along) / g.spacing;
-      if (weight <= 0 || particles.state[i] != dem::ParticleState::free) continue;
-      const Vec3 aside = from - along * g.axis, velocity = particles.velocity[i];
-      const Vec3 moving_aside = velocity - velocity.dot(g.axis) * g.axis;
-      const double k = stiffness_.stiffness, damping = 2 * stiffness_.damping_ratio * std::sqrt(k * particles.mass[i]);
-      const Vec3 across = -weight * (k * aside + damping * moving_aside);
-      // The weight changes along the axis, and the energy of the spring with it.
-      const double slope = (along > 0 ? -1.0 : 1.0) / g.spacing;
-      particles.external_force.set(
-          i, particles.external_force[i] + across - 0.5 * k * aside.squaredNorm() * slope * g.axis);
-      held_.push_back(i);
-      energy_ += 0.5 * weight * k * aside.squaredNorm();
-      sum += across;
+    const Place at = nearest(g, particles);
+    if (at.bead == g.first || at.bead + 2 == g.last) slipped_out_ = g.point;
+    const dem::ParticleIndex ends[2] = {at.bead, at.bead + 1};
+    const double weight[2] = {1 - at.share, at.share};
+    const Vec3 velocity = weight[0] * particles.velocity[ends[0]] + weight[1] * particles.velocity[ends[1]];
+    const Vec3 moving_aside = velocity - velocity.dot(at.direction) * at.direction;
+    const double k = stiffness_.stiffness;
+    const double damping = 2 * stiffness_.damping_ratio * std::sqrt(k * particles.mass[at.bead]);
+    const Vec3 force = -k * at.aside - damping * moving_aside;
+    for (int end = 0; end < 2; ++end) {
+      if (particles.state[ends[end]] != dem::ParticleState::free) continue;
+      particles.external_force.set(ends[end], particles.external_force[ends[end]] + weight[end] * force);
+      held_.push_back(ends[end]);
     }
-    largest_force_ = std::max(largest_force_, sum.norm());
+    energy_ += 0.5 * k * at.aside.squaredNorm();
+    largest_force_ = std::max(largest_force_, force.norm());
   }
 }
 

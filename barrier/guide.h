@@ -2,6 +2,7 @@
 // Guides: bars and shackles through which a cable slides along its own direction but not sideways (Li, Zhao & Kwan
 // 2020, section 3.3: cables "can freely slide and deform along the axial direction ... but not along the radial
 // direction").
+#include <optional>
 #include <vector>
 
 #include "barrier/wire.h"
@@ -14,16 +15,16 @@ struct GuideStiffness {
   double damping_ratio = 0.3;  ///< of critical for one bead, sideways
 };
 
-/// A damped spring from the cable to the guide's axis. A bead at the distance s from the guide along its axis counts
-/// with the weight 1 - |s| / spacing, so that the weights of evenly spaced beads add up to 1 wherever the cable stands:
-/// it slides without bumps. The spring's energy w k r^2 / 2 is taken along the axis too. (Setting a bead back to its
-/// place instead puts energy in with every bead that arrives.)
+/// A damped spring from a point to the nearest point of a cable, as an eyelet without friction: its force is normal to
+/// the cable wherever that runs, and is shared by the two beads beside that point according to how near they are
+/// (moment and energy k d^2 / 2 are exact). A straight cable slides through without bumps, whether it meets its guide
+/// straight or at an angle.
 class Guides {
  public:
   explicit Guides(GuideStiffness stiffness = {}) : stiffness_(stiffness) {}
 
-  /// A guide at `point` for a cable that runs along `axis` (unit) there; `spacing` of its beads in m.
-  void add(const Wire& cable, const Vec3& point, const Vec3& axis, double spacing);
+  /// A guide at `point` for an open cable.
+  void add(const Wire& cable, const Vec3& point);
 
   /// Sets the external forces of the guided beads to what the guides do to them as they are now. To be called before
   /// every step: the beads of a guided cable may have no other external force.
@@ -31,20 +32,31 @@ class Guides {
 
   /// J, in the springs at the last call of apply.
   [[nodiscard]] double energy() const { return energy_; }
-  /// N, the largest sideways force of a guide then.
+  /// N, the largest force of a guide then.
   [[nodiscard]] double largest_force() const { return largest_force_; }
+  /// The point of a guide in which there then was no more than the first or last bond of its cable: a dissipator that
+  /// is drawn out by more than the length of cable beside it.
+  [[nodiscard]] const std::optional<Vec3>& slipped_out() const { return slipped_out_; }
 
  private:
   struct Guide {
     dem::ParticleIndex first, last;  // beads
-    Vec3 point, axis;
-    double spacing;
+    Vec3 point;
   };
+  /// Where a cable is nearest to its guide.
+  struct Place {
+    dem::ParticleIndex bead = 0;     // at the start of the segment
+    double share = 0;                // of the segment
+    Vec3 aside = Vec3::Zero();       // m, from the guide
+    Vec3 direction = Vec3::UnitX();  // of the segment
+  };
+  static Place nearest(const Guide& guide, const dem::Particles& particles);
 
   GuideStiffness stiffness_;
   std::vector<Guide> guides_;
   std::vector<dem::ParticleIndex> held_;  // with a force since the last call
   double energy_ = 0, largest_force_ = 0;
+  std::optional<Vec3> slipped_out_;
 };
 
 }  // namespace lahar::barrier

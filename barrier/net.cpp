@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "barrier/clearance.h"
+#include "barrier/mesh_net.h"
 #include "core/check.h"
 
 namespace lahar::barrier {
@@ -208,6 +209,7 @@ const Wire* Net::cable(Side side) const {
 }
 
 Net build_net(const RingNetSpec& spec, dem::Particles& particles, dem::Bonds& bonds) {
+  if (spec.mesh) return build_mesh_net(spec, particles, bonds);
   check(spec);
   Builder builder(spec, particles, bonds);
   builder.describe();

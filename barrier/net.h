@@ -3,11 +3,14 @@
 // 2020, sections 2.1 and 4.1, Table 4).
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "barrier/cable.h"
 #include "barrier/dissipator.h"
+#include "barrier/hexagonal_mesh.h"
 #include "barrier/pattern.h"
+#include "barrier/post.h"
 #include "barrier/wire.h"
 #include "dem/bonds.h"
 #include "dem/particles.h"
@@ -26,7 +29,7 @@ struct NetCable {
   CableSupport support;
 };
 
-/// What a ring net is made of. The defaults are the paper's net, standing across y with the flow along x.
+/// What a net is made of. The defaults are the paper's net, standing across y with the flow along x.
 struct RingNetSpec {
   Vec3 origin = Vec3::Zero();   ///< m, lower left corner of the frame
   Vec3 across = Vec3::UnitY();  ///< unit
@@ -54,11 +57,16 @@ struct RingNetSpec {
   NetCable upper{};
   NetCable left{true, {.fixed_at = {0, 0.5, 1}, .fixed_all = false, .dissipators_at = {0, 1}}};
   NetCable right{true, {.fixed_at = {0, 0.5, 1}, .fixed_all = false, .dissipators_at = {0, 1}}};
+  /// In place of the rings a hexagonal mesh, whose keys above do not count but for those of frame, wire diameter and
+  /// density of the cables: see mesh_net.h.
+  std::optional<HexagonalMesh> mesh{};
 };
 
-/// A net that was built: where its parts lie among particles and bonds. Beads and bonds of a net are contiguous.
+/// A net that was built: where its parts lie among particles and bonds. Beads and bonds of a net are contiguous. A net
+/// of several spans (see spans.h) is one net: first all rings, span by span, then all cables.
 struct Net {
-  int columns = 0, rows = 0;
+  int spans = 1;
+  int columns = 0, rows = 0;              ///< of a span
   double pitch_across = 0, pitch_up = 0;  ///< m, as built
   double wire_diameter = 0;               ///< m
   RingPattern pattern;
@@ -68,6 +76,10 @@ struct Net {
   std::vector<Side> cable_sides;                ///< side of each cable
   std::vector<CableEnds> corners;               ///< m, where each cable passes the corners of the net, as built
   std::vector<std::size_t> dissipators;         ///< bonds
+  std::vector<MeshPart> meshes{};               ///< instead of rings: a panel a span
+  std::vector<Post> posts{};                    ///< from left to right, one more than spans; none without posts
+  std::vector<Wire> retaining{};                ///< cables from anchors to post heads
+  std::vector<std::size_t> ties{};              ///< bonds of cables to posts and of meshes to cables
   std::vector<dem::ParticleIndex> fixed_beads;  ///< ascending
   dem::ParticleIndex first_bead = 0;
   std::size_t beads = 0;
@@ -77,7 +89,14 @@ struct Net {
   [[nodiscard]] const Wire& ring(int column, int row) const {
     return rings[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column)];
   }
-  /// The cable on a side, or nullptr.
+  /// The span that a ring or a cable of Net::cables belongs to.
+  [[nodiscard]] std::size_t span_of_ring(std::size_t ring) const {
+    return ring * static_cast<std::size_t>(spans) / rings.size();
+  }
+  [[nodiscard]] std::size_t span_of_cable(std::size_t cable) const {
+    return cable * static_cast<std::size_t>(spans) / cables.size();
+  }
+  /// The cable on a side of the first span, or nullptr.
   [[nodiscard]] const Wire* cable(Side side) const;
 };
 
@@ -87,7 +106,7 @@ struct Net {
 /// cannot interlock (naming the range that would do) or beads so far apart that rings could pass through each other.
 Net build_net(const RingNetSpec& spec, dem::Particles& particles, dem::Bonds& bonds);
 
-/// All wires as they lie now: rings, then cables.
+/// All wires of rings and cables as they lie now: rings, then cables.
 [[nodiscard]] std::vector<Polyline> centre_lines(const Net& net, const dem::Particles& particles);
 
 }  // namespace lahar::barrier

@@ -32,16 +32,18 @@ dem::BondEnergy bond_energy(const dem::Bonds& bonds, std::size_t b) {
   return e;
 }
 
-void add_bonds(const Wire& wire, const dem::Bonds& bonds, ComponentResponse& sum) {
-  for (std::size_t b = wire.first_bond; b < wire.first_bond + wire.bonds; ++b) {
-    if (!bonds.intact[b]) {
-      ++sum.broken_bonds;
-      continue;
-    }
-    sum.force_sum += std::hypot(bonds.axial_force[b], bonds.shear_force[b].norm());
-    sum.max_tension = std::max(sum.max_tension, bonds.axial_force[b]);
-    sum.energy += bond_energy(bonds, b);
+void add_bond(std::size_t b, const dem::Bonds& bonds, ComponentResponse& sum) {
+  if (!bonds.intact[b]) {
+    ++sum.broken_bonds;
+    return;
   }
+  sum.force_sum += std::hypot(bonds.axial_force[b], bonds.shear_force[b].norm());
+  sum.max_tension = std::max(sum.max_tension, bonds.axial_force[b]);
+  sum.energy += bond_energy(bonds, b);
+}
+
+void add_bonds(const Wire& wire, const dem::Bonds& bonds, ComponentResponse& sum) {
+  for (std::size_t b = wire.first_bond; b < wire.first_bond + wire.bonds; ++b) add_bond(b, bonds, sum);
 }
 
 /// What acts on a fixed bead and its anchor takes up; 0 for a free one.
@@ -93,9 +95,17 @@ void add_motion(const Net& net, const dem::Particles& particles, const Vec3& gra
 }  // namespace
 
 std::string_view name(Component component) {
-  constexpr std::array<std::string_view, 6> names{"lower_cable", "upper_cable", "left_cable",
-                                                  "right_cable", "rings",       "barrier"};
+  constexpr std::array<std::string_view, all_components.size()> names{
+      "lower_cable", "upper_cable", "left_cable",       "right_cable", "rings",
+      "mesh",        "posts",       "retaining_cables", "barrier"};
   return names[static_cast<std::size_t>(component)];
+}
+
+bool is_reported(Component component, const Net& net) {
+  if (component == Component::mesh) return !net.meshes.empty();
+  if (component == Component::posts) return !net.posts.empty();
+  if (component == Component::retaining_cables) return !net.retaining.empty();
+  return true;
 }
 
 double dissipator_elongation(const Net& net, const dem::Bonds& bonds, std::size_t k) {
@@ -113,6 +123,19 @@ BarrierResponse response(const Net& net, const dem::Particles& particles, const 
     add_reactions(net.cables[k], particles, part(component_of(net.cable_sides[k])));
   }
   for (const Wire& ring : net.rings) add_bonds(ring, bonds, part(Component::rings));
+  for (const MeshPart& mesh : net.meshes)
+    for (std::size_t b = mesh.first_bond; b < mesh.first_bond + mesh.bonds; ++b)
+      add_bond(b, bonds, part(Component::mesh));
+  for (const Post& post : net.posts) {
+    add_bonds(post.wire, bonds, part(Component::posts));
+    for (const std::size_t b : post.joint) add_bond(b, bonds, part(Component::posts));
+    part(Component::posts).reaction -= foot_reaction(post, particles);
+  }
+  for (const Wire& cable : net.retaining) {
+    add_bonds(cable, bonds, part(Component::retaining_cables));
+    add_reactions(cable, particles, part(Component::retaining_cables));
+  }
+  for (const std::size_t b : net.ties) add_bond(b, bonds, part(Component::barrier));
   for (const Component c : all_components)
     if (c != Component::barrier) add_component(part(c), part(Component::barrier));
   add_motion(net, particles, gravity, r);

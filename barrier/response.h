@@ -9,11 +9,24 @@
 namespace lahar::barrier {
 
 /// Parts that are reported by name.
-enum class Component { lower_cable, upper_cable, left_cable, right_cable, rings, barrier };
-inline constexpr std::array<Component, 6> all_components{Component::lower_cable, Component::upper_cable,
-                                                         Component::left_cable,  Component::right_cable,
-                                                         Component::rings,       Component::barrier};
+enum class Component {
+  lower_cable,
+  upper_cable,
+  left_cable,
+  right_cable,
+  rings,
+  mesh,
+  posts,
+  retaining_cables,
+  barrier
+};
+inline constexpr std::array<Component, 9> all_components{
+    Component::lower_cable, Component::upper_cable, Component::left_cable, Component::right_cable,
+    Component::rings,       Component::mesh,        Component::posts,      Component::retaining_cables,
+    Component::barrier};
 [[nodiscard]] std::string_view name(Component component);
+/// Whether results tell of it: meshes, posts and their cables only where there are any, all else always.
+[[nodiscard]] bool is_reported(Component component, const Net& net);
 
 struct ComponentResponse {
   double force_sum = 0;    ///< N, sum over intact bonds of the force's magnitude (axial and shear): the paper's "force
@@ -27,7 +40,7 @@ struct ComponentResponse {
 };
 
 struct BarrierResponse {
-  std::array<ComponentResponse, 6> components;  ///< by Component; cables that the net lacks are 0
+  std::array<ComponentResponse, all_components.size()> components;  ///< by Component; cables that the net lacks are 0
   double elongation = 0;        ///< m, largest displacement of a bead along the flow since the net was built
   double kinetic_energy = 0;    ///< J, with rotation
   double potential_energy = 0;  ///< J, in gravity since the net was built

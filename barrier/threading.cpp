@@ -28,7 +28,8 @@ std::vector<Threading> threadings(const Net& net) {
   std::vector<Threading> all;
   for (std::size_t c = 0; c < net.cables.size(); ++c)
     for (std::size_t r = 0; r < net.rings.size(); ++r) {
-      const int column = static_cast<int>(r) % net.columns, row = static_cast<int>(r) / net.columns;
+      if (net.span_of_cable(c) != net.span_of_ring(r)) continue;
+      const int column = static_cast<int>(r) % net.columns, row = static_cast<int>(r) / net.columns % net.rows;
       const Side side = net.cable_sides[c];
       if ((side == Side::lower && row == 0) || (side == Side::upper && row + 1 == net.rows) ||
           (side == Side::left && column == 0) || (side == Side::right && column + 1 == net.columns))

@@ -57,6 +57,7 @@ Topology find_topology(const Net& net, const dem::Particles& particles, const de
     if (!topology.whole[a]) return;
     for (std::size_t b = a + 1; b < lines.size(); ++b) {
       const bool cable = b >= rings;
+      if (cable && net.span_of_cable(b - rings) != net.span_of_ring(a)) continue;  // its straight ends pass there
       if (!topology.whole[b] || !(cable ? enters(lines[b], spheres[a]) : near(spheres[a], spheres[b]))) continue;
       const int number = cable ? links_with_thread(lines[a], lines[b]) : links(lines[a], lines[b]);
       if (number != 0) topology.links[a].push_back({static_cast<int>(b), number});

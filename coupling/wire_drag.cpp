@@ -1,5 +1,6 @@
 #include "coupling/wire_drag.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "core/parallel.h"
@@ -51,6 +52,10 @@ WireDrag<Real>::WireDrag(const dem::Particles& particles, const dem::Bonds& bond
   }
   for (std::size_t k = 0; k < bonds.size(); ++k) {
     if (place[bonds.i[k]] < 0 || place[bonds.j[k]] < 0) continue;
+    // Links (barrier/link.h), which have hardly a section, are no piece of a wire: ties, joints, and the wires of a
+    // mesh, whose nodes are far apart.
+    const double section = bonds.sorts[static_cast<std::size_t>(bonds.sort[k])].bond_radius;
+    if (section < 0.01 * std::min(particles.radius[bonds.i[k]], particles.radius[bonds.j[k]])) continue;
     Bead& first = beads_[static_cast<std::size_t>(place[bonds.i[k]])];
     Bead& second = beads_[static_cast<std::size_t>(place[bonds.j[k]])];
     first.after = bonds.j[k];

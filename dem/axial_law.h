@@ -12,11 +12,14 @@ namespace lahar::dem {
 
 /// An AxialLaw times the area of a bond: stiffness in N/m and the elongations at which the branches change.
 struct AxialCurve {
-  double k1 = 0, k2 = 0, k3 = 0;                           ///< N/m
-  double e1 = std::numeric_limits<double>::infinity();     ///< m, end of the first branch
-  double width = std::numeric_limits<double>::infinity();  ///< m, of the second branch
-  double f1 = 0, f2 = 0;                                   ///< N, at the ends of the branches; 0 where there is none
-  [[nodiscard]] bool linear() const { return e1 == std::numeric_limits<double>::infinity(); }
+  double k1 = 0, k2 = 0, k3 = 0;                             ///< N/m
+  double e1 = std::numeric_limits<double>::infinity();       ///< m, end of the first branch
+  double width = std::numeric_limits<double>::infinity();    ///< m, of the second branch
+  double f1 = 0, f2 = 0;                                     ///< N, at the ends of the branches; 0 where there is none
+  double lowest = -std::numeric_limits<double>::infinity();  ///< N and m, where it goes slack: 0 for a wire
+  [[nodiscard]] bool linear() const {
+    return e1 == std::numeric_limits<double>::infinity() && lowest == -std::numeric_limits<double>::infinity();
+  }
 };
 
 /// Throws std::logic_error where the law cannot be followed: first stiffness not positive, negative later ones, falling
@@ -26,7 +29,7 @@ inline AxialCurve axial_curve(const AxialLaw& law, double area) {
   const auto& k = law.stiffness;
   const auto& f = law.force_limit;
   constexpr double kNone = std::numeric_limits<double>::infinity();
-  AxialCurve c{k[0] * area, k[1] * area, k[2] * area, kNone, kNone, 0, 0};
+  AxialCurve c{k[0] * area, k[1] * area, k[2] * area, kNone, kNone, 0, 0, law.tension_only ? 0 : -kNone};
   require(c.k1 > 0 && c.k2 >= 0 && c.k3 >= 0, "a bond's axial stiffness must be positive");
   require(f[0] > 0 && f[1] >= f[0], "the force limits of an axial law must be positive and rise");
   require(!law.plastic_unloading || (c.k2 < c.k1 && c.k3 <= c.k1), "plastic unloading needs k2 < k1 and k3 <= k1");
@@ -46,10 +49,10 @@ struct BranchElongation {
 
 inline BranchElongation branches(const AxialCurve& c, double elongation) {
   const double beyond = std::max(elongation - c.e1, 0.0);
-  return {std::min(elongation, c.e1), std::min(beyond, c.width), std::max(beyond - c.width, 0.0)};
+  return {std::max(std::min(elongation, c.e1), c.lowest), std::min(beyond, c.width), std::max(beyond - c.width, 0.0)};
 }
 
-/// Force on the curve (N, tension positive). Compression follows the first branch.
+/// Force on the curve (N, tension positive). Compression follows the first branch, down to where a wire goes slack.
 inline double curve_force(const AxialCurve& c, double elongation) {
   const BranchElongation e = branches(c, elongation);
   return c.k1 * e.first + c.k2 * e.second + c.k3 * e.third;
@@ -71,7 +74,7 @@ struct PlasticStep {
 inline PlasticStep plastic_step(const AxialCurve& c, double elongation, double plastic_elongation) {
   const double trial = c.k1 * (elongation - plastic_elongation);
   const double limit = curve_force(c, elongation);
-  return {std::min(trial, limit), trial > limit ? elongation - limit / c.k1 : plastic_elongation};
+  return {std::max(std::min(trial, limit), c.lowest), trial > limit ? elongation - limit / c.k1 : plastic_elongation};
 }
 
 /// Work that plastic elongation has dissipated (J): the area under the curve up to the point that it was left at, less

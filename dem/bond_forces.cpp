@@ -111,6 +111,16 @@ inline double axial_force(const BondForces::Constants& c, double elongation, dou
   return step.force;
 }
 
+/// Root of a bond's effective mass in shear, see build_effective_masses. A wire hardly changes its length; a dissipator
+/// may be drawn out to a hundred times its own, and with it grows the lever by which its shear turns the ends: with the
+/// mass of the short bond its damper would be forty times too strong, and unstable.
+template <Axial axial>
+inline double shear_mass(const Arrays& a, std::size_t bond, double length) {
+  if constexpr (axial == Axial::linear) return a.shear_mass[bond];
+  const double mass = a.axial_mass[bond], inertia = a.inertia[bond], lever = 0.5 * length;
+  return mass * inertia / std::sqrt(std::max(inertia * inertia + lever * lever * mass * mass, kTiny));
+}
+
 /// The breakage criterion, with |a| + |b| > limit written as a^2 > (limit - |b|)^2 to need no square root.
 inline bool too_much(const BondForces::Constants& c, double axial, const Triple& shear, const Triple& bending,
                      double torsion) {
@@ -211,7 +221,9 @@ void advance(const Arrays& arrays, const BondForces::Constants& constants, doubl
     if constexpr (damped) {
       const double stretch = elongation - old_elongation;
       const double acting = on * rate;
-      const double ca = acting * c.axial_damping * a.axial_mass[b], cs = acting * c.shear_damping * a.shear_mass[b];
+      const double taut = (axial == Axial::linear) | (c.axial.lowest < 0) | (f > 0) ? 1.0 : 0.0;  // slack: none
+      const double ca = taut * acting * c.axial_damping * a.axial_mass[b];
+      const double cs = acting * c.shear_damping * shear_mass<axial>(a, b, w.length[t]);
       const double cb = acting * c.bending_damping * a.inertia[b], ct = acting * c.torsion_damping * a.inertia[b];
       axial_total += ca * stretch;
       shear_total = shear_total + cs * m.shear;

@@ -15,12 +15,13 @@
 namespace lahar::dem {
 
 /// Axial law of a bond: stiffness per area k[0] up to force_limit[0], k[1] up to force_limit[1], then k[2]. An
-/// ordinary bond has infinite limits. Compression uses k[0].
+/// ordinary bond has infinite limits. Compression uses k[0], or nothing where the bond is a wire that only pulls.
 struct AxialLaw {
   std::array<double, 3> stiffness{0, 0, 0};  ///< N/m^3
   std::array<double, 2> force_limit{std::numeric_limits<double>::infinity(),
                                     std::numeric_limits<double>::infinity()};  ///< N
   bool plastic_unloading = false;  ///< unload with stiffness[0] instead of back along the curve
+  bool tension_only = false;       ///< slack wherever it would push
 };
 
 /// What bonds of one sort share: ring wire, cable wire, dissipator.

@@ -24,6 +24,7 @@ void carry_row(const ContactSlots& old, ContactSlots& fresh, std::size_t i) {
     if (a == old.offset[i + 1]) return;
     if (old.partner[a] != fresh.partner[b] || !old.touching[a]) continue;
     fresh.history[b] = old.history[a];
+    if (fresh.rolls) fresh.rolling[b] = old.rolling[a];
     fresh.touching[b] = 1;
   }
 }
@@ -31,6 +32,7 @@ void carry_row(const ContactSlots& old, ContactSlots& fresh, std::size_t i) {
 void carry_histories(const ContactSlots& old, ContactSlots& fresh) {
   fresh.history.assign(fresh.size(), ContactHistory{});
   fresh.touching.assign(fresh.size(), 0);
+  fresh.rolling.assign(fresh.rolls ? fresh.size() : 0, Triple{});
   if (old.offset.empty()) return;
   const std::size_t rows = std::min(old.offset.size(), fresh.offset.size()) - 1;
   parallel_for(0, rows, 512, [&](std::size_t i) { carry_row(old, fresh, i); });
@@ -40,7 +42,8 @@ void store(const ContactSlots& slots, bool with_wall, std::vector<StoredContact>
   for (std::size_t i = 0; i + 1 < slots.offset.size(); ++i)
     for (std::uint32_t k = slots.offset[i]; k < slots.offset[i + 1]; ++k)
       if (slots.touching[k])
-        out.push_back({static_cast<ParticleIndex>(i), slots.partner[k], with_wall, slots.history[k]});
+        out.push_back({static_cast<ParticleIndex>(i), slots.partner[k], with_wall, slots.history[k],
+                       slots.rolls ? slots.rolling[k] : Triple{}});
 }
 
 }  // namespace
@@ -198,6 +201,7 @@ void ContactDetection::restore(const std::vector<StoredContact>& contacts) {
     require(found != row_end, "restored contact between particles that are not near each other");
     const auto k = static_cast<std::size_t>(found - slots.partner.begin());
     slots.history[k] = c.history;
+    if (slots.rolls) slots.rolling[k] = c.rolling;
     slots.touching[k] = 1;
   }
 }

@@ -19,6 +19,8 @@ struct ContactSlots {
   std::vector<std::uint32_t> partner;  ///< per slot
   std::vector<ContactHistory> history;
   std::vector<std::uint8_t> touching;  ///< 1 where history is in use
+  bool rolls = false;                  ///< whether `rolling` is kept
+  std::vector<Triple> rolling;         ///< rad, elastic rotation of rolling resistance; empty unless `rolls`
 
   [[nodiscard]] std::size_t size() const { return partner.size(); }
   /// State of a checkpoint: rows and histories (solids_transfer.cpp).
@@ -31,6 +33,7 @@ struct StoredContact {
   std::uint32_t partner = 0;  ///< particle or wall
   bool with_wall = false;
   ContactHistory history;
+  Triple rolling{};
 };
 
 /// The particles that are in any pair slot, and which slots each of them feels. A place is a position in `particle`.
@@ -54,6 +57,10 @@ class ContactDetection {
 
   /// True if the slots must be listed again (`refresh`, or `rebuild` where the neighbour list is outdated as well).
   [[nodiscard]] bool outdated(const Particles& particles);
+  /// From now on slots keep what rolling resistance remembers. To be called before the first list is built.
+  void remember_rolling() {
+    for (ContactSlots* slots : {&pairs_, &walls_, &previous_pairs_, &previous_walls_}) slots->rolls = true;
+  }
   /// Builds all lists of the contacts in `share` anew and carries the histories over. Positions must be finite.
   void rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded, const RateShare& share = {});
   /// Lists the slots anew from the neighbour list, which must not be outdated.

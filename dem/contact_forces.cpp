@@ -58,6 +58,7 @@ struct ContactForces::Batch {
   Vec normal;  // from i to j
   alignas(64) Lanes<double> overlap{};
   Vec force, twist;
+  Vec rolling;  // torque on i
   alignas(64) Lanes<double> elastic_normal{}, elastic_tangential{}, damping{}, friction_work{}, touches{};
 
   Batch();
@@ -147,6 +148,8 @@ ContactForces::ContactForces(const Materials& materials, ContactLawChoice law)
         materials_.shear_modulus.push_back(p.effective_shear_modulus);
         materials_.friction.push_back(rubbing * p.friction);
         materials_.damping_ratio.push_back(damping_ratio(p.restitution));
+        materials_.rolling_friction.push_back(rubbing * p.rolling_friction);
+        rolls_ = rolls_ || p.rolling_friction > 0;
       }
   require(materials_.modulus.size() <= std::numeric_limits<std::uint16_t>::max(), "too many materials");
 }
@@ -160,6 +163,7 @@ void ContactForces::compute(Particles& particles, ContactDetection& contacts, co
   const Work work{particles, contacts, walls, triple(gravity), dt, share, mean};
   std::visit([&](const auto& law) { compute_with(law, work); }, law_);
   add_pair_forces(work);
+  if (rolls_) add_rolling_torques(work);
   sum_tallies();
 }
 
@@ -169,6 +173,7 @@ void ContactForces::note_slots(const Particles& p, const ContactDetection& conta
   slot_material_.resize(slots.size());
   slot_curvature_.resize(slots.size());
   pair_answers_.resize(slots.size());
+  if (rolls_) rolling_answers_.resize(slots.size());
   wall_answers_.resize(contacts.wall_contacts().size());
   parallel_for(0, slots.size(), 4096, [&](std::size_t k) {
     const std::uint32_t i = slots.owner[k], j = slots.partner[k];
@@ -237,6 +242,7 @@ void ContactForces::chunk_pairs(const L& law, const Work& work, Batch& batch, st
     gather_pairs(batch, slots, work.contacts.parties());
     batch.sphere_geometry();
     batch.evaluate(law, work.dt);
+    if (rolls_) roll_pairs(batch, work, tally);
     answer_pairs(batch, work, tally);
   }
 }
@@ -292,6 +298,7 @@ void ContactForces::chunk_walls(const L& law, const Work& work, Batch& batch, st
   ContactSlots& slots = work.contacts.wall_contacts();
   const auto flush = [&] {
     batch.evaluate(law, work.dt);
+    if (rolls_) roll_walls(batch, work, tally);
     answer_walls(batch, work, tally);
     batch.count = 0;
   };
@@ -349,6 +356,96 @@ void ContactForces::gather_wall(Batch& batch, std::size_t lane, const Work& work
   batch.normal_force[lane] = slots.history[k].normal_force;
 }
 
+namespace {
+
+/// 1 / (I + m R^2) of a sphere, 1/(kg m^2).
+double inverse_rolling_inertia(double inverse_mass, double curvature) {
+  return inverse_mass * curvature * curvature / 1.4;
+}
+
+}  // namespace
+
+/// Rolling resistance of one contact, after the law, whose normal force and stiffness it needs, and before the slot
+/// forgets the step before. `state` brings the spins, the inertia and the coefficient.
+void ContactForces::roll_lane(Batch& batch, std::size_t lane, RollingState state, const ContactHistory& before,
+                              Triple& angle, double dt, Tally& tally) const {
+  state.effective_radius = 1 / batch.curvature[lane];
+  state.last_shear_stiffness = before.tangential_stiffness;
+  if (batch.touches[lane] == 0) {
+    tally.energies[5] += left_by_rolling(state, angle, dt);
+    angle = Triple{};
+    batch.rolling.set(lane, Triple{});
+    return;
+  }
+  state.normal_ij = batch.normal.get(lane);
+  state.twist_rate = 0.5 * dot(batch.spin.get(lane), state.normal_ij);
+  state.normal_force = batch.normal_force[lane];
+  state.shear_stiffness = batch.stiffness[lane];
+  state.damping_ratio = batch.damping_ratio[lane];
+  const RollingTorque t = roll(state, angle, dt);
+  batch.rolling.set(lane, t.on_i);
+  tally.energies[2] += t.damping_work;
+  tally.energies[4] += t.elastic;
+  tally.energies[5] += t.friction_work;
+}
+
+void ContactForces::roll_pairs(Batch& batch, const Work& work, Tally& tally) {
+  ContactSlots& slots = work.contacts.pairs();
+  const ContactParties& parties = work.contacts.parties();
+  for (std::size_t b = 0; b < batch.count; ++b) {
+    const std::size_t k = batch.first + b;
+    rolling_answers_[k] = Triple{};
+    const double rolling_friction = materials_.rolling_friction[slot_material_[k]];
+    if (rolling_friction == 0 || (batch.touches[b] == 0 && slots.touching[k] == 0)) continue;
+    const double *i = bodies_[parties.owner[k]], *j = bodies_[parties.partner[k]];  // see contact_bodies.h
+    const double *wi = i + kLine + 1, *wj = j + kLine + 1;
+    RollingState state;
+    state.spin = {wi[0] - wj[0], wi[1] - wj[1], wi[2] - wj[2]};
+    state.spin_end = {wi[3] - wj[3], wi[4] - wj[4], wi[5] - wj[5]};
+    const double inverse_inertia = inverse_rolling_inertia(i[2 * kLine + 6], i[2 * kLine + 7]) +
+                                   inverse_rolling_inertia(j[2 * kLine + 6], j[2 * kLine + 7]);
+    state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
+    state.rolling_friction = rolling_friction;
+    roll_lane(batch, b, state, slots.history[k], slots.rolling[k], work.dt, tally);
+    rolling_answers_[k] = batch.rolling.get(b);
+  }
+}
+
+void ContactForces::roll_walls(Batch& batch, const Work& work, Tally& tally) {
+  ContactSlots& slots = work.contacts.wall_contacts();
+  for (std::size_t b = 0; b < batch.count; ++b) {
+    const std::uint32_t k = batch.slot[b];
+    batch.rolling.set(b, Triple{});
+    const std::size_t material = static_cast<std::size_t>(work.particles.material[batch.i[b]]) * material_count_ +
+                                 static_cast<std::size_t>(work.walls.all()[slots.partner[k]].material);
+    if (materials_.rolling_friction[material] == 0) continue;
+    RollingState state;
+    state.spin = batch.spin.get(b);  // a wall has none
+    state.spin_end = batch.spin_end.get(b);
+    const double inverse_inertia = inverse_rolling_inertia(batch.inverse_mass[b], batch.curvature[b]);
+    state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
+    state.rolling_friction = materials_.rolling_friction[material];
+    roll_lane(batch, b, state, slots.history[k], slots.rolling[k], work.dt, tally);
+  }
+}
+
+/// Adds the rolling torques of pairs to both sides, in the order of the slots.
+void ContactForces::add_rolling_torques(const Work& work) const {
+  Particles& p = work.particles;
+  const ContactParties& parties = work.contacts.parties();
+  parallel_for_even_chunks(parties.particle.size(), 256, [&](std::size_t first, std::size_t last) {
+    for (std::size_t place = first; place < last; ++place) {
+      Triple sum{};
+      for (std::uint32_t n = parties.offset[place]; n < parties.offset[place + 1]; ++n) {
+        const std::uint32_t feels = parties.feels[n];
+        sum = sum + (feels % 2 == 0 ? 1.0 : -1.0) * rolling_answers_[feels / 2];
+      }
+      const std::size_t i = parties.particle[place];
+      p.torque.x[i] += sum.x, p.torque.y[i] += sum.y, p.torque.z[i] += sum.z;
+    }
+  });
+}
+
 /// Writes what the slots of a batch remember and answer. Energies are summed slot by slot: slots that do not touch add
 /// exact zeros, so that the sum does not depend on which of them are listed.
 void ContactForces::answer_pairs(const Batch& batch, const Work& work, Tally& tally) {
@@ -399,6 +496,7 @@ void ContactForces::answer_walls(const Batch& batch, const Work& work, Tally& ta
     const double r = work.particles.radius[i];
     const Triple f = batch.force.get(b);
     wall_answers_[k] = {f, (r - 0.5 * batch.overlap[b]) * batch.twist.get(b)};
+    if (rolls_) wall_answers_[k].torque = wall_answers_[k].torque + batch.rolling.get(b);
     tally.wall_work += work.dt * dot(f, triple(work.walls.all()[slots.partner[k]].velocity));
     const double ratio = batch.overlap[b] / r;
     if (ratio > tally.worst.ratio) tally.worst = {ratio, i, slots.partner[k], true};
@@ -428,13 +526,16 @@ void ContactForces::add_pair_forces(const Work& work) const {
 }
 
 void ContactForces::sum_tallies() {
-  energy_.elastic_normal = energy_.elastic_tangential = energy_.damping_of_step = energy_.wall_work_of_step = 0;
+  energy_.elastic_normal = energy_.elastic_tangential = energy_.elastic_rolling = energy_.damping_of_step =
+      energy_.wall_work_of_step = 0;
   worst_ = {};
   for (const auto& t : tallies_) {
     energy_.elastic_normal += t.energies[0];
     energy_.elastic_tangential += t.energies[1];
     energy_.damping += t.energies[2];
     energy_.friction += t.energies[3];
+    energy_.elastic_rolling += t.energies[4];
+    energy_.rolling += t.energies[5];
     energy_.wall_work += t.wall_work;
     energy_.damping_of_step += t.energies[2];
     energy_.wall_work_of_step += t.wall_work;

@@ -9,6 +9,7 @@
 #include "dem/contact/contact_state.h"
 #include "dem/contact/hertz_mindlin.h"
 #include "dem/contact/linear.h"
+#include "dem/contact/rolling.h"
 #include "dem/contact_bodies.h"
 #include "dem/contact_detection.h"
 #include "dem/material.h"
@@ -21,23 +22,27 @@ using ContactLawChoice = std::variant<HertzMindlin, LinearSpringDashpot>;
 
 /// Energies of all contacts, J. Stored parts are those of the last evaluation, the others sums since the start.
 struct ContactEnergy {
-  double elastic_normal = 0, elastic_tangential = 0;
+  double elastic_normal = 0, elastic_tangential = 0, elastic_rolling = 0;
   double damping = 0;                                 ///< dissipated by dampers
   double friction = 0;                                ///< dissipated by slip
+  double rolling = 0;                                 ///< dissipated by rolling on against its resistance
   double wall_work = 0;                               ///< done on particles by walls that move
   double damping_of_step = 0, wall_work_of_step = 0;  ///< shares of the last evaluation in `damping` and `wall_work`
 
   ContactEnergy& operator+=(const ContactEnergy& o) {
-    elastic_normal += o.elastic_normal, elastic_tangential += o.elastic_tangential;
-    damping += o.damping, friction += o.friction, wall_work += o.wall_work;
+    elastic_normal += o.elastic_normal, elastic_tangential += o.elastic_tangential,
+        elastic_rolling += o.elastic_rolling;
+    damping += o.damping, friction += o.friction, rolling += o.rolling, wall_work += o.wall_work;
     damping_of_step += o.damping_of_step, wall_work_of_step += o.wall_work_of_step;
     return *this;
   }
   void transfer(Archive& archive) {
     archive.value("elastic_normal", elastic_normal);
     archive.value("elastic_tangential", elastic_tangential);
+    archive.value("elastic_rolling", elastic_rolling);
     archive.value("damping", damping);
     archive.value("friction", friction);
+    archive.value("rolling", rolling);
     archive.value("wall_work", wall_work);
     archive.value("damping_of_step", damping_of_step);
     archive.value("wall_work_of_step", wall_work_of_step);
@@ -66,6 +71,8 @@ class ContactForces {
   void compute(Particles& particles, ContactDetection& contacts, const Walls& walls, const Vec3& gravity, double dt,
                const RateShare& share = {}, const MeanMotion* mean = nullptr);
 
+  /// Whether some pair of materials resists rolling.
+  [[nodiscard]] bool rolls() const { return rolls_; }
   [[nodiscard]] const ContactEnergy& energy() const { return energy_; }
   [[nodiscard]] const WorstOverlap& worst_overlap() const { return worst_; }
   /// Force of all particles on one wall in the last evaluation, N.
@@ -80,7 +87,7 @@ class ContactForces {
 
  private:
   struct PairMaterials {
-    std::vector<double> modulus, shear_modulus, friction, damping_ratio;
+    std::vector<double> modulus, shear_modulus, friction, damping_ratio, rolling_friction;
     struct Tables {  // bare pointers to them
       const double *modulus, *shear_modulus, *friction, *damping_ratio;
       explicit Tables(const PairMaterials& m)
@@ -91,7 +98,7 @@ class ContactForces {
     };
   };
   struct Tally {      // of one chunk of particles
-    Line energies{};  // J: elastic normal, elastic tangential, damping, friction
+    Line energies{};  // J: elastic normal, elastic tangential, damping, friction, elastic rolling, rolling
     double wall_work = 0;
     WorstOverlap worst;
   };
@@ -108,10 +115,15 @@ class ContactForces {
   void gather_pairs(Batch& batch, const ContactSlots& slots, const ContactParties& parties) const;
   void gather_wall(Batch& batch, std::size_t lane, const Work& work, double distance) const;
   void set_material(Batch& batch, std::size_t lane, std::size_t material) const;
+  void roll_pairs(Batch& batch, const Work& work, Tally& tally);
+  void roll_walls(Batch& batch, const Work& work, Tally& tally);
+  void roll_lane(Batch& batch, std::size_t lane, RollingState state, const ContactHistory& before, Triple& angle,
+                 double dt, Tally& tally) const;
   void answer_pairs(const Batch& batch, const Work& work, Tally& tally);
   void answer_walls(const Batch& batch, const Work& work, Tally& tally);
   void set_body_forces(const Work& work, std::size_t first, std::size_t last) const;
   void add_pair_forces(const Work& work) const;
+  void add_rolling_torques(const Work& work) const;
   void sum_tallies();
 
   ContactLawChoice law_;
@@ -122,6 +134,8 @@ class ContactForces {
   std::vector<float> slot_curvature_;         // 1/m, of the smaller sphere
   std::int64_t noted_refresh_ = -1;
   LineField pair_answers_;  // per pair slot: force on the owner, twist, half overlap
+  bool rolls_ = false;
+  std::vector<Triple> rolling_answers_;  // per pair slot: torque on the owner; empty unless rolls_
   struct WallAnswer {
     Triple force{}, torque{};  // on the particle
   };

@@ -15,18 +15,20 @@ Vec3 motion_terms(const Particles& p, std::size_t i, const Vec3& gravity) {
 
 }  // namespace
 
-std::array<std::pair<std::string_view, double>, 16> EnergyLedger::terms() const {
+std::array<std::pair<std::string_view, double>, 18> EnergyLedger::terms() const {
   return {{{"kinetic", kinetic},
            {"rotational", rotational},
            {"gravitational", gravitational},
            {"contact, normal", elastic_normal},
            {"contact, tangential", elastic_tangential},
+           {"contact, rolling", elastic_rolling},
            {"bond, axial", bonds.axial},
            {"bond, shear", bonds.shear},
            {"bond, bending", bonds.bending},
            {"bond, torsion", bonds.torsion},
            {"contact damping", contact_damping},
            {"friction", friction},
+           {"rolling", rolling},
            {"bond damping", bonds.damping},
            {"plastic", bonds.plastic},
            {"breakage", bonds.breakage},

@@ -15,22 +15,23 @@ namespace lahar::dem {
 struct EnergyLedger {
   // stored now
   double kinetic = 0, rotational = 0;
-  double gravitational = 0;                           ///< about the origin
-  double elastic_normal = 0, elastic_tangential = 0;  ///< of contacts
-  BondEnergy bonds;                                   ///< stored: axial, shear, bending, torsion; lost: the rest
+  double gravitational = 0;                                                ///< about the origin
+  double elastic_normal = 0, elastic_tangential = 0, elastic_rolling = 0;  ///< of contacts
+  BondEnergy bonds;  ///< stored: axial, shear, bending, torsion; lost: the rest
   // lost since the start
-  double contact_damping = 0, friction = 0;
-  double removed = 0;  ///< carried away by removed particles
+  double contact_damping = 0, friction = 0, rolling = 0;  ///< of contacts: dampers, sliding, rolling
+  double removed = 0;                                     ///< carried away by removed particles
   // gained since the start
   double external_work = 0;  ///< of external forces (fluid) and moving walls
 
   [[nodiscard]] double stored() const {
-    return kinetic + rotational + gravitational + elastic_normal + elastic_tangential + bonds.elastic();
+    return kinetic + rotational + gravitational + elastic_normal + elastic_tangential + elastic_rolling +
+           bonds.elastic();
   }
-  [[nodiscard]] double dissipated() const { return contact_damping + friction + bonds.dissipated(); }
+  [[nodiscard]] double dissipated() const { return contact_damping + friction + rolling + bonds.dissipated(); }
   [[nodiscard]] double total() const { return stored() + dissipated() + removed - external_work; }
   /// Every term once, by name; those that came in count negative, so that they add up to total().
-  [[nodiscard]] std::array<std::pair<std::string_view, double>, 16> terms() const;
+  [[nodiscard]] std::array<std::pair<std::string_view, double>, 18> terms() const;
 };
 
 /// Kinetic, rotational and gravitational energy of all particles, independent of the number of threads.

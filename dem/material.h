@@ -14,12 +14,14 @@ struct Material {
   double poisson_ratio = 0;   ///< -
 };
 
-/// What two materials share when they touch. friction and restitution belong to the pair, not to one side.
+/// What two materials share when they touch. friction, restitution and rolling friction belong to the pair, not to one
+/// side.
 struct MaterialPair {
   double effective_modulus = 0;        ///< Pa: 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2
   double effective_shear_modulus = 0;  ///< Pa: 1/G* = (2-nu1)/G1 + (2-nu2)/G2, G = E / (2 (1+nu))
   double friction = 0;                 ///< Coulomb coefficient
   double restitution = 1;              ///< coefficient of restitution
+  double rolling_friction = 0;         ///< torque that rolls on / (R* normal force), 0 = rolls freely
 };
 
 class Materials {
@@ -36,8 +38,9 @@ class Materials {
     return static_cast<int>(n - 1);
   }
 
-  void set_pair(int a, int b, double friction, double restitution) {
-    for (auto* p : {&pairs_[index(a, b)], &pairs_[index(b, a)]}) p->friction = friction, p->restitution = restitution;
+  void set_pair(int a, int b, double friction, double restitution, double rolling_friction = 0) {
+    for (auto* p : {&pairs_[index(a, b)], &pairs_[index(b, a)]})
+      p->friction = friction, p->restitution = restitution, p->rolling_friction = rolling_friction;
   }
 
   [[nodiscard]] const MaterialPair& pair(int a, int b) const { return pairs_[index(a, b)]; }
@@ -52,7 +55,7 @@ class Materials {
     const auto& [na, ea, va] = materials_[a];
     const auto& [nb, eb, vb] = materials_[b];
     const double ga = ea / (2 * (1 + va)), gb = eb / (2 * (1 + vb));
-    return {1.0 / ((1 - va * va) / ea + (1 - vb * vb) / eb), 1.0 / ((2 - va) / ga + (2 - vb) / gb), 0.0, 1.0};
+    return {1.0 / ((1 - va * va) / ea + (1 - vb * vb) / eb), 1.0 / ((2 - va) / ga + (2 - vb) / gb), 0.0, 1.0, 0.0};
   }
 
   std::vector<Material> materials_;

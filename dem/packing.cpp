@@ -5,11 +5,13 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <string>
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "dem/near_lists.h"
 
 namespace lahar::dem {
 
@@ -32,8 +34,7 @@ constexpr double kTiny = 1e-300;
 
 double sphere_volume(double r) { return 4.0 / 3.0 * std::numbers::pi * r * r * r; }
 
-/// Spheres with soft frictionless contacts in a box with its lower corner at the origin and an open top. Needs no
-/// contact history, so that a plain list of near pairs does.
+/// Spheres with soft frictionless contacts in a box with its lower corner at the origin and an open top.
 class Relaxer {
  public:
   Relaxer(const PackingSpec& spec, const std::vector<ParticleSpec>& spheres);
@@ -59,12 +60,6 @@ class Relaxer {
  private:
   [[nodiscard]] std::size_t size() const { return radius_.size(); }
   [[nodiscard]] double random() { return static_cast<double>(generator_() >> 11) * 0x1.0p-53; }  // [0, 1)
-  void update_neighbours();
-  void list_neighbours();
-  void list_neighbours_of(std::size_t i);
-  void build_cells(double cell);
-  [[nodiscard]] Vec3i cell_of(std::size_t i) const;
-  [[nodiscard]] std::size_t cell_index(const Vec3i& c) const;
   [[nodiscard]] Vec3 force_on(std::size_t i) const;
   [[nodiscard]] Vec3 wall_force(std::size_t i) const;
   void step(double gravity);
@@ -74,17 +69,12 @@ class Relaxer {
 
   double width_, depth_;
   std::vector<double> radius_, mass_;
-  Vec3Field x_, v_, f_, listed_at_;
+  Vec3Field x_, v_, f_;
   double stiffness_ = 0;  // Pa: contact stiffness / radius
-  double time_step_ = 0, skin_ = 0, weight_ = 0;
+  double time_step_ = 0, weight_ = 0;
   double drag_ = 0;  // 1/s
   std::mt19937_64 generator_;
-  // Near pairs, each listed with both spheres so that every sphere sums its own forces in a fixed order.
-  std::vector<std::uint32_t> first_neighbour_, neighbour_;
-  std::vector<std::vector<std::uint32_t>> near_;
-  std::vector<std::uint32_t> first_in_cell_, in_cell_;
-  Vec3i cells_ = Vec3i::Zero();
-  double cell_ = 0, bottom_ = 0;
+  std::optional<NearLists> near_;
 };
 
 Relaxer::Relaxer(const PackingSpec& spec, const std::vector<ParticleSpec>& spheres)
@@ -100,10 +90,9 @@ Relaxer::Relaxer(const PackingSpec& spec, const std::vector<ParticleSpec>& spher
   for (std::size_t i = 0; i < size(); ++i) fastest = std::max(fastest, stiffness_ * radius_[i] / mass_[i]);
   time_step_ = kStepAngle / std::sqrt(fastest);
   drag_ = std::sqrt(kGravity / largest_radius());
-  skin_ = kSkin * *std::min_element(radius_.begin(), radius_.end());
-  for (Vec3Field* field : {&v_, &f_, &listed_at_}) field->resize(size());
-  near_.resize(size());
-  list_neighbours();
+  for (Vec3Field* field : {&v_, &f_}) field->resize(size());
+  near_.emplace(width_, depth_, radius_, kSkin * *std::min_element(radius_.begin(), radius_.end()));
+  near_->list(x_);
 }
 
 void Relaxer::place_at_random() {
@@ -116,64 +105,7 @@ void Relaxer::place_at_random() {
     const double x = within(width_), y = within(depth_), z = within(height);
     x_.set(i, {x, y, z});
   }
-  list_neighbours();
-}
-
-Vec3i Relaxer::cell_of(std::size_t i) const {
-  const Vec3 at = (x_[i] - Vec3(0, 0, bottom_)) / cell_;
-  return at.cast<int>().cwiseMax(0).cwiseMin(cells_ - Vec3i::Ones());
-}
-
-std::size_t Relaxer::cell_index(const Vec3i& c) const {
-  return static_cast<std::size_t>((c.z() * cells_.y() + c.y()) * cells_.x() + c.x());
-}
-
-void Relaxer::build_cells(double cell) {
-  cell_ = cell;
-  bottom_ = *std::min_element(x_.z.begin(), x_.z.end());
-  const double top = *std::max_element(x_.z.begin(), x_.z.end());
-  const auto count = [&](double extent) { return static_cast<int>(extent / cell) + 1; };
-  cells_ = {count(width_), count(depth_), count(top - bottom_)};
-  first_in_cell_.assign(cell_index(cells_ - Vec3i::Ones()) + 2, 0);
-  for (std::size_t i = 0; i < size(); ++i) ++first_in_cell_[cell_index(cell_of(i)) + 1];
-  for (std::size_t c = 1; c < first_in_cell_.size(); ++c) first_in_cell_[c] += first_in_cell_[c - 1];
-  std::vector<std::uint32_t> slot(first_in_cell_.begin(), first_in_cell_.end() - 1);
-  in_cell_.resize(size());
-  for (std::uint32_t i = 0; i < size(); ++i) in_cell_[slot[cell_index(cell_of(i))]++] = i;
-}
-
-void Relaxer::list_neighbours_of(std::size_t i) {
-  near_[i].clear();
-  const Vec3i from = (cell_of(i).array() - 1).max(0), to = (cell_of(i).array() + 1).min(cells_.array() - 1);
-  for (int z = from.z(); z <= to.z(); ++z)
-    for (int y = from.y(); y <= to.y(); ++y) {  // the cells of a row follow each other
-      const std::size_t begin = first_in_cell_[cell_index({from.x(), y, z})];
-      const std::size_t end = first_in_cell_[cell_index({to.x(), y, z}) + 1];
-      for (std::size_t k = begin; k < end; ++k) {
-        const std::uint32_t j = in_cell_[k];
-        const double reach = radius_[i] + radius_[j] + skin_;
-        if (j != i && (x_[j] - x_[i]).squaredNorm() < reach * reach) near_[i].push_back(j);
-      }
-    }
-}
-
-void Relaxer::list_neighbours() {
-  build_cells(2 * largest_radius() + skin_);
-  parallel_for(0, size(), kChunk, [&](std::size_t i) { list_neighbours_of(i); });
-  first_neighbour_.assign(1, 0);
-  neighbour_.clear();
-  for (const auto& list : near_) {
-    neighbour_.insert(neighbour_.end(), list.begin(), list.end());
-    first_neighbour_.push_back(static_cast<std::uint32_t>(neighbour_.size()));
-  }
-  listed_at_ = x_;
-}
-
-/// Lists again once a sphere has moved by half the skin.
-void Relaxer::update_neighbours() {
-  const double limit = 0.25 * skin_ * skin_;
-  for (std::size_t i = 0; i < size(); ++i)
-    if ((x_[i] - listed_at_[i]).squaredNorm() > limit) return list_neighbours();
+  near_->list(x_);
 }
 
 /// Linear spring and dashpot along one contact: force on the sphere, along `normal` out of it.
@@ -200,8 +132,7 @@ Vec3 Relaxer::force_on(std::size_t i) const {
   Vec3 force = wall_force(i);
   const Vec3 x = x_[i], v = v_[i];
   const double r = radius_[i], m = mass_[i];
-  for (std::uint32_t k = first_neighbour_[i]; k < first_neighbour_[i + 1]; ++k) {
-    const std::uint32_t j = neighbour_[k];
+  for (const std::uint32_t j : near_->of(i)) {
     const Vec3 arm = x_[j] - x;
     const double reach = r + radius_[j], squared = arm.squaredNorm();
     if (squared >= reach * reach || squared == 0) continue;
@@ -214,7 +145,7 @@ Vec3 Relaxer::force_on(std::size_t i) const {
 }
 
 void Relaxer::step(double gravity) {
-  update_neighbours();
+  near_->update(x_);
   parallel_for(0, size(), kChunk, [&](std::size_t i) { f_.set(i, force_on(i)); });
   const double kept = 1 - drag_ * time_step_;
   for (std::size_t i = 0; i < size(); ++i) {
@@ -226,7 +157,7 @@ void Relaxer::step(double gravity) {
 /// Steepest descent: each sphere moves by a share of the overlaps it feels, and by no more than a tenth of its radius,
 /// so that spheres that start on top of each other are not shot away.
 void Relaxer::descend() {
-  update_neighbours();
+  near_->update(x_);
   parallel_for(0, size(), kChunk, [&](std::size_t i) { f_.set(i, force_on(i)); });
   for (std::size_t i = 0; i < size(); ++i) {
     const Vec3 move = kDescent / (stiffness_ * radius_[i]) * f_[i];
@@ -285,10 +216,8 @@ double Relaxer::max_relative_overlap() const {
     const double r = radius_[i];
     const double wall = std::min({x_.x[i], x_.y[i], x_.z[i], width_ - x_.x[i], depth_ - x_.y[i]});
     worst = std::max(worst, (r - wall) / r);
-    for (std::uint32_t k = first_neighbour_[i]; k < first_neighbour_[i + 1]; ++k) {
-      const std::uint32_t j = neighbour_[k];
+    for (const std::uint32_t j : near_->of(i))
       worst = std::max(worst, (r + radius_[j] - (x_[j] - x_[i]).norm()) / std::min(r, radius_[j]));
-    }
   }
   return worst;
 }

@@ -26,6 +26,9 @@ Solids::Solids(Particles particles, Bonds bonds, Materials materials, Walls wall
       section_bonds_(&timers_.section("bonds")) {
   require(options.long_step >= 1, "a long step has at least one sub-step");
   set_time_step(options.time_step);
+  if (!contact_forces_.rolls()) return;
+  contacts_.remember_rolling();
+  slow_contacts_.remember_rolling();
 }
 
 void Solids::set_time_step(double time_step) {
@@ -108,8 +111,16 @@ void Solids::prepare() {
   if (two_rates()) evaluate_slow(0, nullptr);
 }
 
-void Solids::build_all() {
+void Solids::build_bonds() {
   bond_forces_.build(bonds_, particles_);
+  yielding_bonds_.clear();
+  for (std::size_t b = 0; b < bonds_.size(); ++b)
+    if (std::isfinite(bonds_.sorts[static_cast<std::size_t>(bonds_.sort[b])].axial.force_limit[0]))
+      yielding_bonds_.push_back(b);
+}
+
+void Solids::build_all() {
+  build_bonds();
   check_motion(particles_, options_.watchdog, step_count_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   find_slow();
@@ -164,9 +175,15 @@ void Solids::remove(ParticleIndex i) {
   particles_.remove(i);
 }
 
-void Solids::watch() const {
+void Solids::watch() {
   check_motion(particles_, options_.watchdog, step_count_);
   check_overlap(particles_, worst_overlap(), options_.watchdog, step_count_);
+  double drawn_out = 0;
+  for (const std::size_t b : yielding_bonds_)
+    if (bonds_.intact[b]) drawn_out = std::max(drawn_out, bonds_.elongation[b]);
+  if (drawn_out <= 1.05 * checked_elongation_) return;
+  checked_elongation_ = drawn_out;
+  check_bonds(bonds_, particles_, options_.time_step, step_count_);
 }
 
 EnergyLedger Solids::ledger() const {
@@ -175,9 +192,11 @@ EnergyLedger Solids::ledger() const {
   c += slow_forces_.energy();
   ledger.elastic_normal = c.elastic_normal;
   ledger.elastic_tangential = c.elastic_tangential;
+  ledger.elastic_rolling = c.elastic_rolling;
   // What acts in a kick is booked for all of it, and half of the last one is still to come.
   ledger.contact_damping = c.damping - 0.5 * c.damping_of_step;
   ledger.friction = c.friction;
+  ledger.rolling = c.rolling;
   ledger.bonds = bond_energy();
   ledger.removed = removed_energy_;
   ledger.external_work = external_work_ + c.wall_work - 0.5 * c.wall_work_of_step;

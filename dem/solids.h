@@ -93,9 +93,10 @@ class Solids {
   void evaluate_forces(double dt);
   void prepare();
   void build_all();
+  void build_bonds();
   void take_external_forces();
   [[nodiscard]] bool note_broken_bonds();
-  void watch() const;
+  void watch();
 
   Particles particles_;
   Bonds bonds_;
@@ -117,6 +118,8 @@ class Solids {
   std::size_t known_particles_ = 0, known_bonds_ = 0;
   std::vector<std::uint8_t> known_intact_;  // bonds that were whole when the lists were built
   double known_breakage_ = 0;
+  std::vector<std::size_t> yielding_bonds_;  // that may be drawn out far, and so bind the time step
+  double checked_elongation_ = 0;            // m, of the longest of them when the time step was last held against it
   bool prepared_ = false, external_acts_ = false;
   double time_ = 0, external_work_ = 0, removed_energy_ = 0;
   std::int64_t step_count_ = 0;

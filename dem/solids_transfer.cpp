@@ -81,7 +81,7 @@ void ContactSlots::transfer(Archive& archive, std::size_t particles, std::size_t
   if (!rows || std::any_of(partner.begin(), partner.end(), [&](std::uint32_t j) { return j >= partners; }))
     archive.refuse("offset", "is no list of contacts");
   if (archive.loading()) {
-    touching.assign(size(), 0), history.assign(size(), {});
+    touching.assign(size(), 0), history.assign(size(), {}), rolling.assign(rolls ? size() : 0, Triple{});
     owner.resize(size());
     for (std::size_t i = 0; i + 1 < offset.size(); ++i)
       std::fill(owner.begin() + offset[i], owner.begin() + offset[i + 1], static_cast<std::uint32_t>(i));
@@ -100,6 +100,14 @@ void ContactSlots::transfer(Archive& archive, std::size_t particles, std::size_t
       else
         stored[a] = *own[a];
     }
+  });
+  if (!rolls) return;
+  archive.pieces<double>("rolling", used.size(), 3, [&](std::size_t k, double* stored) {
+    Triple& angle = rolling[used[k]];
+    if (archive.loading())
+      angle = {stored[0], stored[1], stored[2]};
+    else
+      stored[0] = angle.x, stored[1] = angle.y, stored[2] = angle.z;
   });
 }
 
@@ -171,7 +179,7 @@ void Solids::transfer(Archive& archive) {
       if (std::max(bonds_.i[k], bonds_.j[k]) >= particles_.size() ||
           static_cast<std::size_t>(bonds_.sort[k]) >= bonds_.sorts.size())
         archive.refuse("bonds", "do not fit the particles");
-    bond_forces_.build(bonds_, particles_);
+    build_bonds();
     known_particles_ = particles_.size();
     known_bonds_ = bonds_.size();
     find_slow();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "dem/contact/damping.h"
 
@@ -16,13 +17,38 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Explicit damping of ratio d lowers the limit of an oscillator by this factor.
 double lowered_by(double d) { return std::sqrt(1 + d * d) - d; }
 
-/// Bending and torsion of a bond against the moment of inertia of a bead. They bind only where the bond is thicker than
-/// the bead: k I / (0.4 m r^2) is (R / r)^2 / 1.6 times k A / m.
-double turning_time_step(const BondSort& sort, double inertia) {
-  const double second_moment = 0.25 * std::numbers::pi * std::pow(sort.bond_radius, 4);
-  const double stiffest = std::max(sort.axial.stiffness[0], 2 * sort.shear_stiffness) * second_moment;
-  return stiffest > 0 ? std::sqrt(inertia / stiffest) * lowered_by(sort.damping_ratio) : kInfinity;
+/// The stiffest branch that a force can reach, N/m^3.
+double stiffest_branch(const AxialLaw& law) {
+  double stiffest = law.stiffness[0];
+  for (std::size_t branch = 0; branch < 2; ++branch)
+    if (std::isfinite(law.force_limit[branch])) stiffest = std::max(stiffest, law.stiffness[branch + 1]);
+  return stiffest;
 }
+
+/// What holds a bead, summed over its bonds: against a shift, N/m, against turning by the shear of bonds times their
+/// levers, and by their bending and torsion, N m/rad. The highest frequency of a bead's neighbourhood is below
+/// sqrt(sum / inertia) when a bond counts twice whose other end is free as well (Gershgorin; exact for a long chain).
+struct Held {
+  double shift = 0, shear = 0, bending = 0, damping = 0;
+
+  /// Adds a bond `count` times whose shear acts with the lever `lever` (m): half of the bond's length.
+  void add(const BondSort& sort, double lever, double count) {
+    const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius;
+    const double second_moment = 0.25 * area * sort.bond_radius * sort.bond_radius;
+    shift += count * stiffest_branch(sort.axial) * area;
+    shear += count * sort.shear_stiffness * area * lever * lever;
+    bending += count * std::max(sort.axial.stiffness[0], 2 * sort.shear_stiffness) * second_moment;
+    damping = std::max(damping, sort.damping_ratio);
+  }
+  void at_least(const Held& other) {
+    shift = std::max(shift, other.shift), shear = std::max(shear, other.shear);
+    bending = std::max(bending, other.bending);
+  }
+  [[nodiscard]] double time_step(double mass, double inertia) const {
+    const double squared = std::max(shift / mass, std::max(shear, bending) / inertia);  // 1/s^2
+    return squared > 0 ? 2 / std::sqrt(squared) * lowered_by(damping) : kInfinity;
+  }
+};
 
 }  // namespace
 
@@ -54,25 +80,34 @@ double linear_contact_time(double effective_mass, double stiffness) {
 }
 
 double bond_time_step(const BondSort& sort, double mass) {
-  const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius;
-  double axial = sort.axial.stiffness[0];
-  for (std::size_t branch = 0; branch < 2; ++branch)  // a later branch counts only if a force can reach it
-    if (std::isfinite(sort.axial.force_limit[branch])) axial = std::max(axial, sort.axial.stiffness[branch + 1]);
+  const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius, axial = stiffest_branch(sort.axial);
   const double translation = axial > 0 ? std::sqrt(mass / (axial * area)) : kInfinity;
   const double rotation = sort.shear_stiffness > 0 ? std::sqrt(0.4 * mass / (sort.shear_stiffness * area)) : kInfinity;
   return std::min(translation, rotation) * lowered_by(sort.damping_ratio);
 }
 
 double bond_time_step(const Bonds& bonds, const Particles& particles) {
-  double least = kInfinity;
+  // A bead is never taken as held less than one in the middle of a chain of its stiffest bond, at rest: there a bond
+  // counts four times, two bonds with both ends free.
+  std::vector<Held> now(particles.size()), at_rest(particles.size());
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     if (!bonds.intact[b]) continue;
     const BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
-    for (const ParticleIndex end : {bonds.i[b], bonds.j[b]}) {
-      if (particles.inverse_mass[end] == 0) continue;
-      least = std::min({least, bond_time_step(sort, 1 / particles.inverse_mass[end]),
-                        turning_time_step(sort, particles.inertia[end])});
+    const ParticleIndex i = bonds.i[b], j = bonds.j[b];
+    const double length = (particles.position[j] - particles.position[i]).norm();
+    const double both = particles.inverse_mass[i] > 0 && particles.inverse_mass[j] > 0 ? 2 : 1;
+    Held in_chain;
+    in_chain.add(sort, 0.5 * bonds.rest_length[b], 4);
+    for (const ParticleIndex end : {i, j}) {
+      now[end].add(sort, 0.5 * length, both);
+      at_rest[end].at_least(in_chain);
     }
+  }
+  double least = kInfinity;
+  for (std::size_t p = 0; p < particles.size(); ++p) {
+    if (particles.inverse_mass[p] == 0) continue;
+    now[p].at_least(at_rest[p]);
+    least = std::min(least, now[p].time_step(1 / particles.inverse_mass[p], particles.inertia[p]));
   }
   return least;
 }

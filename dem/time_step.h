@@ -30,8 +30,9 @@ double linear_contact_time(double effective_mass, double stiffness);
 /// K_n uses the stiffest branch. Bond damping lowers the limit by sqrt(1 + d^2) - d.
 double bond_time_step(const BondSort& sort, double mass);
 
-/// The smallest limit of all intact bonds, s, each end that is free taken by itself, also in bending and torsion (which
-/// bind where a bond is thicker than its beads); infinity if there are none.
+/// The smallest limit of all free particles, s, each with all its intact bonds as long as they are now: in translation,
+/// in rotation by shear (whose lever is half of the bond's length, so a dissipator that is drawn out lowers the limit)
+/// and by bending and torsion (which bind where a bond is thicker than its beads). Infinity without bonds.
 double bond_time_step(const Bonds& bonds, const Particles& particles);
 
 }  // namespace lahar::dem

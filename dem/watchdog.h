@@ -7,8 +7,10 @@
 #include <string>
 
 #include "core/check.h"
+#include "dem/bonds.h"
 #include "dem/contact_forces.h"
 #include "dem/particles.h"
+#include "dem/time_step.h"
 
 namespace lahar::dem {
 
@@ -76,6 +78,19 @@ inline void check_overlap(const Particles& p, const WorstOverlap& worst, const W
   throw NumericalFailure(detail::particle_name(p, worst.particle), step,
                          "overlap with " + partner + " is " + detail::number(worst.ratio) +
                              " of the smaller radius, limit " + detail::number(options.overlap_limit));
+}
+
+/// Throws NumericalFailure if the time step is beyond the limit of the bonds as long as they are now.
+inline void check_bonds(const Bonds& bonds, const Particles& p, double time_step, std::int64_t step) {
+  const double limit = bond_time_step(bonds, p);
+  if (time_step <= limit) return;
+  std::size_t longest = 0;
+  for (std::size_t b = 0; b < bonds.size(); ++b)
+    if (bonds.intact[b] && bonds.elongation[b] > bonds.elongation[longest]) longest = b;
+  throw NumericalFailure(detail::particle_name(p, bonds.i[longest]), step,
+                         "bonds that are drawn out, by " + detail::number(bonds.elongation[longest]) +
+                             " m here, allow time steps of " + detail::number(limit) + " s; this is " +
+                             detail::number(time_step) + " s");
 }
 
 }  // namespace lahar::dem

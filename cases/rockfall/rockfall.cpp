@@ -51,15 +51,23 @@ barrier::RingNetSpec net_spec(const Rockfall& r) {
   return spec;
 }
 
-barrier::Guides guides_of(const Rockfall& r, const barrier::Net& net, const dem::Particles& particles) {
+barrier::Guides guides_of(const Rockfall& r, const barrier::Net& net) {
   barrier::Guides guides({.stiffness = r.guide_stiffness});
   for (std::size_t c = 0; c < net.cables.size(); ++c) {
-    const barrier::Wire& cable = net.cables[c];
     const auto& [start, end] = net.corners[c];
-    const double spacing = (particles.position[cable.first_bead + 1] - particles.position[cable.first_bead]).norm();
-    for (const Vec3& corner : {start, end}) guides.add(cable, corner, (end - start).normalized(), spacing);
+    for (const Vec3& corner : {start, end}) guides.add(net.cables[c], corner);
   }
   return guides;
+}
+
+/// Sets the forces of the guides, and sees that every cable still runs through its own.
+void guide(barrier::Guides& guides, dem::Solids& solids) {
+  guides.apply(solids.particles());
+  if (!guides.slipped_out()) return;
+  const Vec3& point = *guides.slipped_out();
+  throw NumericalFailure("guide at (" + std::to_string(point.x()) + ", " + std::to_string(point.y()) + ")",
+                         solids.step_count(),
+                         "a cable has slipped out: its dissipator is drawn out by more than net.cable_extension_m");
 }
 
 double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Particles& particles) {
@@ -127,14 +135,14 @@ SettledNet::SettledNet(const Rockfall& r, const std::function<bool(double)>& pro
   Parts& p = *parts_;
   p.net = barrier::build_net(net_spec(r), p.particles, p.bonds);
   p.topology = barrier::find_topology(p.net, p.particles, p.bonds);
-  p.guides = guides_of(r, p.net, p.particles);
+  p.guides = guides_of(r, p.net);
   p.time_step = time_step_of(r, p.bonds, p.particles);
   dem::Solids solids = p.solids(r);
   constexpr int kStretch = 25;  // steps between two brakings
   const double braked = std::exp(-r.settling_drag * kStretch * p.time_step);
   while (solids.time() < r.settling_time && !p.interrupted) {
     for (int n = 0; n < kStretch; ++n) {
-      p.guides.apply(solids.particles());
+      guide(p.guides, solids);
       solids.step();
     }
     p.interrupted = !progress(solids.time());
@@ -300,7 +308,7 @@ RockfallResult SettledNet::strike(const Rockfall& r, const std::function<bool(do
   strike.sample(0, 0);
   for (std::int64_t k = 1; solids.time() < r.duration && !strike.result.interrupted; ++k) {
     while (solids.time() < static_cast<double>(k) * r.sample_interval) {
-      guides.apply(solids.particles());
+      guide(guides, solids);
       solids.step();
     }
     strike.sample(solids.time(), solids.particles().position.z[ball] - radius);

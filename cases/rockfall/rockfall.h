@@ -17,7 +17,7 @@ struct Rockfall {
   std::int64_t beads_per_ring = 60;
   double wire_diameter = 0.0157;                           ///< m
   double density = 7800;                                   ///< kg/m^3
-  double cable_extension = 0.9;                            ///< m, of each cable beyond a corner; not in the paper
+  double cable_extension = 1.6;                            ///< m, of each cable beyond a corner; not in the paper
   double guide_stiffness = 1e7;                            ///< N/m, sideways at the corners; not in the paper
   double ring_stiffness = 3e11;                            ///< N/m^3, normal and shear
   double cable_stiffness = 8e11;                           ///< N/m^3

@@ -2,6 +2,7 @@
 
 #include "cases/runner/estimates.h"
 #include "cases/scene/geometry.h"
+#include "cases/scene/grain_sizes.h"
 #include "cases/scene/net_spec.h"
 #include "coupling/seepage.h"
 #include "dem/packing.h"
@@ -54,8 +55,7 @@ lbm::SolidOperator solid_operator_of(scene::SolidOperator o) {
 double sauter_diameter(const scene::Scene& scene) {
   double volume = 0, area = 0;
   const auto add = [&](double d, double count) { volume += count * d * d * d, area += count * d * d; };
-  for (const auto& packing : scene.grains.packings)
-    for (const auto& s : packing.sizes) add(s.diameter, static_cast<double>(s.count));
+  for (const auto& s : scene::grain_sizes(scene)) add(s.diameter, static_cast<double>(s.count));
   for (const auto& s : scene.grains.spheres) add(s.diameter, 1);
   return area > 0 ? volume / area : scene.fluid.cell_size;
 }
@@ -78,13 +78,14 @@ lbm::FaceKind face_kind(const scene::Scene& scene, int face) {
   return scene.domain.open(static_cast<scene::Face>(face)) ? lbm::FaceKind::open : lbm::FaceKind::closed;
 }
 
-dem::PackingSpec packing_spec(const scene::Scene& scene, const scene::Packing& packing) {
+dem::PackingSpec packing_spec(const scene::Scene& scene, std::size_t i) {
+  const scene::Packing& packing = scene.grains.packings[i];
   dem::PackingSpec spec;
   spec.lower = packing.lower;
   spec.upper = packing.upper;
   spec.seed = static_cast<std::uint64_t>(scene.run.seed);
   spec.target_height = packing.target_height;
-  for (const auto& s : packing.sizes)
+  for (const auto& s : scene::grain_sizes(scene, i))
     spec.classes.push_back(
         {s.diameter / 2, static_cast<int>(s.count), s.density, scene::material_index(scene, s.material)});
   return spec;
@@ -102,12 +103,12 @@ void add_placeholders(const dem::PackingSpec& packing, dem::Particles& particles
 }
 
 void add_grains(const scene::Scene& scene, dem::Particles& particles, GrainStart start) {
-  for (const auto& packing : scene.grains.packings) {
+  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
     if (start == GrainStart::placeholders) {
-      add_placeholders(packing_spec(scene, packing), particles);
+      add_placeholders(packing_spec(scene, i), particles);
       continue;
     }
-    for (const dem::ParticleSpec& grain : dem::pack(packing_spec(scene, packing))) particles.add(grain);
+    for (const dem::ParticleSpec& grain : dem::pack(packing_spec(scene, i))) particles.add(grain);
   }
   for (const auto& s : scene.grains.spheres) {
     dem::ParticleSpec grain;
@@ -173,7 +174,7 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   dem::Bonds bonds;
   add_grains(scene, particles, grains);
   std::optional<barrier::Net> net;
-  if (scene.barrier.enabled) net = barrier::build_net(scene::make_net_spec(scene), particles, bonds);
+  if (scene.barrier.enabled) net = scene::build_barrier(scene, particles, bonds);
   dem::SolidsOptions options;
   options.gravity = scene.gravity.vector();
   options.contact_law = contact_law_of(scene.solids);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cases/scene/geometry.h"
+#include "cases/scene/grain_sizes.h"
 #include "cases/scene/net_spec.h"
 #include "core/capillary.h"
 #include "dem/time_step.h"
@@ -53,22 +54,32 @@ double fluid_time_step(const scene::Scene& scene) {
 std::int64_t net_columns(const scene::Net& net) { return std::llround(net.width / net.ring_pitch); }
 std::int64_t net_rows(const scene::Net& net) { return std::llround(net.height / net.ring_pitch); }
 
-std::int64_t net_beads(const scene::Net& net) {
-  const double cables = 2 * (net.width + net.height) / net.wire_diameter;
-  return net_columns(net) * net_rows(net) * net.beads_per_ring + std::llround(cables);
+std::int64_t barrier_beads(const scene::Barrier& barrier) {
+  const scene::Net& net = barrier.net;
+  double beads = 2 * (net.width + net.height) / net.wire_diameter;
+  if (net.kind == scene::NetKind::rings)
+    beads += static_cast<double>(net_columns(net) * net_rows(net) * net.beads_per_ring);
+  else
+    beads += 2 * net.width / net.mesh_width * net.height / (0.5 * (net.mesh_height + net.twist_length));
+  const scene::Posts& posts = barrier.posts;
+  if (!posts.enabled) return std::llround(beads);
+  beads *= static_cast<double>(posts.spans);
+  const auto count = static_cast<double>(posts.spans + 1);
+  beads += count * posts.height / posts.diameter;
+  for (const scene::RetainingCable& r : posts.retaining)
+    beads += (r.post < 0 ? count : 1.0) * std::hypot(posts.height, r.anchor_offset.norm()) / net.wire_diameter;
+  return std::llround(beads);
 }
 
 std::int64_t grain_count(const scene::Scene& scene) {
   auto count = static_cast<std::int64_t>(scene.grains.spheres.size());
-  for (const scene::Packing& p : scene.grains.packings)
-    for (const scene::GrainSize& s : p.sizes) count += s.count;
+  for (const scene::GrainSize& s : scene::grain_sizes(scene)) count += s.count;
   return count;
 }
 
 double smallest_grain(const scene::Scene& scene) {
   double smallest = never;
-  for (const scene::Packing& p : scene.grains.packings)
-    for (const scene::GrainSize& s : p.sizes) smallest = std::min(smallest, s.diameter);
+  for (const scene::GrainSize& s : scene::grain_sizes(scene)) smallest = std::min(smallest, s.diameter);
   for (const scene::GrainSphere& s : scene.grains.spheres) smallest = std::min(smallest, s.diameter);
   return smallest;
 }
@@ -81,14 +92,13 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
                                       scene.solids.normal_stiffness);
     return dem::rayleigh_time_step(diameter / 2, density, materials[scene::material_index(scene, material)]);
   };
-  SolidsLimits limits{never, never, never, never, 1};
+  SolidsLimits limits{never, never, never, never, never, 1};
   for (std::size_t a = 0; a < materials.size(); ++a)
     for (std::size_t b = 0; b < materials.size(); ++b)
       limits.damped_share = std::min(
           limits.damped_share, dem::damped_share(materials.pair(static_cast<int>(a), static_cast<int>(b)).restitution));
-  for (const scene::Packing& p : scene.grains.packings)
-    for (const scene::GrainSize& s : p.sizes)
-      limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
+  for (const scene::GrainSize& s : scene::grain_sizes(scene))
+    limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
   for (const scene::GrainSphere& s : scene.grains.spheres)
     limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
   if (!scene.barrier.enabled) return limits;
@@ -97,6 +107,19 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
   const double mass = bead_mass(net);
   limits.bead_rayleigh = rayleigh(net.wire_diameter, net.density, net.material);
   limits.ring_bond = dem::bond_time_step(spec.ring, mass);
+  if (spec.mesh) {
+    const double volume = std::numbers::pi / 6 * std::pow(net.node_diameter, 3), node = spec.mesh->node_mass();
+    limits.bead_rayleigh = std::min(limits.bead_rayleigh, rayleigh(net.node_diameter, node / volume, net.material));
+    limits.ring_bond =
+        std::min(dem::bond_time_step(wire_law_bond(spec.mesh->single, spec.mesh->single_length(), *spec.mesh), node),
+                 dem::bond_time_step(wire_law_bond(spec.mesh->twist, spec.mesh->twist_length, *spec.mesh), node));
+  }
+  if (scene.barrier.posts.enabled) {
+    dem::Particles particles;
+    dem::Bonds bonds;
+    add_post(post_spec(scene::make_spans_spec(scene), 0), particles, bonds);
+    limits.post_bond = dem::bond_time_step(bonds, particles);
+  }
   limits.cable_bond = dem::bond_time_step(spec.cable, mass);
   if (!scene.barrier.bonds.dissipator_stiffness.empty())
     limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.dissipator, mass));
@@ -108,7 +131,7 @@ double solids_time_step(const scene::Scene& scene) {
   const SolidsLimits limits = solids_limits(scene);
   return std::min(
       scene.solids.contact_safety * limits.damped_share * std::min(limits.grain_rayleigh, limits.bead_rayleigh),
-      scene.solids.bond_safety * std::min(limits.ring_bond, limits.cable_bond));
+      scene.solids.bond_safety * std::min({limits.ring_bond, limits.cable_bond, limits.post_bond}));
 }
 
 std::int64_t substeps(double fluid_step, double solids_step) {

@@ -20,8 +20,8 @@ double longest_capillary_step(const scene::Scene& scene);
 /// Number of rings across and up, but for the adjustment of the pitch.
 std::int64_t net_columns(const scene::Net& net);
 std::int64_t net_rows(const scene::Net& net);
-/// Beads of all rings, and of four cables along the net's edges.
-std::int64_t net_beads(const scene::Net& net);
+/// Beads of all rings or nodes of a mesh, of four cables along the net's edges, of posts and their cables.
+std::int64_t barrier_beads(const scene::Barrier& barrier);
 /// Grains of all packings and spheres.
 std::int64_t grain_count(const scene::Scene& scene);
 
@@ -30,7 +30,7 @@ double smallest_grain(const scene::Scene& scene);
 
 /// Largest stable time steps by cause, s; infinity where there is nothing of the kind.
 struct SolidsLimits {
-  double grain_rayleigh, bead_rayleigh, ring_bond, cable_bond;
+  double grain_rayleigh, bead_rayleigh, ring_bond, cable_bond, post_bond;  ///< ring: or wire of a mesh
   double damped_share = 1;  ///< of the Rayleigh times, left by the most damped pair of materials (dem/time_step.h)
 };
 SolidsLimits solids_limits(const scene::Scene& scene);

@@ -55,6 +55,7 @@ void Measurements<Real>::declare_columns() {
   }
   if (net_) {
     for (const auto c : barrier::all_components) {
+      if (!is_reported(c, *net_)) continue;
       const std::string name(barrier::name(c));
       series_.declare(name + "_force_sum_N", "N", "sum over bonds of the force's magnitude");
       series_.declare(name + "_max_tension_N", "N", "largest tension of a bond");
@@ -201,6 +202,7 @@ void Measurements<Real>::sample_barrier(std::vector<double>& row) {
   };
   times_.push_back(step_.time());
   for (std::size_t c = 0; c < barrier::all_components.size(); ++c) {
+    if (!is_reported(barrier::all_components[c], *net_)) continue;
     const auto& part = r[barrier::all_components[c]];
     const std::string name(barrier::name(barrier::all_components[c]));
     row.insert(row.end(), {part.force_sum, part.max_tension});

@@ -74,7 +74,7 @@ class Measurements {
   std::optional<Probes<Real>> probes_;
   std::optional<Sections<Real>> sections_;
   std::vector<double> times_;
-  std::array<std::vector<double>, 6> force_sums_;
+  std::array<std::vector<double>, barrier::all_components.size()> force_sums_;
 };
 
 extern template class Measurements<float>;

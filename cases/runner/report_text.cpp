@@ -40,7 +40,7 @@ std::string fluid_text(const scene::Scene& scene, const FluidFigures& f) {
   return t;
 }
 
-std::string solids_text(const SolidsFigures& s) {
+std::string solids_text(const scene::Scene& scene, const SolidsFigures& s) {
   std::string t = "particles\n";
   t += line("grains, beads", fmt::format("{}, about {}", s.grains, s.beads));
   const auto limit = [&](const char* name, double seconds) {
@@ -50,8 +50,9 @@ std::string solids_text(const SolidsFigures& s) {
   limit("Rayleigh time, beads", s.limits.bead_rayleigh);
   if (s.limits.damped_share < 1)
     t += line("share left by damping", fmt::format("{:.3g} of the Rayleigh time", s.limits.damped_share));
-  limit("bond limit, rings", s.limits.ring_bond);
+  limit(scene.barrier.net.kind == scene::NetKind::rings ? "bond limit, rings" : "bond limit, mesh", s.limits.ring_bond);
   limit("bond limit, cables", s.limits.cable_bond);
+  limit("bond limit, posts", s.limits.post_bond);
   t += line("time step", fmt::format("{:.4g} s, {:.0f} steps", s.time_step, s.steps));
   if (s.substeps > 0) t += line("steps in a fluid step", fmt::format("{}", s.substeps));
   if (s.cells_per_smallest_grain)
@@ -66,7 +67,7 @@ std::string report_text(const scene::Scene& scene, const CheckReport& report) {
   const std::string title = scene.identity.title.empty() ? "" : ": " + scene.identity.title;
   std::string text = fmt::format("{}{}\n", scene.identity.name, title);
   if (report.fluid) text += fluid_text(scene, *report.fluid);
-  if (report.solids) text += solids_text(*report.solids);
+  if (report.solids) text += solids_text(scene, *report.solids);
   text += fmt::format("checkpoint: {:.3g} MB at the start, up to about {:.3g} MB\n", report.checkpoint_bytes * 1e-6,
                       report.expected_checkpoint_bytes * 1e-6);
   text += fmt::format("run time, a rough estimate: {}\n", time_text(report.run_time));

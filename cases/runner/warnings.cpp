@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "cases/scene/grain_sizes.h"
 #include "cases/scene/memory.h"
 
 namespace lahar::cases {
@@ -42,8 +43,8 @@ void add_fluid(const scene::Scene& s, const FluidFigures& f, List& list) {
 }
 
 void add_solids(const scene::Scene& s, const SolidsFigures& f, List& list) {
-  const double critical =
-      std::min({f.limits.grain_rayleigh, f.limits.bead_rayleigh, f.limits.ring_bond, f.limits.cable_bond});
+  const double critical = std::min(
+      {f.limits.grain_rayleigh, f.limits.bead_rayleigh, f.limits.ring_bond, f.limits.cable_bond, f.limits.post_bond});
   if (s.solids.time_step > critical)
     list.push_back(fmt::format("solids.time_step_s ({:.3g} s) is above the critical time step ({:.3g} s)",
                                s.solids.time_step, critical));
@@ -62,6 +63,10 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
   if (f.cells_per_wire && *f.cells_per_wire < 4 && !s.coupling.wire_drag)
     list.push_back(fmt::format(
         "wires are {:.1f} cells across and coupling.wire_drag is off: water does not feel the net", *f.cells_per_wire));
+  if (s.barrier.enabled && s.barrier.net.kind == scene::NetKind::hexagonal)
+    list.push_back("water feels the cables of a hexagonal mesh, but not its wires");
+  if (const double post = s.barrier.posts.diameter / s.fluid.cell_size; s.coupling.wire_drag && post > 4)
+    list.push_back(fmt::format("posts are {:.1f} cells across: their drag law is for wires up to about 4", post));
   if (s.coupling.body_weighting == scene::BodyWeighting::noble_torczynski)
     list.push_back("coupling.body_weighting = \"noble_torczynski\" lets water through bodies at low viscosity");
 }
@@ -69,8 +74,11 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
 std::set<std::string> materials_in_use(const scene::Scene& s) {
   std::set<std::string> names;
   for (const auto& w : s.walls) names.insert(w.material);
-  for (const auto& p : s.grains.packings)
-    for (const auto& size : p.sizes) names.insert(size.material);
+  for (const auto& p : s.grains.packings) {
+    for (const auto& g : p.sizes) names.insert(g.material);
+    for (const auto& g : p.log_normal) names.insert(g.material);
+    for (const auto& g : p.sieved) names.insert(g.material);
+  }
   for (const auto& g : s.grains.spheres) names.insert(g.material);
   if (s.barrier.enabled) names.insert(s.barrier.net.material);
   return names;
@@ -80,7 +88,9 @@ std::set<std::string> materials_in_use(const scene::Scene& s) {
 bool only_walls(const scene::Scene& s, const std::string& a) {
   const auto is = [&](const auto& thing) { return thing.material == a; };
   for (const auto& p : s.grains.packings)
-    if (std::any_of(p.sizes.begin(), p.sizes.end(), is)) return false;
+    if (std::any_of(p.sizes.begin(), p.sizes.end(), is) || std::any_of(p.log_normal.begin(), p.log_normal.end(), is) ||
+        std::any_of(p.sieved.begin(), p.sieved.end(), is))
+      return false;
   if (std::any_of(s.grains.spheres.begin(), s.grains.spheres.end(), is)) return false;
   return !(s.barrier.enabled && s.barrier.net.material == a);
 }
@@ -99,13 +109,15 @@ void add_contacts(const scene::Scene& s, List& list) {
 
 void add_packings(const scene::Scene& s, List& list) {
   constexpr double random_close_packing = 0.64;
-  for (const scene::Packing& p : s.grains.packings) {
+  for (std::size_t i = 0; i < s.grains.packings.size(); ++i) {
+    const scene::Packing& p = s.grains.packings[i];
     double solid = 0;
-    for (const scene::GrainSize& size : p.sizes)
+    for (const scene::GrainSize& size : scene::grain_sizes(s, i))
       solid += static_cast<double>(size.count) * std::numbers::pi / 6 * std::pow(size.diameter, 3);
     Vec3 box = p.upper - p.lower;
     if (p.target_height > 0) box.z() = p.target_height;
-    if (solid > random_close_packing * box.prod())
+    constexpr double rounding = 1e-3;  // of drawn grains
+    if (solid > (random_close_packing + rounding) * box.prod())
       list.push_back(fmt::format("a packing is to fill {:.3f} of its space: more than random packings do (about {})",
                                  solid / box.prod(), random_close_packing));
   }

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/scene/check_gradings.h"
 #include "cases/scene/cross_checks.h"
 #include "cases/scene/geometry.h"
+#include "cases/scene/grain_sizes.h"
 #include "cases/scene/net_spec.h"
 #include "dem/time_step.h"
 
@@ -36,6 +38,8 @@ void check_packing_content(const Packing& packing, const std::string& path, Find
                                         size.diameter, extent.minCoeff()));
     volume += static_cast<double>(size.count) * std::numbers::pi / 6 * std::pow(size.diameter, 3);
   }
+  for (const LogNormalGrains& g : packing.log_normal) volume += solid_volume(packing, g.amount, g.density);
+  for (const SievedGrains& g : packing.sieved) volume += solid_volume(packing, g.amount, g.density);
   constexpr double densest = 0.74;  // of equal spheres; mixtures settle far below
   if (volume > densest * extent.prod())
     findings.mistake(path, fmt::format("{}: grains fill {:.2f} of the box, expected at most {}", path,
@@ -46,9 +50,10 @@ void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
   const Packing& packing = scene.grains.packings[i];
   const std::string path = fmt::format("grains.packing[{}]", i);
   if (!findings.sound({path})) return;
-  if (packing.sizes.empty())
+  if (packing.sizes.empty() && packing.log_normal.empty() && packing.sieved.empty())
     return findings.mistake(path, path + " has no grains, expected at least one [[grains.packing.sizes]]");
-  check_packing_content(packing, path, findings);
+  check_gradings(scene, i, findings);
+  if (findings.sound({path})) check_packing_content(packing, path, findings);
   const double slack = 1e-6 * (packing.upper - packing.lower).norm();
   if (findings.sound({"domain"}) &&
       !(scene.domain.contains(packing.lower, slack) && scene.domain.contains(packing.upper, slack)))
@@ -102,6 +107,7 @@ bool check_directions(const Net& net, Findings& findings) {
 
 /// A frame must hold at least one ring with its cables.
 void check_frame(const Net& net, Findings& findings) {
+  if (net.kind != NetKind::rings) return;  // building it names sizes that would do
   const double least = net.ring_diameter + 2 * net.wire_diameter;
   for (const auto& [length, key] :
        {std::pair{net.width, "barrier.net.width_m"}, std::pair{net.height, "barrier.net.height_m"}})
@@ -112,7 +118,10 @@ void check_frame(const Net& net, Findings& findings) {
 
 void check_net_place(const Scene& scene, Findings& findings) {
   const Net& net = scene.barrier.net;
-  const Vec3 across = net.width * net.width_direction.normalized(), up = net.height * net.height_direction.normalized();
+  const barrier::SpansSpec spans = make_spans_spec(scene);
+  const double more = scene.barrier.posts.enabled ? (spans.spans - 1) * post_distance(spans) : 0.0;
+  const Vec3 across = (net.width + more) * net.width_direction.normalized(),
+             up = net.height * net.height_direction.normalized();
   struct Corner {
     Vec3 position;
     std::string key;
@@ -162,7 +171,7 @@ void check_bond_steps(const Scene& scene, Findings& findings) {
                                    "stiffness per unit area (N/m^3) that allows {:g} s",
                                    key, step, mass, least));
   };
-  refuse(spec.ring, "ring_stiffness_N_m3");
+  if (!spec.mesh) refuse(spec.ring, "ring_stiffness_N_m3");
   refuse(spec.cable, "cable_stiffness_N_m3");
   if (!scene.barrier.bonds.dissipator_stiffness.empty()) refuse(spec.dissipator, "dissipator_stiffness_N_m3");
 }
@@ -194,21 +203,30 @@ void check_grains(const Scene& scene, Findings& findings) {
 void check_barrier(const Scene& scene, Findings& findings) {
   if (!scene.barrier.enabled) return;
   check_dissipators(scene.barrier.bonds, findings);
+  check_ring_stiffness(scene, findings);
   check_bond_steps(scene, findings);
   if (!findings.sound({"barrier.net"}) || !check_directions(scene.barrier.net, findings)) return;
   check_frame(scene.barrier.net, findings);
-  if (findings.sound({"domain", "barrier.net.width_m", "barrier.net.height_m"})) check_net_place(scene, findings);
+  if (findings.sound({"domain", "barrier.posts", "barrier.net.width_m", "barrier.net.height_m"}))
+    check_net_place(scene, findings);
+  check_hexagonal_net(scene, findings);
+  check_posts(scene, findings);
 }
 
 void check_net_can_be_built(const Scene& scene, Findings& findings) {
   if (!scene.barrier.enabled || !findings.mistakes().empty()) return;
-  try {
-    dem::Particles particles;
-    dem::Bonds bonds;
-    barrier::build_net(make_net_spec(scene), particles, bonds);
-  } catch (const InputError& e) {
-    for (const InputMistake& m : e.mistakes()) findings.mistake("barrier.net", "barrier.net: " + m.message);
-  }
+  dem::Particles particles;
+  dem::Bonds bonds;
+  const auto attempt = [&](const std::string& path, const auto& build) {
+    try {
+      build();
+    } catch (const InputError& e) {
+      for (const InputMistake& m : e.mistakes()) findings.mistake(path, path + ": " + m.message);
+    }
+  };
+  attempt("barrier.net", [&] { barrier::build_net(make_net_spec(scene), particles, bonds); });
+  if (scene.barrier.posts.enabled && findings.mistakes().empty())
+    attempt("barrier.posts", [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
 }
 
 void check_uses(const Scene& scene, Findings& findings) {

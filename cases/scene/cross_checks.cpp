@@ -70,10 +70,16 @@ void check_materials(const Scene& scene, Findings& findings) {
   if (!findings.sound({"materials"}) && scene.materials.empty()) return;
   for (std::size_t i = 0; i < scene.walls.size(); ++i)
     check_reference(scene, scene.walls[i].material, fmt::format("wall[{}].material", i), !scene.has_solids(), findings);
-  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i)
-    for (std::size_t k = 0; k < scene.grains.packings[i].sizes.size(); ++k)
-      check_reference(scene, scene.grains.packings[i].sizes[k].material,
-                      fmt::format("grains.packing[{}].sizes[{}].material", i, k), false, findings);
+  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
+    const auto check_each = [&](const auto& tables, const char* key) {
+      for (std::size_t k = 0; k < tables.size(); ++k)
+        check_reference(scene, tables[k].material, fmt::format("grains.packing[{}].{}[{}].material", i, key, k), false,
+                        findings);
+    };
+    check_each(scene.grains.packings[i].sizes, "sizes");
+    check_each(scene.grains.packings[i].log_normal, "log_normal");
+    check_each(scene.grains.packings[i].sieved, "sieve_curve");
+  }
   for (std::size_t i = 0; i < scene.grains.spheres.size(); ++i)
     check_reference(scene, scene.grains.spheres[i].material, fmt::format("grains.sphere[{}].material", i), false,
                     findings);

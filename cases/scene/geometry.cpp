@@ -56,7 +56,7 @@ dem::Materials make_materials(const Scene& scene) {
     materials.add({m.name, m.youngs_modulus * scene.solids.contact_modulus_scale, m.poisson_ratio});
   for (const Contact& c : scene.contacts)
     materials.set_pair(material_index(scene, c.materials[0]), material_index(scene, c.materials[1]), c.friction,
-                       c.restitution);
+                       c.restitution, c.rolling_friction);
   return materials;
 }
 

@@ -13,6 +13,7 @@ void normalise(Scene& scene) {
   scene.identity.base.reset();
   if (!scene.fluid.enabled) scene.fluid = {};
   if (!scene.barrier.enabled) scene.barrier = {};
+  if (!scene.barrier.posts.enabled) scene.barrier.posts = {};
   if (!scene.coupling.enabled) scene.coupling = {};
   scene.measure.section_x = section_of(scene);
 }

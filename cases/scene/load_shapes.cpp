@@ -21,8 +21,12 @@ namespace fs = std::filesystem;
 std::pair<double, double> grain_diameters(const Scene& scene) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   const auto see = [&](double d) { smallest = std::min(smallest, d), largest = std::max(largest, d); };
-  for (const Packing& p : scene.grains.packings)
+  for (const Packing& p : scene.grains.packings) {
     for (const GrainSize& s : p.sizes) see(s.diameter);
+    for (const LogNormalGrains& g : p.log_normal) see(g.smallest), see(g.largest);
+    for (const SievedGrains& g : p.sieved)
+      for (const SievePoint& point : g.passing) see(point.opening);
+  }
   for (const GrainSphere& s : scene.grains.spheres) see(s.diameter);
   return {smallest, largest};
 }

@@ -60,6 +60,9 @@ constexpr auto names_of(Collision) {
 constexpr auto names_of(ContactLaw) {
   return NameTable<ContactLaw, 2>{{{"hertz_mindlin", ContactLaw::hertz_mindlin}, {"linear", ContactLaw::linear}}};
 }
+constexpr auto names_of(SizeWeighting) {
+  return NameTable<SizeWeighting, 2>{{{"mass", SizeWeighting::mass}, {"number", SizeWeighting::number}}};
+}
 constexpr auto names_of(BodyWeighting) {
   return NameTable<BodyWeighting, 4>{{{"solid_fraction", BodyWeighting::solid_fraction},
                                       {"noble_torczynski", BodyWeighting::noble_torczynski},
@@ -71,6 +74,12 @@ constexpr auto names_of(SolidOperator) {
                                       {"equilibrium_difference", SolidOperator::equilibrium_difference},
                                       {"bounce_back", SolidOperator::bounce_back},
                                       {"holdych", SolidOperator::holdych}}};
+}
+constexpr auto names_of(NetKind) {
+  return NameTable<NetKind, 2>{{{"rings", NetKind::rings}, {"hexagonal", NetKind::hexagonal}}};
+}
+constexpr auto names_of(PostFoot) {
+  return NameTable<PostFoot, 2>{{{"fixed", PostFoot::fixed}, {"hinged", PostFoot::hinged}}};
 }
 constexpr auto names_of(ProbeKind) {
   return NameTable<ProbeKind, 3>{

@@ -32,6 +32,26 @@ barrier::CableSupport support(const Scene& scene, std::vector<double> fixed_at) 
           .dissipators_at = braked ? scene.barrier.bonds.dissipator_places : std::vector<double>{}};
 }
 
+barrier::WireLaw wire_law(const Scene& scene, const std::vector<double>& strain, const std::vector<double>& force) {
+  barrier::WireLaw law;
+  std::copy_n(strain.begin(), std::min(strain.size(), law.strain.size()), law.strain.begin());
+  std::copy_n(force.begin(), std::min(force.size(), law.force.size()), law.force.begin());
+  for (double& e : law.strain) e /= scene.solids.bond_stiffness_scale;
+  return law;
+}
+
+barrier::HexagonalMesh mesh_of(const Scene& scene) {
+  const Net& net = scene.barrier.net;
+  barrier::HexagonalMesh mesh;
+  mesh.mesh_width = net.mesh_width, mesh.mesh_height = net.mesh_height, mesh.twist_length = net.twist_length;
+  mesh.wire_diameter = net.mesh_wire_diameter, mesh.wire_density = net.density, mesh.node_diameter = net.node_diameter;
+  mesh.single = wire_law(scene, net.single_strain, net.single_force);
+  mesh.twist = wire_law(scene, net.twist_strain, net.twist_force);
+  mesh.plastic_unloading = net.wires_unload_plastically;
+  mesh.damping_ratio = scene.solids.bond_damping_ratio;
+  return mesh;
+}
+
 }  // namespace
 
 barrier::RingNetSpec make_net_spec(const Scene& scene) {
@@ -44,6 +64,7 @@ barrier::RingNetSpec make_net_spec(const Scene& scene) {
   spec.normal = spec.across.cross(spec.up);
   spec.width = net.width;
   spec.height = net.height;
+  if (net.kind == NetKind::hexagonal) spec.mesh = mesh_of(scene);
   spec.ring_diameter = net.ring_diameter;
   spec.ring_pitch = net.ring_pitch;
   spec.beads_per_ring = static_cast<int>(net.beads_per_ring);
@@ -62,6 +83,26 @@ barrier::RingNetSpec make_net_spec(const Scene& scene) {
   std::ranges::sort(lateral);
   spec.left.support = spec.right.support = support(scene, lateral);
   return spec;
+}
+
+barrier::SpansSpec make_spans_spec(const Scene& scene) {
+  const Posts& posts = scene.barrier.posts;
+  barrier::SpansSpec spec;
+  spec.net = make_net_spec(scene);
+  spec.spans = static_cast<int>(posts.spans);
+  spec.post_height = posts.height;
+  spec.post_diameter = posts.diameter;
+  spec.section = {posts.youngs_modulus * scene.solids.bond_stiffness_scale, posts.area, posts.second_moment,
+                  posts.density, scene.solids.bond_damping_ratio};
+  spec.foot = posts.foot == PostFoot::hinged ? barrier::Foot::hinged : barrier::Foot::fixed;
+  for (const RetainingCable& r : posts.retaining)
+    spec.retaining.push_back({static_cast<int>(r.post), r.anchor_offset, r.dissipator_places});
+  return spec;
+}
+
+barrier::Net build_barrier(const Scene& scene, dem::Particles& particles, dem::Bonds& bonds) {
+  if (scene.barrier.posts.enabled) return barrier::build_spans(make_spans_spec(scene), particles, bonds);
+  return barrier::build_net(make_net_spec(scene), particles, bonds);
 }
 
 }  // namespace lahar::scene

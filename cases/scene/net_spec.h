@@ -1,13 +1,19 @@
 #pragma once
-// The ring net that a scene describes.
-#include "barrier/net.h"
+// The net, and the posts beside it, that a scene describes.
+#include "barrier/spans.h"
 #include "cases/scene/scene.h"
 
 namespace lahar::scene {
 
-/// What the barrier is built from: frame, rings, bonds with stiffness scale and damping, anchors. Cable ends are fixed
-/// and have a dissipator next to them, but for a bottom cable that is fixed throughout. Without dissipator stiffnesses
-/// the cables have none.
+/// What a net is built from, with posts that of the first span: frame, rings or mesh, bonds with stiffness scale and
+/// damping, anchors. Cable ends are fixed and have a dissipator next to them, but for a bottom cable that is fixed
+/// throughout. Without dissipator stiffnesses the cables have none.
 barrier::RingNetSpec make_net_spec(const Scene& scene);
+
+/// The same with posts, which the scene must have.
+barrier::SpansSpec make_spans_spec(const Scene& scene);
+
+/// Builds the whole barrier. Throws InputError as build_net and build_spans do.
+barrier::Net build_barrier(const Scene& scene, dem::Particles& particles, dem::Bonds& bonds);
 
 }  // namespace lahar::scene

@@ -23,6 +23,8 @@ enum class BodyWeighting { solid_fraction, noble_torczynski, seepage, wall_dista
 enum class SolidOperator { faded, equilibrium_difference, bounce_back, holdych };
 enum class WallPlacement { half_way, interpolated };
 enum class FlowLaw { newtonian, bingham, herschel_bulkley };
+enum class NetKind { rings, hexagonal };
+enum class PostFoot { fixed, hinged };
 enum class ProbeKind { height, pressure, force };
 
 struct Identity {
@@ -155,7 +157,7 @@ struct MaterialSettings {
 
 struct Contact {
   std::vector<std::string> materials;  ///< two names
-  double friction = 0, restitution = 1;
+  double friction = 0, restitution = 1, rolling_friction = 0;
   bool operator==(const Contact&) const = default;
 };
 
@@ -179,10 +181,46 @@ struct GrainSize {
   bool operator==(const GrainSize&) const = default;
 };
 
+enum class SizeWeighting { mass, number };
+
+/// How much of a grading there is: a mass, or a share of the box up to the packing's target height.
+struct GrainAmount {
+  double mass = 0;  ///< kg, 0 = by the solid fraction
+  double solid_fraction = 0.64;
+  bool operator==(const GrainAmount&) const = default;
+};
+
+struct LogNormalGrains {
+  double median = 0;                 ///< m
+  double deviation = 0;              ///< of ln d
+  double smallest = 0, largest = 0;  ///< m
+  SizeWeighting weighting = SizeWeighting::mass;
+  GrainAmount amount;
+  double density = 0;  ///< kg/m^3
+  std::string material;
+  bool operator==(const LogNormalGrains&) const = default;
+};
+
+/// A point of a sieve curve: what passes an opening (m), in percent of the mass.
+struct SievePoint {
+  double opening = 0, passing = 0;
+  bool operator==(const SievePoint&) const = default;
+};
+
+struct SievedGrains {
+  std::vector<SievePoint> passing;
+  GrainAmount amount;
+  double density = 0;  ///< kg/m^3
+  std::string material;
+  bool operator==(const SievedGrains&) const = default;
+};
+
 struct Packing {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  ///< m
   double target_height = 0;                         ///< m above the floor, 0 = as it comes
   std::vector<GrainSize> sizes;
+  std::vector<LogNormalGrains> log_normal;
+  std::vector<SievedGrains> sieved;
   bool operator==(const Packing&) const = default;
 };
 
@@ -201,6 +239,7 @@ struct Grains {
 };
 
 struct Net {
+  NetKind kind = NetKind::rings;
   Vec3 origin = Vec3::Zero();  ///< m, the lower corner of the net
   Vec3 width_direction{0, 1, 0}, height_direction{0, 0, 1};
   double width = 0, height = 0;  ///< m
@@ -210,6 +249,12 @@ struct Net {
   double wire_diameter = 0;  ///< m
   double density = 7800;     ///< kg/m^3
   std::string material;
+  // of a hexagonal mesh
+  double mesh_width = 0, mesh_height = 0, twist_length = 0;  ///< m
+  double mesh_wire_diameter = 0, node_diameter = 0;          ///< m
+  std::vector<double> single_strain, twist_strain;           ///< 1
+  std::vector<double> single_force, twist_force;             ///< N
+  bool wires_unload_plastically = true;
   bool operator==(const Net&) const = default;
 };
 
@@ -229,11 +274,31 @@ struct Anchors {
   bool operator==(const Anchors&) const = default;
 };
 
+struct RetainingCable {
+  std::int64_t post = -1;
+  Vec3 anchor_offset = Vec3::Zero();  ///< m
+  std::vector<double> dissipator_places;
+  bool operator==(const RetainingCable&) const = default;
+};
+
+struct Posts {
+  bool enabled = false;
+  std::int64_t spans = 1;
+  double height = 0, diameter = 0;  ///< m
+  PostFoot foot = PostFoot::fixed;
+  double youngs_modulus = 210e9;       ///< Pa
+  double area = 0, second_moment = 0;  ///< m^2, m^4
+  double density = 7850;               ///< kg/m^3, of the profile
+  std::vector<RetainingCable> retaining;
+  bool operator==(const Posts&) const = default;
+};
+
 struct Barrier {
   bool enabled = false;
   Net net;
   BarrierBonds bonds;
   Anchors anchors;
+  Posts posts;
   bool operator==(const Barrier&) const = default;
 };
 

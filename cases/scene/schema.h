@@ -195,6 +195,10 @@ void describe(V& v, Contact& s) {
           "The two materials that touch (the same name twice for a material with itself).");
   v.value("friction", s.friction, required(non_negative()), "Coulomb coefficient.");
   v.value("restitution", s.restitution, required(above_up_to(0, 1)), "Coefficient of restitution.");
+  v.value(
+      "rolling_friction", s.rolling_friction, {non_negative()},
+      "Coefficient of rolling resistance: the torque that keeps two surfaces rolling on each other / (radius x normal "
+      "force), 1 / radius the sum of both curvatures; 0 = they roll freely.");
 }
 
 template <class V>
@@ -231,6 +235,37 @@ void describe(V& v, GrainSize& s) {
   v.value("material", s.material, required(), "Name of a material.");
 }
 
+/// Keys of every grading, within its own table.
+template <class V>
+void describe_amount(V& v, GrainAmount& amount, double& density, std::string& material) {
+  v.value(
+      "mass_kg", amount.mass, {non_negative()},
+      "Mass of these grains together; 0 = as much as solid_fraction asks for. Drawn to within one and a half of the "
+      "largest grains (of each two sieves).");
+  v.value("solid_fraction", amount.solid_fraction, {above_up_to(0, 0.74)},
+          "Without a mass: the share of the box, from its floor to target_height_m, that these grains fill.");
+  v.value("density_kg_m3", density, required(positive()), "Density.");
+  v.value("material", material, required(), "Name of a material.");
+}
+
+template <class V>
+void describe(V& v, LogNormalGrains& s) {
+  v.value("median_diameter_m", s.median, required(positive()), "Median of the distribution before it is cut off.");
+  v.value("log_deviation", s.deviation, required(above_up_to(0, 3)), "Standard deviation of ln(diameter).");
+  v.value("smallest_diameter_m", s.smallest, required(positive()), "Lower cut-off.");
+  v.value("largest_diameter_m", s.largest, required(positive()), "Upper cut-off.");
+  v.value("weighting", s.weighting, {}, "Whether the distribution counts mass, as sieves do, or grains.");
+  describe_amount(v, s.amount, s.density, s.material);
+}
+
+template <class V>
+void describe(V& v, SievedGrains& s) {
+  v.value("passing_percent", s.passing, {.range = between(0, 100), .required = true, .min_count = 2},
+          "The sieve curve, straight over ln(opening) between its points: openings rising, percentages by mass from 0 "
+          "to 100.");
+  describe_amount(v, s.amount, s.density, s.material);
+}
+
 template <class V>
 void describe(V& v, Packing& s) {
   v.value("lower_m", s.lower, required(),
@@ -239,6 +274,8 @@ void describe(V& v, Packing& s) {
   v.value("target_height_m", s.target_height, {non_negative()},
           "Height above the floor to which the packing is tapped if it stands higher; 0 = as it settles.");
   v.array("sizes", s.sizes, "The grains, size by size.");
+  v.array("log_normal", s.log_normal, "Grains of log-normal diameters between two cut-offs, drawn by run.seed.");
+  v.array("sieve_curve", s.sieved, "Grains of a sieve curve, drawn by run.seed.");
 }
 
 template <class V>
@@ -258,28 +295,55 @@ void describe(V& v, Grains& s) {
   v.array("sphere", s.spheres, "A single grain.");
 }
 
+/// Keys of a hexagonal mesh; they stand in the table of the net.
+template <class V>
+void describe_mesh(V& v, Net& s) {
+  const Rule law{.range = positive(), .required = true, .min_count = 3, .max_count = 3};
+  v.value("mesh_width_m", s.mesh_width, required(positive()),
+          "Opening of a mesh between two twists; adjusted by up to 8 % so that whole meshes fill the frame.");
+  v.value("mesh_height_m", s.mesh_height, required(positive()), "Height of a mesh from tip to tip; adjusted likewise.");
+  v.value("twist_length_m", s.twist_length, required(positive()), "Length of a double twist.");
+  v.value("mesh_wire_diameter_m", s.mesh_wire_diameter, required(positive()), "Diameter of the mesh's single wire.");
+  v.value("node_diameter_m", s.node_diameter, required(positive()),
+          "Diameter of the spheres at the ends of the twists, which grains meet; they carry the mass of the wire.");
+  v.value("single_strain", s.single_strain, law,
+          "Strains of three points of a single wire's tensile law, straight between; at the last it breaks.");
+  v.value("single_force_N", s.single_force, law, "Forces at these strains.");
+  v.value("twist_strain", s.twist_strain, law, "The same of a double twist.");
+  v.value("twist_force_N", s.twist_force, law, "Forces at these strains.");
+  v.value("wires_unload_plastically", s.wires_unload_plastically, {},
+          "Wires of the mesh unload with the stiffness of the first piece instead of back along the curve.");
+}
+
 template <class V>
 void describe(V& v, Net& s) {
+  v.value("kind", s.kind, {}, "Linked rings, or hexagonal mesh of double-twisted wire.");
   v.value("origin_m", s.origin, required(), "Lower corner of the net.");
   v.value("width_direction", s.width_direction, {}, "Direction of the width; any length but zero.");
   v.value("height_direction", s.height_direction, {}, "Direction of the height, at right angles to the width.");
-  v.value("width_m", s.width, required(positive()), "Width of the frame that the rings fill, all wires inside.");
+  v.value("width_m", s.width, required(positive()),
+          "Width of the frame that rings or meshes fill, all wires inside; with posts: of one span.");
   v.value("height_m", s.height, required(positive()), "Height of the frame.");
-  v.value("ring_diameter_m", s.ring_diameter, required(positive()), "Diameter of a ring along the wire's centre line.");
-  v.value("ring_pitch_m", s.ring_pitch, required(positive()),
-          "Distance between the centres of linked rings; adjusted by up to 8 % so that whole rings fill the frame.");
-  v.value("beads_per_ring", s.beads_per_ring, required(between(8, 1000)),
-          "Beads that make up a ring; they should touch.");
-  v.value("wire_diameter_m", s.wire_diameter, required(positive()), "Diameter of wire and beads.");
+  v.for_shape(s.kind == NetKind::rings, "kind = \"rings\"", [&] {
+    v.value("ring_diameter_m", s.ring_diameter, required(positive()),
+            "Diameter of a ring along the wire's centre line.");
+    v.value("ring_pitch_m", s.ring_pitch, required(positive()),
+            "Distance between the centres of linked rings; adjusted by up to 8 % so that whole rings fill the frame.");
+    v.value("beads_per_ring", s.beads_per_ring, required(between(8, 1000)),
+            "Beads that make up a ring; they should touch.");
+  });
+  v.for_shape(s.kind == NetKind::hexagonal, "kind = \"hexagonal\"", [&] { describe_mesh(v, s); });
+  v.value("wire_diameter_m", s.wire_diameter, required(positive()), "Diameter of wire and beads of rings and cables.");
   v.value("density_kg_m3", s.density, {positive()}, "Density of the beads.");
   v.value("material", s.material, required(), "Name of a material.");
 }
 
 template <class V>
 void describe(V& v, BarrierBonds& s) {
-  v.value("ring_stiffness_N_m3", s.ring_stiffness, required(positive()),
-          "Normal and shear stiffness of ring bonds, per unit area.");
-  v.value("cable_stiffness_N_m3", s.cable_stiffness, required(positive()), "The same of cable bonds.");
+  v.value("ring_stiffness_N_m3", s.ring_stiffness, {non_negative()},
+          "Normal and shear stiffness of ring bonds, per unit area; needed, and only allowed, with rings.");
+  v.value("cable_stiffness_N_m3", s.cable_stiffness, required(positive()),
+          "Normal and shear stiffness of cable bonds, per unit area.");
   v.value("dissipator_stiffness_N_m3", s.dissipator_stiffness, {.range = positive(), .max_count = 3},
           "Stiffness of the two or three stages of the energy dissipators in the cables; empty = no dissipators.");
   v.value("dissipator_force_limit_N", s.dissipator_force_limit, {.range = positive(), .max_count = 2},
@@ -297,17 +361,49 @@ void describe(V& v, Anchors& s) {
   v.value("bottom_cable_fixed", s.bottom_cable_fixed, {}, "The whole bottom cable is fixed to the bed.");
   v.value("lateral_cable_middles_fixed", s.lateral_cable_middles_fixed, {},
           "The middles of the two lateral cables are fixed too.");
-  v.value("cable_places", s.cable_places, {.range = between(0, 1)},
-          "Where each cable is fixed, as fractions of its length: the nearest beads.");
+  v.value(
+      "cable_places", s.cable_places, {.range = between(0, 1)},
+      "Where each cable is fixed, as fractions of its length: the nearest beads. With posts the ends of the top and "
+      "bottom cables and all these places of the lateral ones are tied to the posts instead.");
+}
+
+template <class V>
+void describe(V& v, RetainingCable& s) {
+  v.value("post", s.post, {.range = between(-1, 1000)},
+          "Number of the post, 0 the first along the width; -1 = every post.");
+  v.value("anchor_offset_m", s.anchor_offset, required(),
+          "From the foot of the post, on the line of the net's lower edge, to the anchor.");
+  v.value("dissipator_places", s.dissipator_places, {.range = between(0, 1)},
+          "Where along the cable dissipators are, as fractions of its length from the anchor.");
+}
+
+template <class V>
+void describe(V& v, Posts& s) {
+  v.value("enabled", s.enabled, required(), "Whether the net hangs between posts.");
+  v.when_on(s.enabled, [&] {
+    v.value("spans", s.spans, {between(1, 1000)},
+            "Number of nets side by side; posts stand between them and at both ends.");
+    v.value("height_m", s.height, required(positive()), "Top of the posts above the net's lower edge.");
+    v.value("diameter_m", s.diameter, required(positive()),
+            "Diameter that the flow meets. Posts stand beside the frames, a wire's diameter away.");
+    v.value("foot", s.foot, {}, "Clamped, or a ball joint that turns freely about all axes.");
+    v.value("youngs_modulus_Pa", s.youngs_modulus, {positive()}, "Young's modulus of the profile; steel by default.");
+    v.value("area_m2", s.area, required(positive()), "Area of the profile.");
+    v.value("second_moment_m4", s.second_moment, required(positive()),
+            "Second moment of area of the profile in the direction of the flow; taken in all directions.");
+    v.value("density_kg_m3", s.density, {positive()}, "Density of the profile.");
+    v.array("retaining", s.retaining, "A cable from the head of a post to an anchor in the ground.");
+  });
 }
 
 template <class V>
 void describe(V& v, Barrier& s) {
   v.value("enabled", s.enabled, required(), "Whether there is a barrier.");
   v.when_on(s.enabled, [&] {
-    v.table("net", s.net, Presence::needed, "The ring net.");
+    v.table("net", s.net, Presence::needed, "The net.");
     v.table("bonds", s.bonds, Presence::needed, "Stiffness of wire, cables and dissipators.");
     v.table("anchors", s.anchors, Presence::optional, "What is fixed.");
+    v.table("posts", s.posts, Presence::optional, "Spans between posts. One span without posts when left out.");
   });
 }
 
@@ -384,7 +480,7 @@ void describe(V& v, Scene& s) {
   v.array("contact", s.contacts, "Properties of a pair of materials. Pairs left out are smooth and elastic.");
   v.table("solids", s.solids, Presence::optional, "Time step and softening of grains and barrier.");
   v.table("grains", s.grains, Presence::optional, "Boulders and grains.");
-  v.table("barrier", s.barrier, Presence::optional, "The flexible ring net. Off when left out.");
+  v.table("barrier", s.barrier, Presence::optional, "The flexible net. Off when left out.");
   v.table(
       "rigid_barrier", s.rigid_barrier, Presence::optional,
       "A wall or slit barrier across x, for comparison. It becomes walls named rigid_barrier_0, rigid_barrier_1, ..., "

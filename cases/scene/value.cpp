@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -106,16 +107,34 @@ std::string read(const toml::node& node, const Rule& rule, Vec3& value) {
   return {};
 }
 
-std::string read(const toml::node& node, const Rule& rule, TimeValue& value) {
+namespace {
+
+/// Two numbers, each with its name in messages.
+std::string read_pair(const toml::node& node, const Rule& rule, const std::array<const char*, 2>& names,
+                      std::array<double, 2>& pair) {
   const toml::array* list = node.as_array();
   if (!list) return "is " + kind_text(node);
   if (list->size() != 2) return fmt::format("has {} entries", list->size());
-  TimeValue pair;
-  if (const std::string wrong = read((*list)[0], {}, pair.time); !wrong.empty()) return "has a time, which " + wrong;
-  if (const std::string wrong = read((*list)[1], rule, pair.value); !wrong.empty())
-    return "has a value, which " + wrong;
-  value = pair;
+  for (std::size_t k = 0; k < 2; ++k)
+    if (const std::string wrong = read((*list)[k], k == 0 ? Rule{} : rule, pair[k]); !wrong.empty())
+      return fmt::format("has {}, which {}", names[k], wrong);
   return {};
+}
+
+}  // namespace
+
+std::string read(const toml::node& node, const Rule& rule, TimeValue& value) {
+  std::array<double, 2> pair{};
+  const std::string wrong = read_pair(node, rule, {"a time", "a value"}, pair);
+  if (wrong.empty()) value = {pair[0], pair[1]};
+  return wrong;
+}
+
+std::string read(const toml::node& node, const Rule& rule, SievePoint& value) {
+  std::array<double, 2> pair{};
+  const std::string wrong = read_pair(node, rule, {"an opening", "a percentage"}, pair);
+  if (wrong.empty()) value = {pair[0], pair[1]};
+  return wrong;
 }
 
 }  // namespace lahar::scene

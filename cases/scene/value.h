@@ -28,12 +28,14 @@ std::string read(const toml::node& node, const Rule& rule, bool& value);
 std::string read(const toml::node& node, const Rule& rule, std::string& value);
 std::string read(const toml::node& node, const Rule& rule, Vec3& value);
 std::string read(const toml::node& node, const Rule& rule, TimeValue& value);
+std::string read(const toml::node& node, const Rule& rule, SievePoint& value);
 
 inline std::string type_text(double) { return "a number"; }
 inline std::string type_text(std::int64_t) { return "a whole number"; }
 inline std::string type_text(bool) { return "true or false"; }
 inline std::string type_text(const std::string&) { return "a string"; }
 inline std::string type_text(const TimeValue&) { return "a pair [time, value]"; }
+inline std::string type_text(const SievePoint&) { return "a pair [opening in m, percent passing]"; }
 inline std::string type_text(const Vec3&) { return "three numbers [x, y, z]"; }
 template <class E>
 requires std::is_enum_v<E> std::string type_text(E) {
@@ -106,6 +108,9 @@ inline std::string toml_text(const Vec3& v) {
 }
 inline std::string toml_text(const TimeValue& v) {
   return "[" + number_text(v.time) + ", " + number_text(v.value) + "]";
+}
+inline std::string toml_text(const SievePoint& v) {
+  return "[" + number_text(v.opening) + ", " + number_text(v.passing) + "]";
 }
 template <class E>
 requires std::is_enum_v<E> std::string toml_text(E v) { return string_text(name_of(v)); }

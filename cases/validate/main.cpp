@@ -8,6 +8,7 @@
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
 #include "cases/validate/entry.h"
+#include "cases/validate/outcome_table.h"
 #include "core/check.h"
 #include "core/parallel.h"
 
@@ -16,7 +17,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> names;
-  std::string json;
+  std::string json, table;
   bool list = false, quick = false;
   cases::CommonOptions common;
 };
@@ -61,6 +62,7 @@ int run(const Arguments& a) {
     if (!a.common.quiet) fmt::print("{}", outcome_text(outcomes.back()));
     std::fflush(stdout);
     if (!a.json.empty()) cases::replace_text_file(a.json, outcomes_json(outcomes));
+    if (!a.table.empty()) cases::replace_text_file(a.table, outcomes_markdown(outcomes, context));
   }
   std::size_t reached = 0;
   for (const Outcome& o : outcomes) reached += o.pass();
@@ -81,6 +83,8 @@ int main(int argc, char** argv) {
   app.add_flag("--list", arguments.list, "List the entries and do not run them");
   app.add_flag("--quick", arguments.quick, "Coarser grids and fewer steps: minutes instead of hours, fewer bars");
   app.add_option("--json", arguments.json, "Write the results there")->type_name("FILE");
+  app.add_option("--table", arguments.table, "Write the results there as a page of tables (Markdown)")
+      ->type_name("FILE");
   cases::add_common_options(app, arguments.common);
   return cases::parse_and_run(app, argc, argv, [&] { return validate::run(arguments); });
 }

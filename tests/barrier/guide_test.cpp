@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lahar::barrier {
@@ -26,7 +27,7 @@ struct GuidedCable {
     sort.bond_radius = 0.005;
     spec.sort = bonds.add_sort(sort);
     wire = add_wire(spec, particles, bonds);
-    guides.add(wire, Vec3(0.1, 0, 0), Vec3::UnitX(), kSpacing);
+    guides.add(wire, Vec3(0.1, 0, 0));
     guides.apply(particles);
   }
   [[nodiscard]] Vec3 force() const {
@@ -46,27 +47,61 @@ TEST(Guide, HoldsACableSidewaysTheSameWhereverItsBeadsStand) {
 }
 
 TEST(Guide, ForcesAreTheSlopeOfItsEnergy) {
-  // Between beads the two weights change along the axis: a bent cable feels that, and the energy knows.
-  const auto bent = [](double shift) {
-    GuidedCable cable(0.004, 2e-3);
-    cable.particles.position.x[9] += shift;
-    cable.particles.position.y[10] = 5e-3;
+  // A cable with a kink at its guide, nearest in the middle of a segment and at a bead.
+  for (const double along : {0.004, 0.0098}) {
+    const auto bent = [&](std::size_t bead, int axis, double shift) {
+      GuidedCable cable(along, 2e-3);
+      auto& p = cable.particles.position;
+      for (std::size_t k = 10; k < p.size(); ++k) p.y[k] += 0.6 * (p.x[k] - p.x[9]);
+      (axis == 0 ? p.x : axis == 1 ? p.y : p.z)[bead] += shift;
+      cable.guides.apply(cable.particles);
+      return cable;
+    };
+    double largest = 0;
+    for (std::size_t bead = 8; bead < 12; ++bead)
+      for (int axis = 0; axis < 3; ++axis) {
+        const double step = 1e-8;
+        const double slope =
+            (bent(bead, axis, step).guides.energy() - bent(bead, axis, -step).guides.energy()) / (2 * step);
+        EXPECT_NEAR(bent(bead, axis, 0).particles.external_force[bead][axis], -slope, 0.01) << bead << " " << axis;
+        largest = std::max(largest, std::abs(slope));
+      }
+    EXPECT_GT(largest, 100.0);
+  }
+}
+
+TEST(Guide, ACableSlidesThroughAtAnAngleWithoutResistance) {
+  // A straight cable that runs through its guide at 45 degrees, 2 mm beside it: wherever its beads stand the force is
+  // normal to the cable and the energy the same.
+  const Vec3 direction = Vec3(1, 1, 0).normalized(), normal(-direction.y(), direction.x(), 0);
+  for (const double along : {0.0, 0.0011, 0.0033, 0.005, 0.0099}) {
+    GuidedCable cable(0, 0);
+    for (std::size_t k = 0; k < cable.particles.size(); ++k)
+      cable.particles.position.set(
+          k, Vec3(0.1, 0, 0) + (static_cast<double>(k) * kSpacing - 0.1 + along) * direction + 2e-3 * normal);
     cable.guides.apply(cable.particles);
-    return cable;
-  };
-  const double step = 1e-7;
-  const double slope = (bent(step).guides.energy() - bent(-step).guides.energy()) / (2 * step);
-  EXPECT_NEAR(bent(0).particles.external_force.x[9], -slope, 1e-6 * std::abs(slope));
-  EXPECT_GT(std::abs(slope), 1.0);
+    EXPECT_NEAR(cable.force().dot(direction), 0, 1e-6) << along;
+    EXPECT_NEAR(cable.force().dot(normal), -2e3, 1e-6) << along;
+    EXPECT_NEAR(cable.guides.energy(), 2, 1e-9) << along;
+  }
 }
 
 TEST(Guide, LetsGoOfBeadsThatHavePassed) {
-  GuidedCable cable(0, 2e-3);
+  GuidedCable cable(0.001, 2e-3);
   EXPECT_NE(cable.particles.external_force.y[10], 0);
   for (double& x : cable.particles.position.x) x += 5 * kSpacing;
   cable.guides.apply(cable.particles);
   EXPECT_EQ(cable.particles.external_force.y[10], 0);
   EXPECT_NE(cable.particles.external_force.y[5], 0);
+}
+
+TEST(Guide, TellsWhenACableHasSlippedOut) {
+  GuidedCable cable(0.0033, 0);
+  EXPECT_FALSE(cable.guides.slipped_out());
+  for (double& x : cable.particles.position.x) x += 0.09;  // the guide is between its first two beads
+  cable.guides.apply(cable.particles);
+  ASSERT_TRUE(cable.guides.slipped_out());
+  EXPECT_EQ(*cable.guides.slipped_out(), Vec3(0.1, 0, 0));
 }
 
 TEST(Guide, DampsSidewaysMotionOnly) {

@@ -34,7 +34,7 @@ TEST(Estimates, CountsOfThePaper) {
   const scene::Scene debris = scene::debris_flow();
   EXPECT_EQ(net_columns(debris.barrier.net), 30);
   EXPECT_EQ(net_rows(debris.barrier.net), 16);
-  EXPECT_EQ(net_beads(debris.barrier.net), 480 * 36 + 905);  // cables: 5.52 m of 6.1 mm beads
+  EXPECT_EQ(barrier_beads(debris.barrier), 480 * 36 + 905);  // cables: 5.52 m of 6.1 mm beads
   EXPECT_EQ(grain_count(debris), 3260 + 1481);
   EXPECT_EQ(smallest_grain(debris), 0.04);
 }

@@ -20,7 +20,8 @@ TEST_P(CaseFile, ResolvedSceneLoadsAsTheSameScene) { expect_round_trip(load(case
 
 INSTANTIATE_TEST_SUITE_P(Writer, CaseFile,
                          testing::Values("debris_flow/scene.toml", "debris_flow/demo.toml", "dam_break/scene.toml",
-                                         "bouncing_sphere/scene.toml", "hanging_net/scene.toml"));
+                                         "bouncing_sphere/scene.toml", "hanging_net/scene.toml", "two_spans/scene.toml",
+                                         "hexagonal_net/scene.toml"));
 
 TEST(Writer, EveryShapeAndAwkwardTextSurvive) {
   const Scene scene = load_text(small_scene + R"(

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cases/validate/outcome_table.h"
+
 namespace lahar::validate {
 namespace {
 
@@ -54,6 +56,14 @@ TEST(ValidateOutcome, NeedsRowsThatAllPassAndNoFailure) {
   EXPECT_FALSE(outcome.pass());
 }
 
+TEST(ValidateOutcome, IsWrittenAsTables) {
+  const Entry misses = entry("fluid.misses", {at_most_row("a|b", 2, 1), at_most_row("c", 0.5, 1)});
+  const std::string text = outcomes_markdown({run_entry(kSome[0], {}), run_entry(misses, {})}, {});
+  EXPECT_NE(text.find("1 of 2 entries reach their bars"), std::string::npos) << text;
+  EXPECT_NE(text.find("| a\\|b | 2 | 0 | 2 | 1 | **short** |\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("| c | 0.5 | 0 | 0.5 | 1 |  |\n"), std::string::npos) << text;
+}
+
 TEST(ValidateOutcome, IsWrittenAsJson) {
   const Entry odd = entry("fluid.odd", {at_most_row("infinite", std::numeric_limits<double>::infinity(), 1)});
   const auto json = nlohmann::json::parse(outcomes_json({run_entry(kSome[0], {}), run_entry(odd, {})}));
@@ -86,9 +96,10 @@ INSTANTIATE_TEST_SUITE_P(Fluid, QuickEntry,
 
 INSTANTIATE_TEST_SUITE_P(SolidsContact, QuickEntry,
                          testing::Values("solids.chung_ooi_1", "solids.chung_ooi_2", "solids.chung_ooi_3",
-                                         "solids.incline_35", "solids.restitution", "solids.hard_h15",
-                                         "solids.hard_h16", "solids.hard_h9", "solids.cantilever", "solids.catenary",
-                                         "solids.column_collapse", "solids.energy_ledger"),
+                                         "solids.incline_35", "solids.rolling_incline", "solids.restitution",
+                                         "solids.hard_h15", "solids.hard_h16", "solids.hard_h9", "solids.cantilever",
+                                         "solids.catenary", "solids.column_collapse", "solids.energy_ledger",
+                                         "solids.post", "solids.two_spans", "solids.hexagonal_mesh"),
                          [](const auto& param) { return std::string(param.param).substr(7); });
 
 INSTANTIATE_TEST_SUITE_P(Bodies, QuickEntry,

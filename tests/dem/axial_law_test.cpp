@@ -42,6 +42,26 @@ TEST(AxialLaw, EnergyIsTheAreaUnderTheCurve) {
   EXPECT_NEAR(curve_energy(c, end) / area, 1, 1e-8);
 }
 
+TEST(AxialLaw, WireThatOnlyPullsGoesSlack) {
+  for (const bool plastic : {false, true}) {
+    AxialLaw law = table2(plastic);
+    law.tension_only = true;
+    const AxialCurve c = axial_curve(law, kArea), pushed = axial_curve(table2(plastic), kArea);
+    EXPECT_FALSE(c.linear());
+    EXPECT_EQ(curve_force(c, -1e-3), 0);
+    EXPECT_EQ(curve_energy(c, -1e-3), 0);
+    EXPECT_DOUBLE_EQ(curve_force(c, 1.5 * c.e1), curve_force(pushed, 1.5 * c.e1));
+    const PlasticStep loaded = plastic_step(c, c.e1 + 0.5 * c.width, 0);
+    EXPECT_EQ(plastic_step(c, 0.9 * loaded.plastic_elongation, loaded.plastic_elongation).force, 0);
+    EXPECT_EQ(plastic_step(c, 0, loaded.plastic_elongation).plastic_elongation, loaded.plastic_elongation);
+  }
+  AxialLaw line{{2e9, 0, 0}};
+  line.tension_only = true;
+  EXPECT_FALSE(axial_curve(line, 1e-4).linear());
+  EXPECT_DOUBLE_EQ(curve_force(axial_curve(line, 1e-4), 3e-3), 600);
+  EXPECT_EQ(curve_force(axial_curve(line, 1e-4), -3e-3), 0);
+}
+
 TEST(AxialLaw, BilinearNeverReachesTheThirdBranch) {
   const AxialCurve c = axial_curve({{1e9, 1e7, 0}, {1e3, kInfinity}}, 1e-3);
   EXPECT_DOUBLE_EQ(c.e1, 1e-3);

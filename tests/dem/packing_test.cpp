@@ -7,6 +7,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "dem/grading.h"
 
 namespace lahar::dem {
 namespace {
@@ -64,6 +65,32 @@ TEST(Packing, EqualSpheresComeNearRandomClosePacking) {
   EXPECT_GT(report.solid_fraction, 0.60);
   EXPECT_LT(report.solid_fraction, 0.66);
   EXPECT_LT(report.max_relative_overlap, 1e-3);
+}
+
+/// 4 : 1 in diameter: enough that the near lists take their other way. Every pair is compared.
+TEST(Packing, SieveCurveIsDenseAndFreeOfOverlaps) {
+  PackingSpec spec;
+  spec.upper = {0.2, 0.2, 0.35};
+  spec.target_height = 0.13;
+  const double volume = 0.64 * 0.2 * 0.2 * spec.target_height;
+  for (const double d : draw_diameters({{0.01, 0}, {0.02, 0.3}, {0.04, 1}}, volume, 3))
+    spec.classes.push_back({d / 2, 1, 2650, 0});
+  const auto spheres = pack(spec);
+  ASSERT_EQ(spheres.size(), spec.classes.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    EXPECT_EQ(spheres[i].radius, spec.classes[i].radius);
+    for (std::size_t j = 0; j < i; ++j) {
+      const double reach = spheres[i].radius + spheres[j].radius;
+      const double overlap = reach - (spheres[i].position - spheres[j].position).norm();
+      worst = std::max(worst, overlap / std::min(spheres[i].radius, spheres[j].radius));
+    }
+  }
+  EXPECT_LT(worst, 1e-3);
+  const PackingReport report = measure_packing(spec, spheres);
+  EXPECT_NEAR(report.max_relative_overlap, worst, 1e-12);
+  EXPECT_GE(report.solid_fraction, 0.63);
+  EXPECT_LT(report.solid_fraction, 0.72);
 }
 
 TEST(Packing, MeasuresASingleLayerExactly) {

@@ -87,7 +87,7 @@ Vec3 mean_place(const Particles& p) {
 /// Largest departure of the ledger over `seconds`, as a share of the exchanged energy (widest range of a term).
 double departure(Solids& solids, double seconds) {
   const double start = solids.ledger().total();
-  std::array<double, 16> least, most;
+  std::array<double, std::tuple_size_v<decltype(EnergyLedger{}.terms())>> least{}, most{};
   least.fill(std::numeric_limits<double>::infinity());
   most.fill(-std::numeric_limits<double>::infinity());
   double worst = 0;

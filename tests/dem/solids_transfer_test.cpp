@@ -12,7 +12,7 @@ namespace lahar::dem {
 namespace {
 
 /// Grains that rain on chains of beads, whose bonds break under them; the chains stretch plastically.
-Solids scene() {
+Solids scene(double rolling_friction = 0) {
   Particles p = testing::loose_grains(5, 5, 6, 0.02, 0.04, 4);
   for (double& z : p.position.z) z += 0.05;
   Bonds bonds;
@@ -41,7 +41,7 @@ Solids scene() {
   o.watchdog.overlap_limit = 2;  // the beads are small beside the grains
   Materials m;
   m.add({"any", 1e7, 0.25});
-  m.set_pair(0, 0, 0.5, 0.5);
+  m.set_pair(0, 0, 0.5, 0.5, rolling_friction);
   return {std::move(p), std::move(bonds), m, testing::open_box({0.41, 0.41, 1}), o};
 }
 
@@ -49,9 +49,9 @@ std::size_t broken(const Solids& s) {
   return static_cast<std::size_t>(std::count(s.bonds().intact.begin(), s.bonds().intact.end(), 0));
 }
 
-void expect_same_after_restart(Solids& whole, int steps) {
+void expect_same_after_restart(Solids& whole, int steps, double rolling_friction = 0) {
   StoredState state = state_of(whole);
-  Solids resumed = scene();
+  Solids resumed = scene(rolling_friction);
   load_state(state, resumed);
   EXPECT_TRUE(differing_lists(state, state_of(resumed)).empty()) << "what was loaded is not what was stored";
   whole.advance(steps);
@@ -68,6 +68,14 @@ TEST(SolidsTransfer, GoesOnRightAfterABondHasBroken) {
   for (int n = 0; n < 20000 && broken(solids) == 0; ++n) solids.step();
   ASSERT_GT(broken(solids), 0U);
   expect_same_after_restart(solids, 2000);
+}
+
+TEST(SolidsTransfer, GoesOnWithRollingResistance) {
+  Solids solids = scene(0.2);
+  solids.advance(9000);
+  EXPECT_GT(solids.ledger().elastic_rolling, 0);
+  EXPECT_GT(solids.ledger().rolling, 0);
+  expect_same_after_restart(solids, 300, 0.2);
 }
 
 TEST(SolidsTransfer, GoesOnWithContactsBondsAndBrokenBonds) {

@@ -64,6 +64,24 @@ TEST(TimeStep, the_lightest_free_end_of_an_intact_bond_counts) {
   EXPECT_EQ(bond_time_step(bonds, p), std::numeric_limits<double>::infinity());
 }
 
+TEST(TimeStep, all_bonds_of_a_bead_count) {
+  // A bead between six others: three times the bonds of a bead in a chain.
+  Particles p;
+  Bonds bonds;
+  BondSort sort;
+  sort.axial.stiffness = {1e9, 1e9, 1e9};
+  sort.bond_radius = 0.01;
+  bonds.add_sort(sort);
+  p.add(testing::sphere(Vec3::Zero(), 0.01, 2650));
+  for (unsigned k = 0; k < 6; ++k) {
+    Vec3 place = Vec3::Zero();
+    place[k / 2] = k % 2 == 0 ? 0.02 : -0.02;
+    p.add(testing::sphere(place, 0.01, 2650));
+    bonds.add({0, k + 1, 0}, p);
+  }
+  EXPECT_NEAR(bond_time_step(bonds, p), bond_time_step(sort, p.mass[0]) / std::sqrt(3.0), 1e-15);
+}
+
 TEST(TimeStep, bonds_thicker_than_their_beads_are_bound_by_bending) {
   Particles p;
   p.add(testing::sphere({0, 0, 0}, 0.01, 2650));

@@ -16,7 +16,7 @@ namespace lahar::validate {
 namespace {
 
 constexpr double kReynolds = 1600;
-constexpr double kSpeed = 0.05;    // V0, lu: Ma = 0.087, and what compressibility does is of the order of Ma^2 = 0.75 %
+constexpr double kSpeed = 0.1;     // V0, lu, what scenes take by default: Ma = 0.17, Ma^2 = 3 %
 constexpr double kDuration = 10;   // L / V0
 constexpr double kSampling = 0.1;  // L / V0 between two looks at the energy
 constexpr double kPeak = 0.01279, kPeakTime = 8.90;

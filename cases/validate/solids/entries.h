@@ -12,8 +12,12 @@ Entry energy_ledger();
 Entry hard_h15();
 Entry hard_h16();
 Entry hard_h9();
+Entry hexagonal_mesh();
 Entry incline_35();
+Entry post();
 Entry restitution();
+Entry rolling_incline();
+Entry two_spans();
 
 std::vector<Entry> solids_entries();
 

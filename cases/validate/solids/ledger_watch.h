@@ -2,6 +2,7 @@
 // Follows the energy ledger of a run. Every entry with particles holds its ledger against the same bar.
 #include <array>
 #include <string>
+#include <tuple>
 
 #include "cases/validate/entry.h"
 #include "dem/solids.h"
@@ -29,7 +30,7 @@ class LedgerWatch {
   [[nodiscard]] Row row(const std::string& what, double bar = kLedgerBar) const;
 
  private:
-  static constexpr std::size_t kTerms = 16;
+  static constexpr std::size_t kTerms = std::tuple_size_v<decltype(dem::EnergyLedger{}.terms())>;
   const dem::Solids* solids_;
   double first_ = 0, error_ = 0, last_error_ = 0;
   std::array<double, kTerms> lowest_{}, highest_{};

@@ -1,0 +1,265 @@
+#include "barrier/spans.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <utility>
+
+#include "barrier/anchors.h"
+#include "barrier/link.h"
+#include "core/check.h"
+
+namespace lahar::barrier {
+
+namespace {
+
+/// A bond of the cable, N/m.
+double cable_stiffness(const RingNetSpec& net) {
+  const double radius = net.cable.bond_radius > 0 ? net.cable.bond_radius : 0.5 * net.wire_diameter;
+  return net.cable.axial.stiffness[0] * std::numbers::pi * radius * radius;
+}
+
+/// Whether two centre-lines come nearer to each other than this, m.
+bool meet(const Polyline& a, const Polyline& b, double apart) { return distance(a, b, Vec3::Zero(), apart) < apart; }
+
+/// Fractions of a cable's length that are tied to the left and to the right post.
+struct TiedPlaces {
+  std::vector<double> left, right;
+};
+
+/// Takes out of the supports of a span's cables what the posts hold.
+std::array<TiedPlaces, 4> free_ends(RingNetSpec& net) {
+  std::array<TiedPlaces, 4> tied;
+  for (const auto& [side, cable] : {std::pair{Side::upper, &net.upper}, std::pair{Side::lower, &net.lower}}) {
+    if (cable->support.fixed_all) continue;
+    auto& places = cable->support.fixed_at;
+    TiedPlaces& ends = tied[static_cast<std::size_t>(side)];
+    if (std::ranges::count(places, 0.0) > 0) ends.left = {0};
+    if (std::ranges::count(places, 1.0) > 0) ends.right = {1};
+    std::erase_if(places, [](double f) { return f == 0 || f == 1; });
+  }
+  tied[static_cast<std::size_t>(Side::left)].left = std::exchange(net.left.support.fixed_at, {});
+  tied[static_cast<std::size_t>(Side::right)].right = std::exchange(net.right.support.fixed_at, {});
+  return tied;
+}
+
+template <class T>
+void append(std::vector<T>& all, std::vector<T>& part) {
+  all.insert(all.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+}
+
+/// Builds a barrier part by part.
+class Builder {
+ public:
+  Builder(const SpansSpec& spec, dem::Particles& particles, dem::Bonds& bonds)
+      : spec_(spec), particles_(particles), bonds_(bonds) {
+    tie_sort_ = bonds.add_sort(link_bond(cable_stiffness(spec.net), 0.5 * spec.net.wire_diameter));
+  }
+
+  Net build() {
+    for (int s = 0; s < spec_.spans; ++s) add_span(s);
+    for (int k = 0; k <= spec_.spans; ++k) add_post_at(k);
+    for (std::size_t s = 0; s < spans_.size(); ++s) tie_span(s);
+    merge();
+    for (const RetainingSpec& r : spec_.retaining) add_cables(r);
+    note_beads();
+    return std::move(all_);
+  }
+
+ private:
+  [[nodiscard]] std::int32_t next_body() { return spec_.net.first_body + bodies_++; }
+
+  void add_span(int s) {
+    RingNetSpec net = spec_.net;
+    net.origin += s * post_distance(spec_) * net.across;
+    net.first_body = spec_.net.first_body + bodies_;
+    tied_ = free_ends(net);
+    spans_.push_back(build_net(net, particles_, bonds_));
+    bodies_ += static_cast<std::int32_t>(spans_.back().rings.size() + spans_.back().meshes.size() +
+                                         spans_.back().cables.size());
+  }
+
+  void add_post_at(int k) {
+    PostSpec post = post_spec(spec_, k);
+    post.body = next_body();
+    posts_.push_back(add_post(post, particles_, bonds_));
+  }
+
+  void tie(dem::ParticleIndex bead, const Post& post) {
+    const Vec3 place = particles_.position[bead];
+    const auto away = [&](dem::ParticleIndex i) { return (particles_.position[i] - place).squaredNorm(); };
+    dem::ParticleIndex nearest = post.wire.first_bead;
+    for (dem::ParticleIndex i = nearest; i <= post.head(); ++i)
+      if (away(i) < away(nearest)) nearest = i;
+    ties_.push_back(bonds_.size());
+    bonds_.add({bead, nearest, tie_sort_}, particles_);
+  }
+
+  void tie_span(std::size_t s) {
+    for (std::size_t c = 0; c < spans_[s].cables.size(); ++c) {
+      const Wire& cable = spans_[s].cables[c];
+      const TiedPlaces& places = tied_[static_cast<std::size_t>(spans_[s].cable_sides[c])];
+      const auto first = cable.first_bead;
+      for (const std::size_t k : items_at(places.left, cable.beads))
+        tie(first + static_cast<dem::ParticleIndex>(k), posts_[s]);
+      for (const std::size_t k : items_at(places.right, cable.beads))
+        tie(first + static_cast<dem::ParticleIndex>(k), posts_[s + 1]);
+    }
+  }
+
+  void merge() {
+    all_ = std::move(spans_.front());
+    for (std::size_t s = 1; s < spans_.size(); ++s) {
+      append(all_.rings, spans_[s].rings);
+      append(all_.meshes, spans_[s].meshes);
+      append(all_.cables, spans_[s].cables);
+      append(all_.cable_sides, spans_[s].cable_sides);
+      append(all_.corners, spans_[s].corners);
+      append(all_.dissipators, spans_[s].dissipators);
+      append(all_.ties, spans_[s].ties);
+    }
+    all_.spans = spec_.spans;
+    all_.posts = posts_;
+    append(all_.ties, ties_);
+  }
+
+  void add_cables(const RetainingSpec& r) {
+    if (r.post < -1 || r.post > spec_.spans)
+      throw InputError("a retaining cable is for post " + std::to_string(r.post) + ", expected 0 to " +
+                       std::to_string(spec_.spans) + ", or -1 for all");
+    for (int k = 0; k <= spec_.spans; ++k)
+      if (r.post == -1 || r.post == k) add_cable_of(k, r);
+  }
+
+  void add_cable_of(int k, const RetainingSpec& r) {
+    const RingNetSpec& net = spec_.net;
+    const auto with_radius = [&](dem::BondSort sort) {
+      if (sort.bond_radius == 0) sort.bond_radius = 0.5 * net.wire_diameter;
+      return sort;
+    };
+    if (!sorts_) sorts_ = {bonds_.add_sort(with_radius(net.cable)), bonds_.add_sort(with_radius(net.dissipator))};
+    const Post& post = posts_[static_cast<std::size_t>(k)];
+    const Retaining made = add_retaining(post, post_base(spec_, k) + r.anchor, r.dissipators_at,
+                                         {net.wire_diameter, net.density, net.material}, *sorts_, tie_sort_,
+                                         next_body(), particles_, bonds_);
+    all_.retaining.push_back(made.wire);
+    all_.ties.push_back(made.tie);
+    for (std::size_t b = made.wire.first_bond; b < made.wire.first_bond + made.wire.bonds; ++b)
+      if (bonds_.sort[b] == sorts_->dissipator) all_.dissipators.push_back(b);
+    check_room(k, made.wire);
+  }
+
+  static std::string cable_of(int k) { return "the retaining cable of post " + std::to_string(k); }
+  static std::string through_net(int k) {
+    return cable_of(k) + " runs through the net, expected an anchor clear of it";
+  }
+
+  /// Whether a cable comes nearer to a wire of the panel than its nodes' surfaces.
+  [[nodiscard]] bool passes(const Polyline& cable, const MeshPart& mesh) const {
+    for (std::size_t b = mesh.first_bond; b < mesh.first_bond + mesh.bonds; ++b) {
+      const Polyline wire{{particles_.position[bonds_.i[b]], particles_.position[bonds_.j[b]]}, false};
+      if (meet(cable, wire, particles_.radius[bonds_.i[b]] + 0.5 * spec_.net.wire_diameter)) return true;
+    }
+    return false;
+  }
+
+  void check_room(int k, const Wire& cable) {
+    const Polyline line = centre_line(cable, particles_);
+    for (const MeshPart& mesh : all_.meshes)
+      if (passes(line, mesh)) throw InputError(through_net(k));
+    const double d = spec_.net.wire_diameter;
+    for (const Polyline& other : centre_lines(all_, particles_))
+      if (meet(line, other, d)) throw InputError(through_net(k));
+    for (std::size_t p = 0; p < posts_.size(); ++p) {
+      const bool own = static_cast<int>(p) == k;
+      // Its own post it meets at the head: the bead there counts as touched.
+      Polyline axis = centre_line(posts_[p].wire, particles_);
+      if (own) axis.points.pop_back();
+      if (meet(line, axis, posts_[p].radius + 0.5 * d))
+        throw InputError(cable_of(k) + " runs through post " + std::to_string(p) + ", expected an anchor clear of it");
+    }
+  }
+
+  void note_beads() {
+    all_.beads = particles_.size() - all_.first_bead;
+    all_.bonds = bonds_.size() - all_.first_bond;
+    all_.start = {};
+    all_.fixed_beads.clear();
+    for (dem::ParticleIndex i = all_.first_bead; i < particles_.size(); ++i) {
+      all_.start.push_back(particles_.position[i]);
+      if (particles_.state[i] == dem::ParticleState::fixed) all_.fixed_beads.push_back(i);
+    }
+  }
+
+  const SpansSpec& spec_;
+  dem::Particles& particles_;
+  dem::Bonds& bonds_;
+  int tie_sort_ = 0;
+  std::optional<CableSorts> sorts_;
+  std::int32_t bodies_ = 0;
+  std::vector<Net> spans_;
+  std::vector<Post> posts_;
+  std::vector<std::size_t> ties_;
+  std::array<TiedPlaces, 4> tied_;
+  Net all_;
+};
+
+void check(const SpansSpec& s) {
+  if (s.spans < 1) throw InputError("a barrier with posts needs one span at least");
+  if (!(s.post_height >= s.net.height))
+    throw InputError("posts of " + std::to_string(s.post_height) + " m are shorter than the net, " +
+                     std::to_string(s.net.height) + " m");
+  if (s.net.free_net) throw InputError("a net between posts needs its cables");
+}
+
+}  // namespace
+
+double post_clearance(const RingNetSpec& net) { return net.wire_diameter; }
+
+double post_distance(const SpansSpec& spec) {
+  return spec.net.width + spec.post_diameter + 2 * post_clearance(spec.net);
+}
+
+Vec3 post_base(const SpansSpec& spec, int k) {
+  const double first = -(0.5 * spec.post_diameter + post_clearance(spec.net));
+  return spec.net.origin + (first + k * post_distance(spec)) * spec.net.across;
+}
+
+PostSpec post_spec(const SpansSpec& spec, int k) {
+  PostSpec post;
+  const double radius = 0.5 * spec.post_diameter;
+  post.foot = post_base(spec, k) + radius * spec.net.up;
+  post.head = post_base(spec, k) + (spec.post_height - radius) * spec.net.up;
+  post.across = spec.net.across;
+  post.diameter = spec.post_diameter;
+  post.section = spec.section;
+  post.foot_joint = spec.foot;
+  post.material = spec.net.material;
+  return post;
+}
+
+Retaining add_retaining(const Post& post, const Vec3& anchor, const std::vector<double>& dissipators_at,
+                        const WireProperties& properties, const CableSorts& sorts, int tie_sort, std::int32_t body,
+                        dem::Particles& particles, dem::Bonds& bonds) {
+  const Vec3 head = particles.position[post.head()], foot = particles.position[post.wire.first_bead];
+  const Vec3 axis = (head - foot).normalized(), from = anchor - foot;
+  if ((from - from.dot(axis) * axis).norm() < 2 * post.radius)
+    throw InputError("the anchor of a retaining cable lies at its post, expected it a post's diameter away at least");
+  const Vec3 back = (anchor - head).normalized();
+  const Vec3 end = head + (post.radius + 0.55 * properties.diameter) * back;
+  Retaining made;
+  made.wire = add_cable(cable_line({.start = anchor, .end = end}, properties.diameter),
+                        {.fixed_at = {0}, .fixed_all = false, .dissipators_at = dissipators_at}, properties, sorts,
+                        body, particles, bonds);
+  made.tie = bonds.size();
+  bonds.add({made.wire.first_bead + made.wire.beads - 1, post.head(), tie_sort}, particles);
+  return made;
+}
+
+Net build_spans(const SpansSpec& spec, dem::Particles& particles, dem::Bonds& bonds) {
+  check(spec);
+  return Builder(spec, particles, bonds).build();
+}
+
+}  // namespace lahar::barrier

@@ -1,0 +1,59 @@
+#pragma once
+// A barrier of several spans: ring nets of one size side by side in a line, posts between them and at both ends,
+// retaining cables from the heads of the posts to the ground.
+//
+// Each span is a net of its own in its four cables. What a single net fixes is tied to the posts here: the ends of the
+// upper and lower cables to the posts at their sides, every fixed place of a lateral cable to the post that it runs
+// along. A tie is a link (link.h) from a bead of the cable to the nearest bead of the post, as stiff as a bond of the
+// cable: a shackle. Cables do not run through the heads (decision 0027).
+#include <optional>
+#include <vector>
+
+#include "barrier/net.h"
+
+namespace lahar::barrier {
+
+/// A straight cable from the head of a post to the ground.
+struct RetainingSpec {
+  int post = 0;                        ///< number of the post, 0 is the leftmost; -1 for every post
+  Vec3 anchor = Vec3::Zero();          ///< m, from the point where the post stands on the line of the net's lower edge
+  std::vector<double> dissipators_at;  ///< fractions of the cable's length from the anchor
+};
+
+struct SpansSpec {
+  RingNetSpec net;  ///< the first span; its frame's lower left corner is net.origin
+  int spans = 1;
+  double post_height = 0;    ///< m, top of the posts above the net's lower edge
+  double post_diameter = 0;  ///< m
+  PostSection section;
+  Foot foot = Foot::fixed;
+  std::vector<RetainingSpec> retaining;
+};
+
+/// Room between the side of a frame and the surface of the post beside it, m.
+[[nodiscard]] double post_clearance(const RingNetSpec& net);
+/// Distance between the axes of neighbouring posts, m.
+[[nodiscard]] double post_distance(const SpansSpec& spec);
+/// Where post k (0 .. spans) stands on the line of the net's lower edge, m.
+[[nodiscard]] Vec3 post_base(const SpansSpec& spec, int k);
+/// The post without its place among the others: foot and head are its end beads' centres, so that it stands on the
+/// lower edge and ends at the post height.
+[[nodiscard]] PostSpec post_spec(const SpansSpec& spec, int k);
+
+/// A retaining cable of this wire from the anchor to the head of a post, with a tie at the head. Returns the wire and
+/// the bond of the tie. `sorts` are bond sorts of `bonds`. Throws InputError for an anchor at the post, or one so near
+/// that no cable fits.
+struct Retaining {
+  Wire wire;
+  std::size_t tie = 0;
+};
+Retaining add_retaining(const Post& post, const Vec3& anchor, const std::vector<double>& dissipators_at,
+                        const WireProperties& properties, const CableSorts& sorts, int tie_sort, std::int32_t body,
+                        dem::Particles& particles, dem::Bonds& bonds);
+
+/// Builds all at rest and free of stress. Throws InputError for what build_net, add_post and add_retaining refuse, for
+/// posts lower than the net, for the number of a post that there is not, and for a retaining cable that runs through
+/// the net or a post.
+Net build_spans(const SpansSpec& spec, dem::Particles& particles, dem::Bonds& bonds);
+
+}  // namespace lahar::barrier
