@@ -16,9 +16,10 @@ namespace lahar::dem {
 /// Velocities at the end are predicted with the last known force.
 class ContactBodies {
  public:
-  /// `particles.force` must still hold the sums of the last step. Removed particles get a position that is not a
+  /// `particles.force` must still hold the sums of the last step. Where velocities change within it, `mean` gives those
+  /// that count as mid-step ones. Removed particles get a position that is not a
   /// number, so that they never touch.
-  void pack(const Particles& particles, const ContactParties& parties, double dt);
+  void pack(const Particles& particles, const ContactParties& parties, double dt, const MeanMotion* mean = nullptr);
   [[nodiscard]] const double* operator[](std::size_t place) const { return lines_[3 * place]; }
 
  private:

@@ -54,19 +54,20 @@ bool ContactDetection::outdated(const Particles& particles) {
          any_moved(particles.position, listed_at_, move_limit2_);
 }
 
-void ContactDetection::rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded) {
-  neighbours_.build(particles, excluded);
-  refresh(particles);
+void ContactDetection::rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded,
+                               const RateShare& share) {
+  neighbours_.build(particles, excluded, share);
+  refresh(particles, share);
   std::swap(walls_, previous_walls_);
-  list_walls(particles, walls);
+  list_walls(particles, walls, share);
   carry_histories(previous_walls_, walls_);
 }
 
-void ContactDetection::refresh(const Particles& particles) {
+void ContactDetection::refresh(const Particles& particles, const RateShare& share) {
   if (refreshes_ > 0 && asked_ < kFewSteps) narrow_share_ = std::min(1.0, 1.5 * narrow_share_);
   if (asked_ > kManySteps) narrow_share_ = std::max(kThinnest, narrow_share_ / 1.5);
   asked_ = 0;
-  remember_positions(particles);
+  remember_positions(particles, share);
   std::swap(pairs_, previous_pairs_);
   list_pairs(particles.size());
   carry_histories(previous_pairs_, pairs_);
@@ -74,17 +75,17 @@ void ContactDetection::refresh(const Particles& particles) {
   ++refreshes_;
 }
 
-void ContactDetection::set_move_limits(const Particles& particles) {
+void ContactDetection::set_move_limits(const Particles& particles, const RateShare& share) {
   move_limit2_.resize(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double limit = 0.5 * narrow_share_ * neighbours_.skin(particles, i);
-    move_limit2_[i] = limit * limit;
+    move_limit2_[i] = share.listed(i) ? limit * limit : std::numeric_limits<double>::infinity();
   }
 }
 
-void ContactDetection::remember_positions(const Particles& particles) {
+void ContactDetection::remember_positions(const Particles& particles, const RateShare& share) {
   listed_at_ = particles.position;
-  set_move_limits(particles);
+  set_move_limits(particles, share);
   reach_.resize(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double limit = 0.5 * narrow_share_ * neighbours_.skin(particles, i);
@@ -166,14 +167,14 @@ void ContactDetection::list_parties(std::size_t n) {
   t.offset[0] = 0;
 }
 
-void ContactDetection::list_walls(const Particles& particles, const Walls& walls) {
+void ContactDetection::list_walls(const Particles& particles, const Walls& walls, const RateShare& share) {
   walls_.offset.assign(1, 0);
   walls_.owner.clear();
   walls_.partner.clear();
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double reach = particles.radius[i] + neighbours_.skin(particles, i);
     const Vec3 p = particles.position[i];
-    if (particles.state[i] == ParticleState::free)
+    if (particles.state[i] == ParticleState::free && share.single(i))
       for (std::size_t w = 0; w < walls.all().size(); ++w)
         if (walls.distance(w, p) < reach) {
           walls_.owner.push_back(static_cast<std::uint32_t>(i));

@@ -61,10 +61,10 @@ class ContactDetection {
   void remember_rolling() {
     for (ContactSlots* slots : {&pairs_, &walls_, &previous_pairs_, &previous_walls_}) slots->rolls = true;
   }
-  /// Builds all lists anew and carries the histories over. Positions must be finite.
-  void rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded);
+  /// Builds all lists of the contacts in `share` anew and carries the histories over. Positions must be finite.
+  void rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded, const RateShare& share = {});
   /// Lists the slots anew from the neighbour list, which must not be outdated.
-  void refresh(const Particles& particles);
+  void refresh(const Particles& particles, const RateShare& share = {});
 
   [[nodiscard]] ContactSlots& pairs() { return pairs_; }
   [[nodiscard]] const ContactSlots& pairs() const { return pairs_; }
@@ -79,7 +79,7 @@ class ContactDetection {
   [[nodiscard]] std::vector<StoredContact> stored_contacts() const;
   /// State of a checkpoint: the lists as they are, with all histories (solids_transfer.cpp). A list that was built
   /// later would differ where a bond has broken or a particle was removed since it was built.
-  void transfer(Archive& archive, const Particles& particles, std::size_t walls);
+  void transfer(Archive& archive, const Particles& particles, std::size_t walls, const RateShare& share);
   /// Puts stored histories into the present lists; contacts that are not listed there are an error.
   void restore(const std::vector<StoredContact>& contacts);
 
@@ -91,9 +91,9 @@ class ContactDetection {
   void list_pairs(std::size_t particles);
   void list_row(std::size_t i, std::vector<std::uint32_t>& row) const;
   void list_parties(std::size_t particles);
-  void list_walls(const Particles& particles, const Walls& walls);
-  void remember_positions(const Particles& particles);
-  void set_move_limits(const Particles& particles);
+  void list_walls(const Particles& particles, const Walls& walls, const RateShare& share);
+  void remember_positions(const Particles& particles, const RateShare& share);
+  void set_move_limits(const Particles& particles, const RateShare& share);
 
   NeighbourList neighbours_;
   ContactSlots pairs_, walls_, previous_pairs_, previous_walls_;

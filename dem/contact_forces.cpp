@@ -27,6 +27,8 @@ struct ContactForces::Work {
   const Walls& walls;
   Triple gravity;
   double dt;
+  const RateShare& share;
+  const MeanMotion* mean;
 };
 
 /// Up to kLanes possible contacts, one array per quantity: the law runs over lanes as vector code. Lanes that do not
@@ -153,12 +155,12 @@ ContactForces::ContactForces(const Materials& materials, ContactLawChoice law)
 }
 
 void ContactForces::compute(Particles& particles, ContactDetection& contacts, const Walls& walls, const Vec3& gravity,
-                            double dt) {
+                            double dt, const RateShare& share, const MeanMotion* mean) {
   require(contacts.pairs().offset.size() == particles.size() + 1, "contact lists do not belong to these particles");
   if (noted_refresh_ != contacts.refreshes()) note_slots(particles, contacts);
-  bodies_.pack(particles, contacts.parties(), dt);
+  bodies_.pack(particles, contacts.parties(), dt, mean);
   tallies_.resize((particles.size() + kChunk - 1) / kChunk);
-  const Work work{particles, contacts, walls, triple(gravity), dt};
+  const Work work{particles, contacts, walls, triple(gravity), dt, share, mean};
   std::visit([&](const auto& law) { compute_with(law, work); }, law_);
   add_pair_forces(work);
   if (rolls_) add_rolling_torques(work);
@@ -196,7 +198,7 @@ void ContactForces::compute_with(const L& law, const Work& work) {
   });
 }
 
-/// Gravity, external and wall forces.
+/// Gravity, external and wall forces of the particles of this rate.
 void ContactForces::set_body_forces(const Work& work, std::size_t first, std::size_t last) const {
   Particles& p = work.particles;
   const auto set = [&](std::vector<double>& force, const std::vector<double>& external, double gravity) {
@@ -215,6 +217,11 @@ void ContactForces::set_body_forces(const Work& work, std::size_t first, std::si
   copy(p.external_torque.x, p.torque.x);
   copy(p.external_torque.y, p.torque.y);
   copy(p.external_torque.z, p.torque.z);
+  for (std::size_t i = first; work.share.rate != Rate::all && i < last; ++i) {
+    if (work.share.single(i)) continue;
+    p.force.x[i] = p.force.y[i] = p.force.z[i] = 0;
+    p.torque.x[i] = p.torque.y[i] = p.torque.z[i] = 0;
+  }
   const ContactSlots& slots = work.contacts.wall_contacts();
   for (std::uint32_t k = slots.offset[first]; k < slots.offset[last]; ++k) {
     const std::size_t i = slots.owner[k];
@@ -326,9 +333,11 @@ void ContactForces::gather_wall(Batch& batch, std::size_t lane, const Work& work
   const std::uint32_t k = batch.slot[lane], w = slots.partner[k], i = batch.i[lane];
   const Wall& wall = work.walls.all()[w];
   const double r = p.radius[i], inverse_mass = p.inverse_mass[i];
-  const Triple v = triple(p.velocity, i), spin = triple(p.angular_velocity, i);
-  const Triple v_end = v + (0.5 * work.dt * inverse_mass) * triple(p.force, i);
-  const Triple spin_end = spin + (0.5 * work.dt * 2.5 * inverse_mass / (r * r)) * triple(p.torque, i);
+  const Triple v = triple(work.mean != nullptr ? work.mean->velocity : p.velocity, i);
+  const Triple spin = triple(work.mean != nullptr ? work.mean->spin : p.angular_velocity, i);
+  const Triple v_end = triple(p.velocity, i) + (0.5 * work.dt * inverse_mass) * triple(p.force, i);
+  const Triple spin_end =
+      triple(p.angular_velocity, i) + (0.5 * work.dt * 2.5 * inverse_mass / (r * r)) * triple(p.torque, i);
   const Triple wall_velocity = triple(wall.velocity);
   batch.normal.set(lane, -1.0 * triple(work.walls.gradient(w, p.position[i])));
   batch.overlap[lane] = std::max(0.0, r - distance);

@@ -29,6 +29,13 @@ struct ContactEnergy {
   double wall_work = 0;                               ///< done on particles by walls that move
   double damping_of_step = 0, wall_work_of_step = 0;  ///< shares of the last evaluation in `damping` and `wall_work`
 
+  ContactEnergy& operator+=(const ContactEnergy& o) {
+    elastic_normal += o.elastic_normal, elastic_tangential += o.elastic_tangential,
+        elastic_rolling += o.elastic_rolling;
+    damping += o.damping, friction += o.friction, rolling += o.rolling, wall_work += o.wall_work;
+    damping_of_step += o.damping_of_step, wall_work_of_step += o.wall_work_of_step;
+    return *this;
+  }
   void transfer(Archive& archive) {
     archive.value("elastic_normal", elastic_normal);
     archive.value("elastic_tangential", elastic_tangential);
@@ -58,7 +65,11 @@ class ContactForces {
   /// Sets `force` and `torque` of all particles to gravity (m/s^2) + external + contacts. On entry `force` must still
   /// hold the sum of the last step, velocities those of mid-step. History and dissipation advance by `dt` (s).
   /// Beads of the same body touch without friction.
-  void compute(Particles& particles, ContactDetection& contacts, const Walls& walls, const Vec3& gravity, double dt);
+  ///
+  /// With a `share`, the contacts are those of its rate, and particles of the other rate get neither gravity nor
+  /// external forces. `mean`: see ContactBodies::pack.
+  void compute(Particles& particles, ContactDetection& contacts, const Walls& walls, const Vec3& gravity, double dt,
+               const RateShare& share = {}, const MeanMotion* mean = nullptr);
 
   /// Whether some pair of materials resists rolling.
   [[nodiscard]] bool rolls() const { return rolls_; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "core/parallel.h"
 
@@ -62,13 +63,12 @@ bool any_moved(const Vec3Field& now, const Vec3Field& then, const std::vector<do
 }
 
 bool NeighbourList::outdated(const Particles& particles) const {
-  return builds_ == 0 || particles.size() != built_at_.size() ||
-         any_moved(particles.position, built_at_, move_limit2_);
+  return builds_ == 0 || particles.size() != built_at_.size() || any_moved(particles.position, built_at_, move_limit2_);
 }
 
-void NeighbourList::build(const Particles& particles, const PairSet& excluded) {
+void NeighbourList::build(const Particles& particles, const PairSet& excluded, const RateShare& share) {
   const std::size_t n = particles.size();
-  sort_into_levels(particles);
+  sort_into_levels(particles, share);
 
   chunk_rows_.resize((n + kChunk - 1) / kChunk);
   offset_.assign(n + 1, 0);
@@ -77,7 +77,7 @@ void NeighbourList::build(const Particles& particles, const PairSet& excluded) {
     rows.clear();
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t before = rows.size();
-      if (particles.state[i] != ParticleState::removed) search(particles, excluded, i, rows);
+      if (particles.state[i] != ParticleState::removed && share.listed(i)) search(particles, excluded, share, i, rows);
       std::sort(rows.begin() + static_cast<std::ptrdiff_t>(before), rows.end());
       offset_[i + 1] = static_cast<std::uint32_t>(rows.size() - before);
     }
@@ -89,38 +89,41 @@ void NeighbourList::build(const Particles& particles, const PairSet& excluded) {
     std::copy(chunk_rows_[first / kChunk].begin(), chunk_rows_[first / kChunk].end(),
               neighbour_.begin() + offset_[first]);
   });
-  remember_positions(particles);
+  remember_positions(particles, share);
   ++builds_;
 }
 
-void NeighbourList::remember_positions(const Particles& particles) {
+void NeighbourList::remember_positions(const Particles& particles, const RateShare& share) {
   built_at_ = particles.position;
-  set_move_limits(particles);
+  set_move_limits(particles, share);
 }
 
-void NeighbourList::set_move_limits(const Particles& particles) {
+void NeighbourList::set_move_limits(const Particles& particles, const RateShare& share) {
   move_limit2_.resize(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const double limit = 0.5 * skin(particles, i);
+    const double limit = share.listed(i) ? 0.5 * skin(particles, i) : std::numeric_limits<double>::infinity();
     move_limit2_[i] = limit * limit;
   }
 }
 
-void NeighbourList::sort_into_levels(const Particles& particles) {
-  for (auto& level : levels_) level.particles.clear(), level.largest_reach = 0;
+void NeighbourList::sort_into_levels(const Particles& particles, const RateShare& share) {
+  for (auto& level : levels_)
+    level.particles.clear(), level.largest_reach = 0, level.only_slow = share.rate == Rate::fast;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.state[i] == ParticleState::removed) continue;
+    if (particles.state[i] == ParticleState::removed || !share.listed(i)) continue;
     const double reach = particles.radius[i] + 0.5 * skin(particles, i);
     const int exponent = std::ilogb(reach);
     auto level = std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.exponent >= exponent; });
     if (level == levels_.end() || level->exponent != exponent) {
       level = levels_.insert(level, Level{});
       level->exponent = exponent;
+      level->only_slow = share.rate == Rate::fast;
     }
     level->particles.push_back(static_cast<ParticleIndex>(i));
     level->largest_reach = std::max(level->largest_reach, reach);
+    if (share.single(i)) level->only_slow = false;
   }
-  for (auto& level : levels_) fill_level(level, particles);
+  for (auto& level : levels_) fill_level(level, particles, share);
 }
 
 /// Cell coordinate before wrapping.
@@ -153,7 +156,7 @@ void NeighbourList::Level::choose_period(const Particles& p) {
   }
 }
 
-void NeighbourList::fill_level(Level& level, const Particles& particles) {
+void NeighbourList::fill_level(Level& level, const Particles& particles, const RateShare& share) {
   const std::size_t n = level.particles.size();
   if (n == 0) return;
   level.cell_size = 2 * level.largest_reach;
@@ -175,18 +178,25 @@ void NeighbourList::fill_level(Level& level, const Particles& particles) {
                                              particles.position.z[i],
                                              particles.radius[i] + 0.5 * skin(particles, i),
                                              i,
-                                             particles.state[i] == ParticleState::free};
+                                             particles.state[i] == ParticleState::free,
+                                             share.rate == Rate::fast && !share.single(i)};
   }
 }
 
-void NeighbourList::search(const Particles& particles, const PairSet& excluded, std::size_t i,
+void NeighbourList::search(const Particles& particles, const PairSet& excluded, const RateShare& share, std::size_t i,
                            std::vector<ParticleIndex>& row) const {
   const double reach = particles.radius[i] + 0.5 * skin(particles, i);
   const Vec3 p = particles.position[i];
-  const Member me{p.x(), p.y(), p.z(), reach, static_cast<ParticleIndex>(i), particles.state[i] == ParticleState::free};
+  const Member me{p.x(),
+                  p.y(),
+                  p.z(),
+                  reach,
+                  static_cast<ParticleIndex>(i),
+                  particles.state[i] == ParticleState::free,
+                  share.rate == Rate::fast && !share.single(i)};
   const int own = std::ilogb(reach);
   for (const auto& level : levels_)  // small looks for large, never the other way round: few cells, few candidates
-    if (level.exponent >= own && !level.particles.empty())
+    if (level.exponent >= own && !level.particles.empty() && !(me.slow && level.only_slow))
       search_level(level, me, level.exponent == own, excluded, row);
 }
 
@@ -196,7 +206,7 @@ void NeighbourList::search_level(const Level& level, const Member& me, bool same
     const double dx = other.x - me.x, dy = other.y - me.y, dz = other.z - me.z, sum = other.reach + me.reach;
     if (dx * dx + dy * dy + dz * dz >= sum * sum) return;
     if (same_level && other.index <= me.index) return;
-    if (!me.free && !other.free) return;
+    if ((!me.free && !other.free) || (me.slow && other.slow)) return;
     if (!excluded.contains(me.index, other.index)) row.push_back(other.index);
   };
   const auto consider_cells = [&](std::size_t first, std::size_t last) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dem/particles.h"
+#include "dem/rates.h"
 
 namespace lahar::dem {
 
@@ -40,8 +41,8 @@ class NeighbourList {
 
   /// True if the list must be built again: a particle was added or has moved too far (or is not a number).
   [[nodiscard]] bool outdated(const Particles& particles) const;
-  /// Positions must be finite.
-  void build(const Particles& particles, const PairSet& excluded);
+  /// Lists the pairs of `share`. Positions must be finite.
+  void build(const Particles& particles, const PairSet& excluded, const RateShare& share = {});
 
   [[nodiscard]] const std::vector<std::uint32_t>& offset() const { return offset_; }
   [[nodiscard]] const std::vector<ParticleIndex>& neighbour() const { return neighbour_; }
@@ -49,14 +50,14 @@ class NeighbourList {
   [[nodiscard]] double skin(const Particles& particles, std::size_t i) const;
   [[nodiscard]] std::int64_t builds() const { return builds_; }
   /// State of a checkpoint: the list and where the particles were when it was built (solids_transfer.cpp).
-  void transfer(Archive& archive, const Particles& particles);
+  void transfer(Archive& archive, const Particles& particles, const RateShare& share);
 
  private:
   // A particle as its grid stores it, next to the others of its cell.
   struct Member {
     double x, y, z, reach;  // reach: radius + half skin; neighbours are nearer than the sum of their reaches
     ParticleIndex index;
-    bool free;
+    bool free, slow;
   };
   // Particles whose reach lies between 2^k and 2^(k+1), sorted by cell. The grid is a torus: cell coordinates wrap at a
   // power of two, so that memory follows the number of particles and not the size of the scene. Particles a period
@@ -64,6 +65,7 @@ class NeighbourList {
   struct Level {
     int exponent = 0;
     double cell_size = 0, largest_reach = 0;
+    bool only_slow = false;            // no pair of two of its particles is looked for
     std::array<int, 3> bits{2, 2, 2};  // period of the torus per axis: at least 4 cells, more than a search spans
     std::vector<std::uint32_t> start;  // per cell
     std::vector<Member> members;
@@ -75,14 +77,14 @@ class NeighbourList {
     void choose_period(const Particles& particles);
   };
 
-  void sort_into_levels(const Particles& particles);
-  void fill_level(Level& level, const Particles& particles);
-  void search(const Particles& particles, const PairSet& excluded, std::size_t i,
+  void sort_into_levels(const Particles& particles, const RateShare& share);
+  void fill_level(Level& level, const Particles& particles, const RateShare& share);
+  void search(const Particles& particles, const PairSet& excluded, const RateShare& share, std::size_t i,
               std::vector<ParticleIndex>& row) const;
   void search_level(const Level& level, const Member& me, bool same_level, const PairSet& excluded,
                     std::vector<ParticleIndex>& row) const;
-  void remember_positions(const Particles& particles);
-  void set_move_limits(const Particles& particles);
+  void remember_positions(const Particles& particles, const RateShare& share);
+  void set_move_limits(const Particles& particles, const RateShare& share);
 
   NeighbourOptions options_;
   std::vector<Level> levels_;  // ascending exponent

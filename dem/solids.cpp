@@ -18,12 +18,17 @@ Solids::Solids(Particles particles, Bonds bonds, Materials materials, Walls wall
       options_(options),
       contacts_(options.neighbours),
       contact_forces_(materials_, options.contact_law),
+      slow_contacts_(options.neighbours),
+      slow_forces_(materials_, options.contact_law),
       section_integrate_(&timers_.section("integrate")),
       section_detect_(&timers_.section("detect")),
       section_contact_(&timers_.section("contact")),
       section_bonds_(&timers_.section("bonds")) {
+  require(options.long_step >= 1, "a long step has at least one sub-step");
   set_time_step(options.time_step);
-  if (contact_forces_.rolls()) contacts_.remember_rolling();
+  if (!contact_forces_.rolls()) return;
+  contacts_.remember_rolling();
+  slow_contacts_.remember_rolling();
 }
 
 void Solids::set_time_step(double time_step) {
@@ -34,7 +39,10 @@ void Solids::set_time_step(double time_step) {
 void Solids::advance(int substeps) {
   if (!prepared_ || particles_.size() != known_particles_ || bonds_.size() != known_bonds_) prepare();
   take_external_forces();
-  for (int n = 0; n < substeps; ++n) substep(n == 0, n + 1 == substeps);
+  if (two_rates())
+    for (int n = 0; n < substeps; n += options_.long_step) long_step(std::min(options_.long_step, substeps - n));
+  else
+    for (int n = 0; n < substeps; ++n) substep(n == 0, n + 1 == substeps);
 }
 
 /// The half kick at the end of a sub-step and the one at the start of the next are done in one.
@@ -44,6 +52,7 @@ void Solids::substep(bool first, bool last) {
     const ScopedTimer timer(*section_integrate_);
     kick_and_drift(particles_, first ? 0.5 * dt : dt, dt);
     if (external_acts_) external_work_ += external_work(particles_, dt);
+    if (two_rates()) add_to_mean(first);
   }
   detect();
   evaluate_forces(dt);
@@ -61,9 +70,10 @@ void Solids::detect() {
   const bool bonds_broke = note_broken_bonds();
   if (!contacts_.outdated(particles_) && !bonds_broke) return;
   check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
-  if (!bonds_broke && !contacts_.neighbours().outdated(particles_)) return contacts_.refresh(particles_);
+  if (!bonds_broke && !contacts_.neighbours().outdated(particles_))
+    return contacts_.refresh(particles_, share(Rate::fast));
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
-  contacts_.rebuild(particles_, walls_, bonded_);
+  contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
 }
 
 /// Beads whose bond broke in the last step touch from now on: the lists must be built anew. Where they press on each
@@ -88,7 +98,7 @@ bool Solids::note_broken_bonds() {
 void Solids::evaluate_forces(double dt) {
   {
     const ScopedTimer timer(*section_contact_);
-    contact_forces_.compute(particles_, contacts_, walls_, options_.gravity, dt);
+    contact_forces_.compute(particles_, contacts_, walls_, options_.gravity, dt, share(Rate::fast));
   }
   const ScopedTimer timer(*section_bonds_);
   if (bonds_.size() > 0) bond_forces_.add_forces(bonds_, particles_, dt);
@@ -98,6 +108,7 @@ void Solids::evaluate_forces(double dt) {
 void Solids::prepare() {
   build_all();
   evaluate_forces(0);
+  if (two_rates()) evaluate_slow(0, nullptr);
 }
 
 void Solids::build_bonds() {
@@ -112,7 +123,9 @@ void Solids::build_all() {
   build_bonds();
   check_motion(particles_, options_.watchdog, step_count_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
-  contacts_.rebuild(particles_, walls_, bonded_);
+  find_slow();
+  contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
+  if (two_rates()) slow_contacts_.rebuild(particles_, walls_, bonded_, share(Rate::slow));
   applied_force_ = particles_.external_force;
   applied_torque_ = particles_.external_torque;
   known_particles_ = particles_.size();
@@ -125,19 +138,22 @@ void Solids::build_all() {
 namespace {
 
 /// total += now - applied; applied = now. Returns whether anything acts.
-bool exchange(std::vector<double>& total, const std::vector<double>& now, std::vector<double>& applied) {
+bool exchange(std::vector<double>& total, std::vector<double>& slow_total, const std::vector<std::uint8_t>& slow,
+              const std::vector<double>& now, std::vector<double>& applied) {
   double any = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
-    total[i] += now[i] - applied[i];
+    (!slow.empty() && slow[i] != 0 ? slow_total : total)[i] += now[i] - applied[i];
     applied[i] = now[i];
     any += std::abs(now[i]);
   }
   return any != 0;
 }
 
-bool exchange(Vec3Field& total, const Vec3Field& now, Vec3Field& applied) {
-  const bool x = exchange(total.x, now.x, applied.x), y = exchange(total.y, now.y, applied.y);
-  return exchange(total.z, now.z, applied.z) || x || y;
+bool exchange(Vec3Field& total, Vec3Field& slow_total, const std::vector<std::uint8_t>& slow, const Vec3Field& now,
+              Vec3Field& applied) {
+  const bool x = exchange(total.x, slow_total.x, slow, now.x, applied.x);
+  const bool y = exchange(total.y, slow_total.y, slow, now.y, applied.y);
+  return exchange(total.z, slow_total.z, slow, now.z, applied.z) || x || y;
 }
 
 }  // namespace
@@ -145,20 +161,23 @@ bool exchange(Vec3Field& total, const Vec3Field& now, Vec3Field& applied) {
 /// The first half kick of a fluid step must already use the new external forces, or half a sub-step of momentum would
 /// be exchanged with the wrong ones.
 void Solids::take_external_forces() {
-  const bool forces = exchange(particles_.force, particles_.external_force, applied_force_);
-  external_acts_ = exchange(particles_.torque, particles_.external_torque, applied_torque_) || forces;
+  Particles& p = particles_;
+  const bool forces = exchange(p.force, slow_force_, slow_, p.external_force, applied_force_);
+  external_acts_ = exchange(p.torque, slow_torque_, slow_, p.external_torque, applied_torque_) || forces;
 }
 
 void Solids::remove(ParticleIndex i) {
   const double springs = normal_energy_of(i, particles_, materials_, walls_, contacts_, options_.contact_law);
+  const double slow_springs = normal_energy_of(i, particles_, materials_, walls_, slow_contacts_, options_.contact_law);
   contact_forces_.take_out(springs);
-  removed_energy_ += motion_energy(particles_, i, options_.gravity) + springs;
+  slow_forces_.take_out(slow_springs);
+  removed_energy_ += motion_energy(particles_, i, options_.gravity) + springs + slow_springs;
   particles_.remove(i);
 }
 
 void Solids::watch() {
   check_motion(particles_, options_.watchdog, step_count_);
-  check_overlap(particles_, contact_forces_.worst_overlap(), options_.watchdog, step_count_);
+  check_overlap(particles_, worst_overlap(), options_.watchdog, step_count_);
   double drawn_out = 0;
   for (const std::size_t b : yielding_bonds_)
     if (bonds_.intact[b]) drawn_out = std::max(drawn_out, bonds_.elongation[b]);
@@ -169,7 +188,8 @@ void Solids::watch() {
 
 EnergyLedger Solids::ledger() const {
   EnergyLedger ledger = motion_energy(particles_, options_.gravity);
-  const ContactEnergy& c = contact_forces_.energy();
+  ContactEnergy c = contact_forces_.energy();
+  c += slow_forces_.energy();
   ledger.elastic_normal = c.elastic_normal;
   ledger.elastic_tangential = c.elastic_tangential;
   ledger.elastic_rolling = c.elastic_rolling;

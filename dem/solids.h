@@ -12,6 +12,7 @@
 #include "dem/energy.h"
 #include "dem/material.h"
 #include "dem/particles.h"
+#include "dem/rates.h"
 #include "dem/watchdog.h"
 
 namespace lahar::dem {
@@ -19,6 +20,9 @@ namespace lahar::dem {
 struct SolidsOptions {
   Vec3 gravity{0, 0, -9.81};  ///< m/s^2
   double time_step = 0;       ///< s, of one sub-step, > 0
+  /// Sub-steps in a long step, in which grains act on each other and on walls; all that beads do takes a sub-step. 1:
+  /// one rate for all. See docs/decisions/0024.
+  int long_step = 1;
   ContactLawChoice contact_law = HertzMindlin{};
   NeighbourOptions neighbours;
   WatchdogOptions watchdog;
@@ -36,7 +40,8 @@ class Solids {
 
   /// One sub-step of options.time_step.
   void step() { advance(1); }
-  /// `substeps` sub-steps under the same external forces: each gives a particle exactly force x time of momentum.
+  /// `substeps` sub-steps under the same external forces: each gives a particle exactly force x time of momentum. The
+  /// last long step is shorter where they do not fill it.
   /// Throws NumericalFailure when the watchdog finds something wrong.
   void advance(int substeps);
 
@@ -59,14 +64,13 @@ class Solids {
   [[nodiscard]] std::int64_t step_count() const { return step_count_; }
   [[nodiscard]] EnergyLedger ledger() const;
   [[nodiscard]] BondEnergy bond_energy() const { return bond_forces_.energy(bonds_); }
-  [[nodiscard]] const ContactDetection& contacts() const { return contacts_; }
-  [[nodiscard]] const WorstOverlap& worst_overlap() const { return contact_forces_.worst_overlap(); }
+  [[nodiscard]] const ContactDetection& contacts() const { return contacts_; }  ///< all, or those of a sub-step
+  [[nodiscard]] const ContactDetection& slow_contacts() const { return slow_contacts_; }
+  [[nodiscard]] const WorstOverlap& worst_overlap() const;
   /// Force of all particles on a wall in the last step, N.
-  [[nodiscard]] Vec3 force_on_wall(std::uint32_t wall) const { return contact_forces_.force_on_wall(contacts_, wall); }
+  [[nodiscard]] Vec3 force_on_wall(std::uint32_t wall) const;
   /// Its moment about the origin of the coordinates, N m.
-  [[nodiscard]] Vec3 moment_on_wall(std::uint32_t wall) const {
-    return contact_forces_.moment_on_wall(particles_, contacts_, walls_, wall);
-  }
+  [[nodiscard]] Vec3 moment_on_wall(std::uint32_t wall) const;
   [[nodiscard]] const Timers& timers() const { return timers_; }
 
   [[nodiscard]] Timers& timers() { return timers_; }
@@ -76,6 +80,14 @@ class Solids {
   void transfer(Archive& archive);
 
  private:
+  [[nodiscard]] bool two_rates() const { return !slow_.empty(); }
+  [[nodiscard]] RateShare share(Rate rate) const { return {two_rates() ? rate : Rate::all, slow_.data()}; }
+  void find_slow();
+  void long_step(int substeps);
+  void kick_slow(double dt);
+  void add_to_mean(bool first);
+  void detect_slow();
+  void evaluate_slow(double dt, const MeanMotion* mean);
   void substep(bool first, bool last);
   void detect();
   void evaluate_forces(double dt);
@@ -95,7 +107,14 @@ class Solids {
   ContactForces contact_forces_;
   BondForces bond_forces_;
   PairSet bonded_;
-  Vec3Field applied_force_, applied_torque_;  // external ones contained in particles.force and .torque
+  // Of two rates. particles.force then holds what acts in sub-steps, and for slow particles slow_force_ the rest.
+  std::vector<std::uint8_t> slow_;  // per particle; empty with one rate
+  std::vector<ParticleIndex> slow_particles_;
+  ContactDetection slow_contacts_;
+  ContactForces slow_forces_;
+  Vec3Field slow_force_, slow_torque_;
+  MeanMotion mean_;
+  Vec3Field applied_force_, applied_torque_;  // external ones contained in the forces and torques
   std::size_t known_particles_ = 0, known_bonds_ = 0;
   std::vector<std::uint8_t> known_intact_;  // bonds that were whole when the lists were built
   double known_breakage_ = 0;

@@ -54,7 +54,7 @@ void Bonds::transfer(Archive& archive) {
   archive.value("breakage_loss", breakage_loss);
 }
 
-void NeighbourList::transfer(Archive& archive, const Particles& particles) {
+void NeighbourList::transfer(Archive& archive, const Particles& particles, const RateShare& share) {
   archive.value("builds", builds_);
   archive.list("offset", offset_);
   archive.list("neighbour", neighbour_);
@@ -62,7 +62,7 @@ void NeighbourList::transfer(Archive& archive, const Particles& particles) {
   archive.list("built_at", built_at_);
   if (built_at_.size() != n) archive.refuse("built_at", "is not there for every particle");
   if (!archive.loading()) return;
-  if (n > 0) set_move_limits(particles);
+  if (n > 0) set_move_limits(particles, share);
   const auto bad = [&](std::uint32_t j) { return j >= particles.size(); };
   const bool rows = offset_.empty()
                         ? neighbour_.empty()
@@ -122,13 +122,15 @@ struct Slots {
 struct Neighbours {
   NeighbourList& list;
   const Particles& particles;
-  void transfer(Archive& archive) { list.transfer(archive, particles); }
+  const RateShare& share;
+  void transfer(Archive& archive) { list.transfer(archive, particles, share); }
 };
 
 }  // namespace
 
-void ContactDetection::transfer(Archive& archive, const Particles& particles, std::size_t walls) {
-  Neighbours neighbours{neighbours_, particles};
+void ContactDetection::transfer(Archive& archive, const Particles& particles, std::size_t walls,
+                                const RateShare& share) {
+  Neighbours neighbours{neighbours_, particles, share};
   archive.part("neighbours", neighbours);
   archive.value("refreshes", refreshes_);
   archive.value("asked", asked_);
@@ -142,7 +144,7 @@ void ContactDetection::transfer(Archive& archive, const Particles& particles, st
   archive.part("walls", wall_slots);
   if (walls_.offset.size() != pairs_.offset.size()) archive.refuse("walls", "are not there for every particle");
   if (!archive.loading() || refreshes_ == 0) return;
-  set_move_limits(particles);
+  set_move_limits(particles, share);
   list_parties(particles.size());
 }
 
@@ -152,7 +154,8 @@ struct Contacts {
   ContactDetection& contacts;
   const Particles& particles;
   std::size_t walls;
-  void transfer(Archive& archive) { contacts.transfer(archive, particles, walls); }
+  RateShare share;
+  void transfer(Archive& archive) { contacts.transfer(archive, particles, walls, share); }
 };
 
 }  // namespace
@@ -179,9 +182,19 @@ void Solids::transfer(Archive& archive) {
     build_bonds();
     known_particles_ = particles_.size();
     known_bonds_ = bonds_.size();
+    find_slow();
   }
-  Contacts contacts{contacts_, particles_, walls_.all().size()};
+  Contacts contacts{contacts_, particles_, walls_.all().size(), share(Rate::fast)};
   archive.part("contacts", contacts);
+  if (two_rates()) {
+    Contacts slow_contacts{slow_contacts_, particles_, walls_.all().size(), share(Rate::slow)};
+    archive.part("slow_contacts", slow_contacts);
+    archive.part("slow_forces", slow_forces_);
+    archive.list("slow_force", slow_force_);
+    archive.list("slow_torque", slow_torque_);
+    if (slow_force_.size() != particles_.size() || slow_torque_.size() != particles_.size())
+      archive.refuse("slow_force", "is not there for every particle");
+  }
   archive.list("applied_force", applied_force_);
   archive.list("applied_torque", applied_torque_);
   if (prepared_ && (contacts_.pairs().offset.size() != particles_.size() + 1 ||
