@@ -186,6 +186,7 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   if (scene.barrier.enabled) options.neighbours.minimum_skin = scene.barrier.net.wire_diameter / 2;
   options.time_step = solids_time_step(scene);
   if (scene.fluid.enabled) options.time_step = fluid_time_step(scene) / substeps_of(scene);
+  options.long_step = static_cast<int>(long_step_of(scene));
   return {dem::Solids(std::move(particles), std::move(bonds), scene::make_materials(scene), scene::make_walls(scene),
                       options),
           std::move(net)};

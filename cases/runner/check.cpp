@@ -94,6 +94,7 @@ SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<Flui
   if (fluid) {
     s.substeps = substeps(fluid->time_step, s.time_step);
     s.time_step = fluid->time_step / static_cast<double>(s.substeps);
+    s.long_step = long_step_of(scene);
     const double grain = smallest_grain(scene);
     if (s.grains > 0) s.cells_per_smallest_grain = grain / scene.fluid.cell_size;
     if (s.beads > 0) s.cells_per_wire = scene.barrier.net.wire_diameter / scene.fluid.cell_size;
@@ -105,7 +106,7 @@ SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<Flui
 /// Bytes of a checkpoint: 19 populations and the type of every cell, three numbers of the surface, ten of the bodies;
 /// what is known of a particle with its neighbours and contacts, of a bond, and of a grain's mapping into the fluid.
 double checkpoint_bytes(const scene::Scene& scene, const CheckReport& report, double blocks) {
-  constexpr double small_parts = 1e5, particle = 450, bond = 150, mapping = 250;
+  constexpr double small_parts = 1e5, particle = 500, bond = 150, mapping = 250;
   double bytes = small_parts;
   if (report.fluid) {
     const double number = scene.run.precision == scene::Precision::float32 ? sizeof(float) : sizeof(double);

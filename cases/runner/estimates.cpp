@@ -134,6 +134,24 @@ double solids_time_step(const scene::Scene& scene) {
       scene.solids.bond_safety * std::min({limits.ring_bond, limits.cable_bond, limits.post_bond}));
 }
 
+double grain_time_step(const scene::Scene& scene) {
+  const SolidsLimits limits = solids_limits(scene);
+  return scene.solids.contact_safety * limits.damped_share * limits.grain_rayleigh;
+}
+
+std::int64_t long_step(std::int64_t substeps, double time_step, double grain_step) {
+  const double n = static_cast<double>(substeps);
+  const double most = std::clamp(std::floor(grain_step / time_step * (1 + 1e-12)), 1.0, n);
+  return std::llround(std::ceil(n / std::ceil(n / most)));
+}
+
+std::int64_t long_step_of(const scene::Scene& scene) {
+  if (!scene.solids.two_rates || !scene.fluid.enabled || !scene.barrier.enabled || grain_count(scene) == 0) return 1;
+  const double fluid_step = fluid_time_step(scene);
+  const std::int64_t n = substeps(fluid_step, solids_time_step(scene));
+  return long_step(n, fluid_step / static_cast<double>(n), grain_time_step(scene));
+}
+
 std::int64_t substeps(double fluid_step, double solids_step) {
   // A step that fits but for rounding counts as fitting.
   return std::max<std::int64_t>(1, std::llround(std::ceil(fluid_step / solids_step * (1 - 1e-12))));

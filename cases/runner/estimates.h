@@ -38,6 +38,15 @@ SolidsLimits solids_limits(const scene::Scene& scene);
 /// s: solids.time_step_s, or the smallest limit times its safety; infinity without solids.
 double solids_time_step(const scene::Scene& scene);
 
+/// s: the limit of contacts of grains among themselves and with walls, times its safety; infinity without grains.
+double grain_time_step(const scene::Scene& scene);
+
+/// Number of particle steps that make one step of the contacts of grains (dem::SolidsOptions::long_step): the fluid
+/// step's `substeps` steps of `time_step` (s), split evenly into as few as `grain_step` (s) allows; 1 if it is shorter.
+std::int64_t long_step(std::int64_t substeps, double time_step, double grain_step);
+/// The same of a scene; 1 where it has no fluid, no grains, no barrier or one rate for all.
+std::int64_t long_step_of(const scene::Scene& scene);
+
 /// Number of particle steps in a fluid step: the smallest that keeps each no longer than `solids_step`.
 std::int64_t substeps(double fluid_step, double solids_step);
 

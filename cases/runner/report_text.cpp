@@ -55,6 +55,7 @@ std::string solids_text(const scene::Scene& scene, const SolidsFigures& s) {
   limit("bond limit, posts", s.limits.post_bond);
   t += line("time step", fmt::format("{:.4g} s, {:.0f} steps", s.time_step, s.steps));
   if (s.substeps > 0) t += line("steps in a fluid step", fmt::format("{}", s.substeps));
+  if (s.long_step > 1) t += line("steps in one of the grains' contacts", fmt::format("{}", s.long_step));
   if (s.cells_per_smallest_grain)
     t += line("cells per smallest grain", fmt::format("{:.3g}", *s.cells_per_smallest_grain));
   if (s.cells_per_wire) t += line("cells per wire", fmt::format("{:.3g}", *s.cells_per_wire));

@@ -165,6 +165,7 @@ struct Solids {
   double time_step = 0;  ///< s, 0 = automatic
   double contact_safety = 0.2;
   double bond_safety = 0.7;
+  bool two_rates = false;
   double contact_modulus_scale = 1;
   double bond_stiffness_scale = 1;
   double bond_damping_ratio = 0.02;

@@ -213,6 +213,10 @@ void describe(V& v, Solids& s) {
           "(0.35 at "
           "a restitution of 0.1).");
   v.value("bond_safety", s.bond_safety, {above_up_to(0, 1)}, "Share of the smallest limit of a bond that is used.");
+  v.value(
+      "two_rates", s.two_rates, {},
+      "Whether contacts of grains among themselves and with walls take a longer step, the grains' own share of their "
+      "Rayleigh time, where beads need a shorter one. Needs a fluid, whose step both fit into.");
   v.value("contact_modulus_scale", s.contact_modulus_scale, {above_up_to(0, 1)},
           "Factor on every Young's modulus in contacts: softer contacts allow longer time steps.");
   v.value("bond_stiffness_scale", s.bond_stiffness_scale, {above_up_to(0, 1)}, "Factor on every bond stiffness.");
