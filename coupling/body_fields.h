@@ -8,16 +8,22 @@
 
 namespace lahar::coupling {
 
-/// Empties the fields before bodies and wires are written; sampled velocities stay.
+/// Before bodies and wires are written: nothing goes into the exchange, and fields that no body map looks after are
+/// emptied. What a body map wrote it replaces itself where that is due; sampled velocities stay.
 template <class Real>
 void clear_body_fields(lbm::FluidGrid<Real>& grid) {
   for (const lbm::BlockIndex b : grid.active()) {
     lbm::BodyFields<Real>* f = grid.block(b).body;
     if (!f) continue;
     f->used = false;
-    for (Real* field : {f->solid_fraction, f->coverage, f->resistance, f->momentum_x, f->momentum_y, f->momentum_z,
-                        f->exchange_x, f->exchange_y, f->exchange_z})
+    // Dry rows are left out by the sweep and keep what stands there.
+    if (f->no_kicks = grid.block(b).wet_cells == lbm::kBlockCells; !f->no_kicks)
+      for (Real* field : {f->exchange_x, f->exchange_y, f->exchange_z})
+        std::fill(field, field + lbm::kBlockCells, Real(0));
+    if (f->mapped && !f->edited) continue;
+    for (Real* field : {f->solid_fraction, f->coverage, f->resistance, f->momentum_x, f->momentum_y, f->momentum_z})
       std::fill(field, field + lbm::kBlockCells, Real(0));
+    f->mapped = f->edited = false;
   }
 }
 

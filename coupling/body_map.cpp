@@ -1,94 +1,29 @@
 #include "coupling/body_map.h"
 
-#include <cstdio>
+#include <cstring>
 #include <numbers>
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "coupling/body_map_parts.h"
+#include "coupling/sphere_fraction.h"
 
 namespace lahar::coupling {
 
-using lbm::Block;
 using lbm::BlockIndex;
-using lbm::CellType;
 using lbm::kNoBlock;
 
 namespace {
 
-/// Calls visit(first cell of the row, y, z, eps[8]) for the rows of a block that a sphere reaches.
-template <class Real, class Visit>
-void for_rows(const GridSphere<Real>& s, const Vec3i& lowest, const Visit& visit) {
-  const RowRange rows = rows_in_reach(s, lowest, s.radius + Real(0.5));
-  Real eps[lbm::kBlockWidth];
-  for (int z = rows.low[1]; z < rows.high[1]; ++z)
-    for (int y = rows.low[0]; y < rows.high[0]; ++y) {
-      sphere_row(s, lowest.x(), lowest.y() + y, lowest.z() + z, eps);
-      visit(lbm::cell_index(0, y, z), y, z, eps);
-    }
-}
+constexpr std::uint32_t kNoBody = ~std::uint32_t{0};
+constexpr std::size_t kBodiesPerTask = 64;
 
-/// Calls visit(first cell of the row, y, z, eps[8], coverage[8]) for the rows that a sphere's coverage reaches.
-template <class Real, class Visit>
-void for_covered_rows(const GridSphere<Real>& s, const Vec3i& lowest, const Visit& visit) {
-  const RowRange rows = rows_in_reach(s, lowest, reach_of(s));
-  Real eps[lbm::kBlockWidth], coverage[lbm::kBlockWidth];
-  for (int z = rows.low[1]; z < rows.high[1]; ++z)
-    for (int y = rows.low[0]; y < rows.high[0]; ++y) {
-      sphere_coverage_row(s, lowest.x(), lowest.y() + y, lowest.z() + z, eps, coverage);
-      visit(lbm::cell_index(0, y, z), y, z, eps, coverage);
-    }
-}
-
-/// Volume of a sphere in a block, in cells.
-template <class Real>
-double volume_in(const GridSphere<Real>& s, const Vec3i& lowest) {
-  Real lane[lbm::kBlockWidth] = {};
-  for_rows(s, lowest, [&](int, int, int, const Real* eps) {
-    for (int c = 0; c < lbm::kBlockWidth; ++c) lane[c] += eps[c];
-  });
-  double sum = 0;
-  for (const Real v : lane) sum += static_cast<double>(v);
-  return sum;
-}
-
-/// Volume of a sphere in the wet cells of a block, in cells.
-template <class Real>
-double wet_volume_in(const GridSphere<Real>& s, const Block<Real>& block, const Vec3i& lowest) {
-  double sum = 0;
-  for_rows(s, lowest, [&](int row, int, int, const Real* eps) {
-    for (int k = 0; k < lbm::kBlockWidth; ++k)
-      if (lbm::is_wet(block.type[static_cast<std::size_t>(row + k)])) sum += static_cast<double>(eps[k]);
-  });
-  return sum;
-}
-
-/// The inertia of the liquid in the body's place is known one step late; beyond the body's own mass that would feed
-/// back on itself. Bodies lighter than about 1.4 times the liquid keep part of that inertia and are too sluggish for
-/// it. The torque is limited alike: on a body of one or two cells the liquid in the partly covered cells turns with
-/// more inertia than a light body has.
-constexpr double kInertiaLimit = 0.7;
-
-double limited_share(double body, double liquid) {
-  return std::min(1.0, kInertiaLimit * body / std::max(liquid, 1e-300));
-}
-
-[[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
-  const Vec3 p = particles.position[i];
-  char where[112];
-  std::snprintf(where, sizeof where, "grain %u at (%.4g, %.4g, %.4g) m", i, p.x(), p.y(), p.z());
-  throw NumericalFailure(where, step, "the force of the fluid on it is not finite");
+template <class T, std::size_t n>
+bool same_bits(const T (&a)[n], const T (&b)[n]) {
+  return std::memcmp(a, b, sizeof a) == 0;
 }
 
 }  // namespace
-
-template <class Real>
-template <class Visit>
-void BodyMap<Real>::for_each_block(const Visit& visit) const {
-  const std::size_t blocks = block_start_.empty() ? 0 : block_start_.size() - 1;
-  parallel_for(0, blocks, 8, [&](std::size_t b) {
-    if (block_start_[b] < block_start_[b + 1]) visit(static_cast<BlockIndex>(b));
-  });
-}
 
 template <class Real>
 void BodyMap<Real>::update(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
@@ -109,69 +44,28 @@ void BodyMap<Real>::map(lbm::Fluid<Real>& fluid, const dem::Particles& particles
   sort_by_block(fluid);
   normalize();
   write_fields(fluid);
-}
-
-/// Dry blocks may have been released since the pair was made, and their index used again.
-template <class Real>
-bool BodyMap<Real>::is_alive(const lbm::Fluid<Real>& fluid, const Pair& p) const {
-  return fluid.grid().exists(p.block) && fluid.grid().block(p.block).birth == p.birth;
-}
-
-/// The wet volume of the former mapping under the cell types of now: conversions have booked their part already.
-template <class Real>
-void BodyMap<Real>::measure_old(lbm::Fluid<Real>& fluid) {
-  parallel_for(0, pairs_.size(), 256, [&](std::size_t k) {
-    Pair& p = pairs_[k];
-    if (!is_alive(fluid, p)) {
-      p.wet_volume = 0;
-      return;
-    }
-    const Block<Real>& block = fluid.grid().block(p.block);
-    p.wet_volume = block.wet_cells == lbm::kBlockCells ? p.volume : wet_volume_in(spheres_[p.body], block, p.lowest);
-  });
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    Body& b = bodies_[k];
-    double sum = 0;
-    for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) sum += pairs_[p].wet_volume;
-    old_wet_[b.particle] = sum;
-  }
+  forgotten_ = false;
 }
 
 template <class Real>
 void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
-  const auto& units = fluid.units();
-  const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
   old_wet_.resize(particles.size(), 0.0);
   last_velocity_.resize(particles.size(), Vec3::Zero());
   known_.resize(particles.size(), 0);
-  former_.swap(bodies_);
-  bodies_.clear(), spheres_.clear(), pairs_.clear();
-  for (dem::ParticleIndex i = 0; i < particles.size(); ++i) {
-    if (particles.kind[i] != dem::ParticleKind::grain || particles.state[i] == dem::ParticleState::removed) continue;
-    const Vec3 place = (particles.position[i] - fluid.grid().domain().origin()) / units.cell_size;
-    const double r = particles.radius[i] / units.cell_size;
-    GridSphere<Real> s;
-    const Vec3 v = particles.velocity[i] * units.velocity_to_lu(1.0),
-               w = particles.angular_velocity[i] * units.time_step;
-    for (int a = 0; a < 3; ++a) {
-      s.centre[a] = static_cast<Real>(place[a]);
-      s.velocity[a] = static_cast<Real>(v[a]);
-      s.spin[a] = static_cast<Real>(w[a]);
-    }
-    s.radius = static_cast<Real>(mapping_radius(r));
-    s.surface = by_distance ? static_cast<Real>(std::max(0.0, r + radius_shift_)) : Real(-2);
-    Body b;
-    b.particle = i;
-    b.volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
-    if (known_[i]) b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
-    b.old_wet_volume = old_wet_[i];
-    old_wet_[i] = 0;
-    last_velocity_[i] = particles.velocity[i];
-    known_[i] = 1;
-    bodies_.push_back(b);
-    spheres_.push_back(s);
-    add_pairs(fluid, static_cast<std::uint32_t>(bodies_.size() - 1));
-  }
+  radii_.resize(particles.size());
+  former_.swap(bodies_), former_spheres_.swap(spheres_), former_pairs_.swap(pairs_);
+  former_body_.assign(particles.size(), kNoBody);
+  for (std::size_t k = 0; k < former_.size(); ++k) former_body_[former_[k].particle] = static_cast<std::uint32_t>(k);
+  bodies_.clear();
+  for (dem::ParticleIndex i = 0; i < particles.size(); ++i)
+    if (particles.kind[i] == dem::ParticleKind::grain && particles.state[i] != dem::ParticleState::removed)
+      bodies_.push_back({.particle = i});
+  spheres_.resize(bodies_.size()), reaches_.resize(bodies_.size());
+  parallel_for(0, bodies_.size(), kBodiesPerTask, [&](std::size_t k) { place_body(fluid, particles, k); });
+  std::size_t pairs = 0;
+  for (Body& b : bodies_) b.first_pair = pairs, pairs += b.pairs;
+  pairs_.resize(pairs);
+  parallel_for(0, bodies_.size(), kBodiesPerTask, [&](std::size_t k) { write_pairs(fluid, k); });
   // A grain that was removed while in the liquid leaves a void: its volume is drawn from the pool.
   for (const Body& b : former_)
     if (old_wet_[b.particle] != 0) {
@@ -180,200 +74,132 @@ void BodyMap<Real>::collect(lbm::Fluid<Real>& fluid, const dem::Particles& parti
     }
 }
 
+/// The sphere as the grid sees it, its blocks, and whether they are the former ones.
 template <class Real>
-void BodyMap<Real>::add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body) {
-  const GridSphere<Real>& s = spheres_[body];
-  const auto block_at = [&](int a, Real offset) { return static_cast<int>(std::floor(s.centre[a] + offset)) >> 3; };
-  const Real reach = reach_of(s), inner = s.radius + Real(0.5);
-  Vec3i low, high, inner_low, inner_high;
+void BodyMap<Real>::place_body(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, std::size_t k) {
+  const auto& units = fluid.units();
+  Body& b = bodies_[k];
+  GridSphere<Real>& s = spheres_[k];
+  const dem::ParticleIndex i = b.particle;
+  const Vec3 place = (particles.position[i] - fluid.grid().domain().origin()) / units.cell_size;
+  const double r = particles.radius[i] / units.cell_size;
+  const Vec3 v = particles.velocity[i] * units.velocity_to_lu(1.0), w = particles.angular_velocity[i] * units.time_step;
   for (int a = 0; a < 3; ++a) {
-    low[a] = block_at(a, -reach), high[a] = block_at(a, reach);
+    s.centre[a] = static_cast<Real>(place[a]);
+    s.velocity[a] = static_cast<Real>(v[a]);
+    s.spin[a] = static_cast<Real>(w[a]);
+  }
+  if (radii_[i].cells != r) radii_[i] = {r, mapping_radius(r)};
+  s.radius = static_cast<Real>(radii_[i].mapped);
+  s.surface = fluid.options().weighting == lbm::BodyWeighting::wall_distance
+                  ? static_cast<Real>(std::max(0.0, r + radius_shift_))
+                  : Real(-2);
+  s.factor = 1;
+  b.volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
+  if (known_[i]) b.acceleration = (particles.velocity[i] - last_velocity_[i]) / units.time_step;
+  b.old_wet_volume = old_wet_[i];
+  old_wet_[i] = 0;
+  last_velocity_[i] = particles.velocity[i];
+  known_[i] = 1;
+  const std::uint32_t former = former_body_[i];
+  const bool seen = former != kNoBody && former_[former].pairs > 0;
+  look_up_blocks(fluid, k, seen ? former_pairs_.data() + former_[former].first_pair : nullptr);
+  b.change = former == kNoBody || forgotten_ ? Change::place : compare(fluid, k, former);
+  if (b.change != Change::place) s.factor = former_spheres_[former].factor;
+}
+
+/// `hint`: the first pair of the former mapping, whose block mostly is the first one still.
+template <class Real>
+void BodyMap<Real>::look_up_blocks(const lbm::Fluid<Real>& fluid, std::size_t k, const Pair* hint) {
+  const GridSphere<Real>& s = spheres_[k];
+  const auto block_at = [&](int a, Real offset) { return static_cast<int>(std::floor(s.centre[a] + offset)) >> 3; };
+  const Real far = reach_of(s), inner = covered_reach(s);
+  Reach& reach = reaches_[k];
+  Vec3i inner_low, inner_high;
+  for (int a = 0; a < 3; ++a) {
+    reach.low[a] = block_at(a, -far), reach.high[a] = block_at(a, far);
     inner_low[a] = block_at(a, -inner), inner_high[a] = block_at(a, inner);
   }
-  Body& b = bodies_[body];
-  b.first_pair = pairs_.size();
-  for (int x = low.x(); x <= high.x(); ++x)
-    for (int y = low.y(); y <= high.y(); ++y)
-      for (int z = low.z(); z <= high.z(); ++z) {
+  const auto& topology = fluid.grid().topology();
+  const Vec3i more = reach.high - reach.low;
+  if (more.maxCoeff() <= 1) {
+    const bool known = hint && hint->lowest == reach.low * lbm::kBlockWidth && is_alive(fluid, *hint);
+    const BlockIndex first = known ? hint->block : topology.find(reach.low);
+    std::size_t n = 0;
+    for (int x = 0; x <= more.x(); ++x)
+      for (int y = 0; y <= more.y(); ++y)
+        for (int z = 0; z <= more.z(); ++z)
+          reach.blocks[n++] = first == kNoBlock
+                                  ? topology.find(reach.low + Vec3i(x, y, z))
+                                  : topology.neighbours(first)[static_cast<std::size_t>(lbm::neighbour_slot(x, y, z))];
+  }
+  Body& b = bodies_[k];
+  for_blocks(fluid, reach, [&](const Vec3i& place, BlockIndex block) {
+    if (block != kNoBlock)
+      ++b.pairs;
+    else if ((place.array() >= inner_low.array()).all() && (place.array() <= inner_high.array()).all())
+      b.all_blocks = false;
+  });
+}
+
+/// Calls visit(block coordinate, index or kNoBlock).
+template <class Real>
+template <class Visit>
+void BodyMap<Real>::for_blocks(const lbm::Fluid<Real>& fluid, const Reach& reach, const Visit& visit) const {
+  const bool looked_up = (reach.high - reach.low).maxCoeff() <= 1;
+  std::size_t n = 0;
+  for (int x = reach.low.x(); x <= reach.high.x(); ++x)
+    for (int y = reach.low.y(); y <= reach.high.y(); ++y)
+      for (int z = reach.low.z(); z <= reach.high.z(); ++z) {
         const Vec3i place(x, y, z);
-        const BlockIndex block = fluid.grid().topology().find(place);
-        if (block != kNoBlock)
-          pairs_.push_back({block, body, fluid.grid().block(block).birth, place * lbm::kBlockWidth});
-        else if ((place.array() >= inner_low.array()).all() && (place.array() <= inner_high.array()).all())
-          b.all_blocks = false;
+        visit(place, looked_up ? reach.blocks[n++] : fluid.grid().topology().find(place));
       }
-  b.pairs = pairs_.size() - b.first_pair;
+}
+
+template <class Real>
+typename BodyMap<Real>::Change BodyMap<Real>::compare(const lbm::Fluid<Real>& fluid, std::size_t k,
+                                                      std::size_t former) const {
+  const Body &now = bodies_[k], &then = former_[former];
+  const GridSphere<Real>&s = spheres_[k], &t = former_spheres_[former];
+  if (!same_bits(s.centre, t.centre) || s.radius != t.radius || s.surface != t.surface || now.pairs != then.pairs)
+    return Change::place;
+  const Pair* pair = former_pairs_.data() + then.first_pair;
+  bool same = true;
+  for_blocks(fluid, reaches_[k], [&](const Vec3i& place, BlockIndex block) {
+    if (block == kNoBlock) return;
+    same = same && pair->block == block && pair->lowest == place * lbm::kBlockWidth &&
+           fluid.grid().block(block).birth == pair->birth;
+    ++pair;
+  });
+  if (!same) return Change::place;
+  return same_bits(s.velocity, t.velocity) && same_bits(s.spin, t.spin) ? Change::none : Change::motion;
+}
+
+template <class Real>
+void BodyMap<Real>::write_pairs(const lbm::Fluid<Real>& fluid, std::size_t k) {
+  const Body& b = bodies_[k];
+  const auto body = static_cast<std::uint32_t>(k);
+  Pair* pair = pairs_.data() + b.first_pair;
+  if (b.change != Change::place) {
+    const Pair* const former = former_pairs_.data() + former_[former_body_[b.particle]].first_pair;
+    for (std::size_t p = 0; p < b.pairs; ++p) pair[p] = former[p], pair[p].body = body;
+    return;
+  }
+  for_blocks(fluid, reaches_[k], [&](const Vec3i& place, BlockIndex block) {
+    if (block != kNoBlock) *pair++ = {block, body, fluid.grid().block(block).birth, place * lbm::kBlockWidth};
+  });
 }
 
 /// Counting sort; within a block the pairs stay in the order of the bodies.
 template <class Real>
 void BodyMap<Real>::sort_by_block(const lbm::Fluid<Real>& fluid) {
+  former_start_.swap(block_start_);
   block_start_.assign(fluid.grid().topology().capacity() + 1, 0);
   for (const Pair& p : pairs_) ++block_start_[static_cast<std::size_t>(p.block) + 1];
   for (std::size_t b = 1; b < block_start_.size(); ++b) block_start_[b] += block_start_[b - 1];
   by_block_.resize(pairs_.size());
   next_.assign(block_start_.begin(), block_start_.end() - 1);
   for (std::uint32_t k = 0; k < pairs_.size(); ++k) by_block_[next_[static_cast<std::size_t>(pairs_[k].block)]++] = k;
-}
-
-/// Scales each sphere to its exact volume, where all blocks that it reaches exist.
-template <class Real>
-void BodyMap<Real>::normalize() {
-  parallel_for(0, bodies_.size(), 64, [&](std::size_t k) {
-    Body& b = bodies_[k];
-    double sum = 0;
-    for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
-      pairs_[p].volume = volume_in(spheres_[k], pairs_[p].lowest);
-      sum += pairs_[p].volume;
-    }
-    const double factor = b.all_blocks && sum > 0 ? b.volume / sum : 1.0;
-    spheres_[k].factor = static_cast<Real>(factor);
-    for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) pairs_[p].volume *= factor;
-  });
-}
-
-template <class Real>
-void BodyMap<Real>::write_fields(lbm::Fluid<Real>& fluid) {
-  auto& grid = fluid.grid();
-  for (const BlockIndex b : grid.active()) {
-    const auto at = static_cast<std::size_t>(b);
-    if (block_start_[at] < block_start_[at + 1]) grid.require_body(b).used = true;
-  }
-  for_each_block([&](BlockIndex b) { write_block(fluid, b); });
-  wet_volume_ = 0;
-  for (const Pair& p : pairs_) wet_volume_ += p.wet_volume;
-}
-
-template <class Real>
-void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
-  auto& grid = fluid.grid();
-  Block<Real>& block = grid.block(index);
-  lbm::BodyFields<Real>& f = *block.body;
-  const auto at = static_cast<std::size_t>(index);
-  const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
-  const Real gap = by_distance ? Real(kGapResistance) : Real(0);
-  const bool mixed = block.wet_cells < lbm::kBlockCells || block.surface;
-  for (std::uint32_t k = block_start_[at]; k < block_start_[at + 1]; ++k) {
-    Pair& pair = pairs_[by_block_[k]];
-    const GridSphere<Real>& s = spheres_[pair.body];
-    pair.wet_volume = mixed ? 0 : pair.volume;
-    pair.surface_weight = 0;
-    const Vec3i lowest = pair.lowest;
-    for_covered_rows(s, lowest, [&](int row, int y, int z, const Real* eps, const Real* coverage) {
-      const Real ry = static_cast<Real>(lowest.y() + y) + Real(0.5) - s.centre[1];
-      const Real rz = static_cast<Real>(lowest.z() + z) + Real(0.5) - s.centre[2];
-      for (int c = 0; c < lbm::kBlockWidth; ++c) {
-        const Real rx = static_cast<Real>(lowest.x() + c) + Real(0.5) - s.centre[0];
-        f.solid_fraction[row + c] += eps[c];
-        f.coverage[row + c] += coverage[c];
-        f.resistance[row + c] = joined_resistance(f.resistance[row + c], coverage[c], gap);
-        f.momentum_x[row + c] += coverage[c] * (s.velocity[0] + s.spin[1] * rz - s.spin[2] * ry);
-        f.momentum_y[row + c] += coverage[c] * (s.velocity[1] + s.spin[2] * rx - s.spin[0] * rz);
-        f.momentum_z[row + c] += coverage[c] * (s.velocity[2] + s.spin[0] * ry - s.spin[1] * rx);
-      }
-      for (int c = 0; mixed && c < lbm::kBlockWidth; ++c) {
-        const CellType t = block.type[static_cast<std::size_t>(row + c)];
-        if (lbm::is_wet(t)) pair.wet_volume += static_cast<double>(eps[c]);
-        if (t == CellType::interface) pair.surface_weight += static_cast<double>(eps[c]);
-      }
-    });
-  }
-}
-
-/// Adds each body's change of wet volume to the interface cells that it covers; the pool takes it where there are none.
-template <class Real>
-void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
-  displaced_.assign(bodies_.size(), 0.0);
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const Body& b = bodies_[k];
-    double now = 0, weight = 0;
-    for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
-      now += pairs_[p].wet_volume;
-      weight += pairs_[p].surface_weight;
-    }
-    const double change = now - b.old_wet_volume;
-    if (change == 0) continue;
-    if (weight > std::abs(change))
-      displaced_[k] = change / weight;
-    else
-      fluid.account().pool += change;
-  }
-  for_each_block([&](BlockIndex index) {
-    Block<Real>& block = fluid.grid().block(index);
-    if (!block.surface) return;
-    const auto at = static_cast<std::size_t>(index);
-    for (std::uint32_t k = block_start_[at]; k < block_start_[at + 1]; ++k) {
-      const Pair& pair = pairs_[by_block_[k]];
-      const std::uint32_t body = pair.body;
-      if (displaced_[body] == 0) continue;
-      for_rows(spheres_[body], pair.lowest, [&](int row, int, int, const Real* eps) {
-        for (int c = 0; c < lbm::kBlockWidth; ++c)
-          if (block.type[static_cast<std::size_t>(row + c)] == CellType::interface)
-            block.surface->mass[row + c] += static_cast<Real>(displaced_[body]) * eps[c];
-      });
-    }
-  });
-}
-
-template <class Real>
-Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
-  auto& grid = fluid.grid();
-  const lbm::CoverageLaw& law = fluid.coverage_law();
-  const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
-  parallel_for(0, pairs_.size(), 128, [&](std::size_t k) {
-    Pair& pair = pairs_[k];
-    pair.force = pair.torque = Vec3::Zero();
-    pair.locked = pair.locked_inertia = 0;
-    if (!is_alive(fluid, pair)) return;
-    const Block<Real>& block = grid.block(pair.block);
-    const lbm::BodyFields<Real>& f = *block.body;
-    const GridSphere<Real>& s = spheres_[pair.body];
-    const Vec3i lowest = pair.lowest;
-    for_covered_rows(s, lowest, [&](int row, int y, int z, const Real* eps, const Real* coverage) {
-      for (int c = 0; c < lbm::kBlockWidth; ++c) {
-        if (coverage[c] == 0 || f.coverage[row + c] == 0) continue;
-        const double share = static_cast<double>(coverage[c]) / static_cast<double>(f.coverage[row + c]);
-        const Vec3 force =
-            share * Vec3(static_cast<double>(f.exchange_x[row + c]), static_cast<double>(f.exchange_y[row + c]),
-                         static_cast<double>(f.exchange_z[row + c]));
-        const Vec3 arm =
-            (lowest + Vec3i(c, y, z)).cast<double>() + Vec3::Constant(0.5) -
-            Vec3(static_cast<double>(s.centre[0]), static_cast<double>(s.centre[1]), static_cast<double>(s.centre[2]));
-        pair.force += force;
-        pair.torque += arm.cross(force);
-        if (!lbm::is_wet(block.type[static_cast<std::size_t>(row + c)])) continue;
-        const double held = by_distance ? static_cast<double>(eps[c])
-                                        : share * lbm::coverage_weight(static_cast<double>(f.resistance[row + c]), law);
-        pair.locked += held;
-        pair.locked_inertia += held * 2.0 / 3.0 * arm.squaredNorm();
-      }
-    });
-  });
-  const auto& units = fluid.units();
-  const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
-  Vec3 total = Vec3::Zero();
-  for (const Body& b : bodies_) {
-    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-    double wet = 0, locked = 0, locked_inertia = 0;
-    for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
-      force += pairs_[p].force;
-      torque += pairs_[p].torque;
-      wet += pairs_[p].wet_volume;
-      locked += pairs_[p].locked;
-      locked_inertia += pairs_[p].locked_inertia;
-    }
-    total += force;
-    // The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body. The
-    // weight of that liquid is carried by the fluid: the body's buoyancy.
-    const double area = units.cell_size * units.cell_size;
-    const double share = limited_share(particles.mass[b.particle], units.mass() * locked);
-    torque *= limited_share(particles.inertia[b.particle], units.mass() * area * locked_inertia);
-    force += locked * share * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
-    if (!force.allFinite()) report_bad_force(particles, b.particle, fluid.steps());
-    particles.external_force.add(b.particle, force * units.force_to_si(1.0));
-    particles.external_torque.add(b.particle, torque * units.torque_to_si(1.0));
-  }
-  return total;
 }
 
 template class BodyMap<float>;

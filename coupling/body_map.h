@@ -7,9 +7,13 @@
 // interface cells that it covers. So a body entering the water raises the level by its volume, and
 //   liquid = sum of wet masses - sum over bodies of their volume in wet cells
 // is conserved exactly (docs/coupling.md, docs/decisions/0003).
+//
+// Only what changed is redone: a body that stands where it stood keeps its blocks and volumes, and a block whose bodies
+// all are, move and turn as in the last mapping keeps its fields. The results are those of a full mapping, to the bit.
+#include <span>
 #include <vector>
 
-#include "coupling/sphere_fraction.h"
+#include "coupling/grid_sphere.h"
 #include "dem/particles.h"
 #include "lbm/fluid.h"
 
@@ -22,8 +26,8 @@ class BodyMap {
   /// BodyWeighting::wall_distance; the volume stays that of the body.
   explicit BodyMap(double radius_shift = 0) : radius_shift_(radius_shift) {}
 
-  /// Maps all free and fixed grains (not beads) at their present places into cleared body fields (see body_fields.h),
-  /// and books displaced volume.
+  /// Maps all free and fixed grains (not beads) at their present places (clear_body_fields goes before, see
+  /// body_fields.h), and books displaced volume.
   void update(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
 
   /// Before the first step: maps grains into liquid that was filled around them. The fill is the total of both, so
@@ -37,6 +41,11 @@ class BodyMap {
   /// Volume of the mapped bodies inside wet cells, in cells (last update).
   [[nodiscard]] double wet_volume() const { return wet_volume_; }
   [[nodiscard]] std::size_t pairs() const { return pairs_.size(); }
+  /// Blocks whose fields the last update wrote.
+  [[nodiscard]] std::size_t written_blocks() const;
+
+  /// The next update maps everything again, moved or not.
+  void forget() { forgotten_ = true; }
 
   /// State of a checkpoint: the last mapping, whose displaced volume the next one is compared with
   /// (coupled_step_transfer.cpp).
@@ -52,43 +61,79 @@ class BodyMap {
     double volume = 0;          ///< cells, over all cells of the block
     double wet_volume = 0;      ///< cells, over wet cells
     double surface_weight = 0;  ///< sum of eps over interface cells
+  };
+  /// What the cells of a pair do to the body, lu.
+  struct Load {
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     double locked = 0;          ///< liquid in wet cells that moves with the body, cells
     double locked_inertia = 0;  ///< the same times 2/3 of the squared distance from the body's centre
-    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  };
+  /// Against the former mapping.
+  enum class Change : std::uint8_t {
+    none,
+    motion,  ///< stands where it stood, with another velocity or spin
+    place,
   };
   struct Body {
     dem::ParticleIndex particle;
     std::size_t first_pair = 0, pairs = 0;
-    bool all_blocks = true;            ///< every block in reach exists
+    bool all_blocks = true;  ///< every block in reach exists
+    Change change = Change::place;
     double volume = 0;                 ///< exact, cells
     double old_wet_volume = 0;         ///< of the former mapping, under present cell types
     Vec3 acceleration = Vec3::Zero();  ///< m/s^2, mean of the last step
+  };
+  /// The blocks in reach of a body, x slowest.
+  struct Reach {
+    Vec3i low, high;
+    std::array<lbm::BlockIndex, 8> blocks;  ///< where there are no more than that
+  };
+  struct Radius {
+    double cells = -1, mapped = 0;
   };
 
   [[nodiscard]] bool is_alive(const lbm::Fluid<Real>& fluid, const Pair& pair) const;
   void map(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   void measure_old(lbm::Fluid<Real>& fluid);
   void collect(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
-  void add_pairs(const lbm::Fluid<Real>& fluid, std::uint32_t body);
+  void place_body(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, std::size_t k);
+  void look_up_blocks(const lbm::Fluid<Real>& fluid, std::size_t k, const Pair* hint);
+  template <class Visit>
+  void for_blocks(const lbm::Fluid<Real>& fluid, const Reach& reach, const Visit& visit) const;
+  [[nodiscard]] Change compare(const lbm::Fluid<Real>& fluid, std::size_t k, std::size_t former) const;
+  void write_pairs(const lbm::Fluid<Real>& fluid, std::size_t k);
   void sort_by_block(const lbm::Fluid<Real>& fluid);
   void normalize();
   void write_fields(lbm::Fluid<Real>& fluid);
+  [[nodiscard]] bool is_same(const lbm::BodyFields<Real>& fields, std::size_t block) const;
   void write_block(lbm::Fluid<Real>& fluid, lbm::BlockIndex b);
+  void measure_wet(const lbm::Block<Real>& block, Pair& pair) const;
   void book_displacement(lbm::Fluid<Real>& fluid);
+  void add_loads(const lbm::Fluid<Real>& fluid, std::size_t block);
+  void hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& particles, std::size_t k);
+  [[nodiscard]] std::span<const std::uint32_t> pairs_of(const std::vector<std::uint32_t>& start,
+                                                        std::size_t block) const;
   template <class Visit>
   void for_each_block(const Visit& visit) const;
 
   std::vector<Body> bodies_, former_;
-  std::vector<GridSphere<Real>> spheres_;
-  std::vector<Pair> pairs_;                  // by body, then block
-  std::vector<std::uint32_t> by_block_;      // pair indices sorted by block
-  std::vector<std::uint32_t> block_start_;   // per block index, into by_block_
-  std::vector<std::uint32_t> next_;          // scratch of the sort
-  std::vector<double> old_wet_, displaced_;  // per particle; per body
-  std::vector<Vec3> last_velocity_;          // per particle, m/s
-  std::vector<std::uint8_t> known_;          // per particle: last_velocity_ is set
+  std::vector<GridSphere<Real>> spheres_, former_spheres_;
+  std::vector<Pair> pairs_, former_pairs_;                 // by body, then block
+  std::vector<Reach> reaches_;                             // by body
+  std::vector<Load> loads_;                                // by pair
+  std::vector<Vec3> forces_;                               // by body, lu, before the interior correction
+  std::vector<std::uint32_t> by_block_;                    // pair indices sorted by block
+  std::vector<std::uint32_t> block_start_, former_start_;  // per block index, into by_block_
+  std::vector<std::uint32_t> next_;                        // scratch of the sort
+  std::vector<std::uint32_t> former_body_;                 // per particle, index into former_
+  std::vector<std::uint8_t> written_;                      // per block index: fields of the last update
+  std::vector<Radius> radii_;                              // per particle
+  std::vector<double> old_wet_, displaced_, change_;       // per particle; per body; per body
+  std::vector<Vec3> last_velocity_;                        // per particle, m/s
+  std::vector<std::uint8_t> known_;                        // per particle: last_velocity_ is set
   double radius_shift_;
   double wet_volume_ = 0;
+  bool forgotten_ = false;
 };
 
 extern template class BodyMap<float>;

@@ -22,6 +22,7 @@ CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::opti
   }
   longest_substep_ = clock_.time_step() / options_.substeps;
   if (fluid_ && solids_ && options_.wire_drag) wires_.emplace(solids_->particles(), solids_->bonds());
+  if (fluid_) fluid_->keep_velocities(wires_ && wires_->beads() > 0);
 }
 
 template <class Real>

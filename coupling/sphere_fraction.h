@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/wall_resistance.h"
-#include "lbm/cells.h"
+#include "coupling/grid_sphere.h"
+#include "coupling/rows.h"
 
 namespace lahar::coupling {
 
@@ -21,67 +21,48 @@ inline double mapping_radius(double r) {
   return x;
 }
 
-/// A sphere as the grid sees it, lattice units; positions in cells from the corner of cell (0,0,0).
-template <class Real>
-struct GridSphere {
-  Real centre[3];
-  Real radius;       ///< mapping radius
-  Real surface;      ///< radius at which the fluid comes to rest (wall_resistance.h); below 0: weighting by eps
-  Real factor = 1;   ///< scales eps to the exact volume
-  Real velocity[3];  ///< lu
-  Real spin[3];      ///< rad per step
-};
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 warns of registers in its own AVX-512 header
 
-/// How far from the centre eps or the coverage is not 0.
+/// Distances of the cells of a row, (x0..x0+7, y, z), from the centre. A cell at the edge must be covered for all
+/// callers or for none: contraction of products and sums is spelled out (core/multiply_add.h).
 template <class Real>
-Real reach_of(const GridSphere<Real>& s) {
-  return std::max(s.radius + Real(0.5), s.surface + Real(kResistanceReach));
-}
-
-/// eps of the sphere in the row of 8 cells at (x0..x0+7, y, z). Never inlined: contraction of products and sums differs
-/// from place to place, and a cell at the edge must be covered for all callers or for none.
-template <class Real>
-[[gnu::noinline]] void sphere_row(const GridSphere<Real>& s, int x0, int y, int z, Real* __restrict eps) {
+[[gnu::always_inline]] inline lbm::Row<Real> distance_row(const GridSphere<Real>& s, int x0, int y, int z) {
   const Real dy = static_cast<Real>(y) + Real(0.5) - s.centre[1], dz = static_cast<Real>(z) + Real(0.5) - s.centre[2];
-  const Real base = dy * dy + dz * dz, x = static_cast<Real>(x0) + Real(0.5) - s.centre[0];
-  for (int k = 0; k < lbm::kBlockWidth; ++k) {
-    const Real dx = x + static_cast<Real>(k);
-    const Real cover = Real(0.5) + s.radius - std::sqrt(base + dx * dx);
-    eps[k] = s.factor * std::min(Real(1), std::max(Real(0), cover));
-  }
+  const lbm::Row<Real> base(multiply_add(dy, dy, dz * dz));
+  const lbm::Row<Real> dx = (static_cast<Real>(x0) + Real(0.5) - s.centre[0]) + row_places<Real>();
+  return stdx::sqrt(multiply_add(dx, dx, base));
 }
 
-/// What the sphere writes into the coverage of a row of cells, and its eps there. Never inlined, as above.
+#pragma GCC diagnostic pop
+
+/// eps at given distances.
 template <class Real>
-[[gnu::noinline]] void sphere_coverage_row(const GridSphere<Real>& s, int x0, int y, int z, Real* __restrict eps,
-                                           Real* __restrict coverage) {
-  sphere_row(s, x0, y, z, eps);
-  if (s.surface < Real(0)) {
-    std::copy(eps, eps + lbm::kBlockWidth, coverage);
-    return;
-  }
-  const Real dy = static_cast<Real>(y) + Real(0.5) - s.centre[1], dz = static_cast<Real>(z) + Real(0.5) - s.centre[2];
-  const Real base = dy * dy + dz * dz, x = static_cast<Real>(x0) + Real(0.5) - s.centre[0];
-  for (int k = 0; k < lbm::kBlockWidth; ++k) {
-    const Real dx = x + static_cast<Real>(k);
-    coverage[k] = wall_resistance(std::sqrt(base + dx * dx) - s.surface);
-  }
+[[gnu::always_inline]] inline lbm::Row<Real> fraction_at(const GridSphere<Real>& s, const lbm::Row<Real>& distance) {
+  using Row = lbm::Row<Real>;
+  const Row cover = (Real(0.5) + s.radius) - distance;
+  return s.factor * stdx::min(Row(1), stdx::max(Row(0), cover));
 }
 
-/// Rows (y, z) of a block that a sphere can reach: [low, high), local to the block; 0 is y, 1 is z.
-struct RowRange {
-  int low[2], high[2];
+/// eps of the sphere in a row of 8 cells, and what it writes into their coverage.
+template <class Real>
+struct RowCover {
+  lbm::Row<Real> fraction, coverage;
 };
 
 template <class Real>
-RowRange rows_in_reach(const GridSphere<Real>& s, const Vec3i& lowest, Real reach) {
-  RowRange r{};
-  for (int a = 0; a < 2; ++a) {
-    const int axis = a + 1;
-    r.low[a] = std::max(0, static_cast<int>(std::floor(s.centre[axis] - reach)) - lowest[axis]);
-    r.high[a] = std::min(lbm::kBlockWidth, static_cast<int>(std::floor(s.centre[axis] + reach)) + 1 - lowest[axis]);
-  }
-  return r;
+[[gnu::always_inline]] inline lbm::Row<Real> fraction_row(const GridSphere<Real>& s, int x0, int y, int z) {
+  return fraction_at(s, distance_row(s, x0, y, z));
+}
+
+/// `kByDistance`: s.surface is given.
+template <bool kByDistance, class Real>
+[[gnu::always_inline]] inline RowCover<Real> cover_row(const GridSphere<Real>& s, int x0, int y, int z) {
+  const lbm::Row<Real> distance = distance_row(s, x0, y, z), eps = fraction_at(s, distance);
+  if constexpr (kByDistance)
+    return {eps, wall_resistance<lbm::Row<Real>>(distance - s.surface)};
+  else
+    return {eps, eps};
 }
 
 }  // namespace lahar::coupling

@@ -13,7 +13,8 @@
 // body h is so large that the cell takes the body's velocity.
 #include <algorithm>
 
-#include "lbm/cells.h"
+#include "core/multiply_add.h"
+#include "lbm/number.h"
 
 namespace lahar::coupling {
 
@@ -27,18 +28,22 @@ inline constexpr double kInteriorResistance = 1e12;
 /// 1 + 4 h = (1 + 4 h_1) (1 + 4 h_2) the order of the bodies does not matter and one that is far adds nothing.
 inline constexpr double kGapResistance = 4;
 
-/// What two bodies resist together; gap is kGapResistance, or 0 for a plain sum.
-template <class Real>
-[[gnu::always_inline]] inline Real joined_resistance(Real one, Real other, Real gap) {
-  return std::min(one + other + gap * one * other, Real(kInteriorResistance));
+/// What two bodies resist together; gap is kGapResistance, or 0 for a plain sum. For numbers and rows of them
+/// (coupling/rows.h); products and sums are spelled out.
+template <class V>
+[[gnu::always_inline]] inline V joined_resistance(const V& one, const V& other, const V& gap) {
+  using std::min;
+  return min(multiply_add(V(gap * one), other, V(one + other)), lbm::number<V>(kInteriorResistance));
 }
 
-/// h at distance q from the surface, negative inside.
-template <class Real>
-[[gnu::always_inline]] inline Real wall_resistance(Real q) {
-  const Real along = std::max(Real(0), Real(1) - q), across = std::max(Real(0), Real(kResistanceReach) - q);
-  const Real h = (along * along + Real(0.70710678118654752) * across * across) / std::max(Real(2) * q, Real(1e-12));
-  return q > Real(0) ? std::min(h, Real(kInteriorResistance)) : Real(kInteriorResistance);
+/// h at distance q from the surface, negative inside: there the quotient is above kInteriorResistance.
+template <class V>
+[[gnu::always_inline]] inline V wall_resistance(const V& q) {
+  using std::max;
+  using std::min;
+  const V along = max(V(0), V(V(1) - q)), across = max(V(0), V(lbm::number<V>(kResistanceReach) - q));
+  const V near = along * along, far = V(lbm::number<V>(0.70710678118654752) * across) * across, sum = near + far;
+  return min(V(sum / max(V(V(2) * q), lbm::number<V>(1e-12))), lbm::number<V>(kInteriorResistance));
 }
 
 }  // namespace lahar::coupling

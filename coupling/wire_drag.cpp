@@ -149,7 +149,9 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particl
           const BlockIndex b = grid.topology().find(bead.lowest + Vec3i(x, y, z));
           if (b == kNoBlock || grid.block(b).wet_cells == 0) continue;
           bead.blocks[static_cast<std::size_t>(9 * x + 3 * y + z)] = b;
-          grid.require_body(b).used = true;
+          lbm::BodyFields<Real>& fields = grid.require_body(b);
+          fields.used = true;
+          lbm::open_kicks(fields);
           bead.near = true;
         }
   }

@@ -25,6 +25,7 @@ class WireDrag {
 
   /// Momentum that the last `apply` put into cells, lu; the audit compares it with the forces on the beads.
   [[nodiscard]] const Vec3& given_to_fluid() const { return given_; }
+  [[nodiscard]] std::size_t beads() const { return beads_.size(); }
   [[nodiscard]] std::size_t wet_beads() const { return wet_beads_; }
   /// State of a checkpoint (coupled_step_transfer.cpp): what is not looked up anew in every step.
   void transfer(Archive& archive);

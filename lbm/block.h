@@ -1,5 +1,6 @@
 #pragma once
 // One block of 8 x 8 x 8 cells: populations for every cell, and optional fields only where the block needs them.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -35,17 +36,30 @@ struct BodyFields {
   alignas(64) Real momentum_x[kBlockCells];      ///< sum over bodies of coverage times velocity, lu
   alignas(64) Real momentum_y[kBlockCells];
   alignas(64) Real momentum_z[kBlockCells];
-  /// In: momentum given to the cell by wires in the coming step. Out (by the sweep): momentum that the fluid gave to
-  /// the bodies in the cell in this step.
+  /// In: momentum given to the cell by wires or an inflow in the coming step (open_kicks). Out (by the sweep): momentum
+  /// that the fluid gave to the bodies in the cell in this step.
   alignas(64) Real exchange_x[kBlockCells];
   alignas(64) Real exchange_y[kBlockCells];
   alignas(64) Real exchange_z[kBlockCells];
-  /// Velocity after the last collision, lu, in wet cells; written by the sweep for the wires to sample.
+  /// Velocity after the last collision, lu, in wet cells; written by the sweep for the wires to sample
+  /// (SweepParameters::keep_velocity).
   alignas(64) Real velocity_x[kBlockCells];
   alignas(64) Real velocity_y[kBlockCells];
   alignas(64) Real velocity_z[kBlockCells];
-  bool used = false;  ///< a body or wire reaches the block in this step
+  bool used = false;      ///< a body or wire reaches the block in this step
+  bool mapped = false;    ///< the first six fields are what the body map wrote: it may leave them as they are
+  bool edited = false;    ///< somebody else wrote into the first six fields: they are cleared before the next step
+  bool no_kicks = false;  ///< exchange holds what came out of the last step; nothing goes in
 };
+
+/// To be called before momentum is added to the exchange fields for the coming step.
+template <class Real>
+void open_kicks(BodyFields<Real>& body) {
+  if (!body.no_kicks) return;
+  for (Real* field : {body.exchange_x, body.exchange_y, body.exchange_z})
+    std::fill(field, field + kBlockCells, Real(0));
+  body.no_kicks = false;
+}
 
 /// A cell next to a wall, with its links into the wall.
 struct WallCell {
@@ -60,7 +74,17 @@ struct WallCell {
   std::int16_t wall = -1;              ///< index of the wall in the domain
   /// Whether the links' pushes cancel for any velocity along the wall, as they do on a flat wall along the lattice.
   bool even = true;
-  std::uint32_t mirrored = 0;  ///< links, by bit, that led to another cell at the last reflection (slip_wall.h)
+};
+
+/// One velocity into walls in a row of cells, where what comes back is a copy of what was sent: off walls at rest and
+/// mirrors (boundary/row_reflection.h). Cells of a row are named by bits.
+struct RowLink {
+  std::uint8_t row;           ///< y + 8 z
+  std::uint8_t direction;     ///< velocity into the wall
+  std::uint8_t along;         ///< its part along a mirror where that leads to another cell, else 0
+  std::uint8_t source;        ///< velocity of what comes back: from that other cell into the wall, else `direction`
+  std::uint8_t cells;         ///< that have this link
+  std::uint8_t mirrored = 0;  ///< of them, those whose link led to another cell at the last reflection (slip_wall.h)
 };
 
 /// Where a link meets its wall; only with WallPlacement::interpolated.
@@ -71,12 +95,17 @@ struct WallHit {
 
 struct WallLinks {
   std::vector<WallCell> cells;
+  std::vector<std::uint16_t> others;     ///< entries of `cells` whose links are not copies by rows
+  std::vector<RowLink> rows;             ///< the links that are
   std::vector<std::uint8_t> directions;  ///< velocity index pointing into the wall
   std::vector<WallHit> hits;             ///< one per direction, or empty
   std::vector<double> gains;  ///< per cell: mass that its links will add in the coming sweep, lu (wall_balance.h)
   double gained = 0;          ///< sum of what liquid cells got in the last sweep, lu
   int takers = 0;             ///< entries of liquid cells whose links may add mass
-  void clear() { cells.clear(), directions.clear(), hits.clear(), gains.clear(), gained = 0, takers = 0; }
+  void clear() {
+    cells.clear(), others.clear(), rows.clear(), directions.clear(), hits.clear(), gains.clear();
+    gained = 0, takers = 0;
+  }
 };
 
 template <class Real>

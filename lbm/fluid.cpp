@@ -1,6 +1,7 @@
 #include "lbm/fluid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <set>
 
@@ -14,6 +15,7 @@
 #include "lbm/equilibrium.h"
 #include "lbm/free_surface/surface_exchange.h"
 #include "lbm/rescale.h"
+#include "lbm/row_types.h"
 
 namespace lahar::lbm {
 
@@ -310,7 +312,7 @@ void Fluid<Real>::set_time_step(double time_step) {
 template <class Real>
 void Fluid<Real>::stretch_kicks(double ratio) {
   for (const BlockIndex b : grid_.active())
-    if (BodyFields<Real>* body = grid_.block(b).body)
+    if (BodyFields<Real>* body = grid_.block(b).body; body && !body->no_kicks)
       for (Real* field : {body->exchange_x, body->exchange_y, body->exchange_z})
         for (int n = 0; n < kBlockCells; ++n) field[n] *= static_cast<Real>(ratio);
 }
@@ -321,8 +323,10 @@ void Fluid<Real>::take_time_step(double time_step) {
   options_.time_step = time_step;
   units_ = units_of(options_);
   const Parity parity = parameters_.parity;
+  const bool keep_velocity = parameters_.keep_velocity;
   parameters_ = parameters_of(options_, units_);
   parameters_.parity = parity;
+  parameters_.keep_velocity = keep_velocity;
   grid_.set_velocity_to_lu(units_.velocity_to_lu(1.0));
   for (Inflow<Real>& inflow : inflows_) inflow.set_units(units_);
 }
@@ -416,6 +420,22 @@ void Fluid<Real>::book_wall_loads() {
     }
 }
 
+/// The sides of a block at which it has wet cells.
+struct SidesReached {
+  bool low[3], high[3];
+};
+
+template <class Real>
+SidesReached sides_reached(const Block<Real>& block) {
+  constexpr std::uint64_t first_y = 0x0101010101010101U, first_z = 0xFFU;
+  unsigned wet = block.wet_cells == kBlockCells ? 0xFFU : 0U;
+  for (std::uint64_t rows = wet ? 0 : block.wet_rows; rows != 0; rows &= rows - 1)
+    wet |= wet_cells(block, std::countr_zero(rows));
+  const std::uint64_t rows = block.wet_rows;
+  return {{(wet & 1U) != 0, (rows & first_y) != 0, (rows & first_z) != 0},
+          {wet >> 7 != 0, (rows & first_y << 7) != 0, (rows & first_z << 56) != 0}};
+}
+
 template <class Real>
 void Fluid<Real>::release_dry_blocks() {
   const ScopedTimer timer(timers_.section("fluid.blocks"));
@@ -423,16 +443,11 @@ void Fluid<Real>::release_dry_blocks() {
   for (const BlockIndex b : grid_.active()) {
     const Block<Real>& block = grid_.block(b);
     if (block.wet_cells == 0) continue;
-    int low[3] = {7, 7, 7}, high[3] = {0, 0, 0};
-    for (int n = 0; n < kBlockCells; ++n) {
-      if (!is_wet(block.type[static_cast<std::size_t>(n)])) continue;
-      const auto p = cell_position(n);
-      for (std::size_t a = 0; a < 3; ++a) low[a] = std::min(low[a], p[a]), high[a] = std::max(high[a], p[a]);
-    }
+    const SidesReached sides = sides_reached(block);
     for (int slot = 0; slot < 27; ++slot) {
       const int d[3] = {slot / 9 - 1, slot / 3 % 3 - 1, slot % 3 - 1};
       bool reached = true;
-      for (int a = 0; a < 3; ++a) reached = reached && (d[a] == 0 || (d[a] < 0 ? low[a] == 0 : high[a] == 7));
+      for (int a = 0; a < 3; ++a) reached = reached && (d[a] == 0 || (d[a] < 0 ? sides.low[a] : sides.high[a]));
       const BlockIndex other = grid_.topology().neighbours(b)[static_cast<std::size_t>(slot)];
       if (reached && other != kNoBlock) needed_[static_cast<std::size_t>(other)] = 1;
     }

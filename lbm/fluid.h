@@ -75,6 +75,9 @@ class Fluid {
   /// The liquid of now is the start of the mass ledger. Done by fill; to be called again after bodies were put in.
   void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass() - inflow_mass() - rescaled_mass(); }
 
+  /// Whether the velocity of cells with bodies is kept for wires to sample (it is by default).
+  void keep_velocities(bool keep) { parameters_.keep_velocity = keep; }
+
   /// One fluid step: mass over the surface, collide and stream, walls, cell conversion, blocks.
   /// Throws NumericalFailure if a cell is no longer finite or faster than the lattice can carry.
   void step();

@@ -1,9 +1,12 @@
 #include "lbm/fluid_grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
+#include "lbm/boundary/row_reflection.h"
 #include "lbm/collision/stress_limit.h"
+#include "lbm/row_types.h"
 
 namespace lahar::lbm {
 
@@ -101,6 +104,7 @@ void FluidGrid<Real>::cut_geometry(BlockIndex b) {
     for (int i = 1; i < D3Q19::q; ++i) fresh.at_rim[cell] = fresh.at_rim[cell] || at(i) == CellType::sink;
     add_wall_links(fresh, n, lowest + Vec3i(p[0], p[1], p[2]), types);
   }
+  list_row_links(fresh.walls, types, domain_.placement());
 }
 
 template <class Real>
@@ -203,27 +207,25 @@ void FluidGrid<Real>::release_body(BlockIndex b) {
 }
 
 template <class Real>
-void FluidGrid<Real>::relist(BlockIndex b) {
+void FluidGrid<Real>::list_cells(BlockIndex b) {
   Block<Real>& blk = block(b);
   blk.wet_cells = 0;
   blk.wet_rows = 0;
   std::uint64_t interface_rows = 0;
-  int interfaces = 0;
-  for (std::size_t row = 0; row < 64; ++row) {
-    int wet = 0;
-    for (std::size_t n = 8 * row; n < 8 * row + 8; ++n) wet += is_wet(blk.type[n]);
+  std::size_t interfaces = 0;
+  for (int row = 0; row < 64; ++row) {
+    const unsigned wet = wet_cells(blk, row);
     if (wet == 0) continue;
-    blk.wet_cells += wet;
+    blk.wet_cells += std::popcount(wet);
     blk.wet_rows |= std::uint64_t{1} << row;
-    for (std::size_t n = 8 * row; n < 8 * row + 8; ++n) {
-      if (blk.type[n] != CellType::interface) continue;
-      if (blk.surface) blk.surface->cells[static_cast<std::size_t>(interfaces)] = static_cast<std::uint16_t>(n);
-      interface_rows |= std::uint64_t{1} << row;
-      ++interfaces;
-    }
+    unsigned cells = interface_cells(blk, row);
+    if (cells == 0) continue;
+    interface_rows |= std::uint64_t{1} << row;
+    for (; cells != 0; cells &= cells - 1)
+      blk.surface->cells[interfaces++] = static_cast<std::uint16_t>(kBlockWidth * row + std::countr_zero(cells));
   }
-  if (interfaces == 0) return release_surface(b);
-  blk.surface->count = interfaces;
+  if (!blk.surface) return;
+  blk.surface->count = static_cast<int>(interfaces);
   blk.surface->rows = interface_rows;
   std::fill_n(blk.surface->largest_rate, kBlockCells, Real(kLargestRate));  // rows without interface cells keep it
 }

@@ -63,7 +63,12 @@ class FluidGrid {
   void release_surface(BlockIndex b);
   void release_body(BlockIndex b);
   /// Lists the interface cells of a block again and counts its wet cells, after types have changed.
-  void relist(BlockIndex b);
+  void relist(BlockIndex b) { list_cells(b), release_unused_surface(b); }
+  /// The same in two parts: the first for several blocks at once.
+  void list_cells(BlockIndex b);
+  void release_unused_surface(BlockIndex b) {
+    if (block(b).surface && block(b).surface->count == 0) release_surface(b);
+  }
 
   [[nodiscard]] Vec3i lowest_cell(BlockIndex b) const { return topology_.coordinate(b) * kBlockWidth; }
   [[nodiscard]] Vec3 centre(BlockIndex b, int cell) const {

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "core/check.h"
+#include "lbm/boundary/row_reflection.h"
 #include "lbm/fluid.h"
 
 namespace lahar::lbm {
@@ -141,19 +142,21 @@ void FluidGrid<Real>::transfer_wall_links(Archive& archive) {
     if (archive.loading()) continue;
     gains.insert(gains.end(), walls.gains.begin(), walls.gains.end());
     gains.resize(size, 0);
-    for (const WallCell& wall : walls.cells) mirrored.push_back(wall.mirrored);
+    const MirroredLinks links(walls);
+    for (const WallCell& wall : walls.cells) mirrored.push_back(links.of(wall, walls.directions.data()));
   }
   archive.list_of("wall_gains", gains, size);
   archive.list_of("wall_mirrored", mirrored, size);
   if (!archive.loading()) return;
   auto gain = gains.begin();
-  auto mirror = mirrored.begin();
+  const std::uint32_t* of_cells = mirrored.data();
   for (const BlockIndex b : active()) {
     WallLinks& walls = block(b).walls;
     const auto last = gain + static_cast<std::ptrdiff_t>(walls.cells.size());
     walls.gains.assign(gain, last);
     gain = last;
-    for (WallCell& wall : walls.cells) wall.mirrored = *mirror++;
+    MirroredLinks::restore(walls, of_cells);
+    of_cells += walls.cells.size();
   }
 }
 

@@ -17,6 +17,7 @@ struct SweepParameters {
   CollisionOperator collision = CollisionOperator::central_moments;
   CoverageLaw coverage;  ///< B of what bodies wrote into a cell
   SolidOperator solid_operator = SolidOperator::faded;
+  bool keep_velocity = true;    ///< for wires: writes BodyFields::velocity_x, _y, _z
   double tau = 1;               ///< relaxation time of the viscous moments
   double smagorinsky = 0;       ///< Cs, 0 is off
   RheologyParameters rheology;  ///< in place of tau where the flow law is not Newtonian

@@ -27,7 +27,12 @@ struct Uniform {
   V alpha, beta, gamma, cap, largest;  ///< CoverageLaw
   V fade;                              ///< 1 for SolidOperator::faded
   bool turned, holdych;                ///< the solid operator is another one
+  bool keep_velocity;
 };
+
+/// Stands for exchange fields that nothing was written to.
+template <class Real>
+inline constexpr std::array<Real, kBlockCells> kNoKicks alignas(64){};
 
 template <class V, class Viscosity>
 Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
@@ -48,7 +53,8 @@ Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
           real(p.coverage.largest),
           real(p.solid_operator == SolidOperator::faded),
           turns_populations(p.solid_operator),
-          p.solid_operator == SolidOperator::holdych};
+          p.solid_operator == SolidOperator::holdych,
+          p.keep_velocity};
 }
 
 template <class Real, bool kMixed, bool kBody>
@@ -156,7 +162,7 @@ class BlockKernel {
       after = Operator::collide(f, m, force, uniform.viscosity);
     }
     watch.see(m, after);
-    if constexpr (kBody) record_exchange(block, n, m, force, uniform.holdych, after);
+    if constexpr (kBody) record_exchange(block, n, m, force, uniform, after);
     // Dry cells store what came of rest: it goes to places that walls or the surface set before a wet cell reads them.
     f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
     for (int pair = 0; pair < D3Q19::pairs; ++pair) f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);
@@ -192,9 +198,10 @@ class BlockKernel {
       force.solid_velocity[0] = V(body.momentum_x + n, stdx::vector_aligned) * inverse;
       force.solid_velocity[1] = V(body.momentum_y + n, stdx::vector_aligned) * inverse;
       force.solid_velocity[2] = V(body.momentum_z + n, stdx::vector_aligned) * inverse;
-      force.kick[0] = V(body.exchange_x + n, stdx::vector_aligned) * m.inverse_density;
-      force.kick[1] = V(body.exchange_y + n, stdx::vector_aligned) * m.inverse_density;
-      force.kick[2] = V(body.exchange_z + n, stdx::vector_aligned) * m.inverse_density;
+      const Real* const none = kNoKicks<Real>.data();
+      const Real* const kicks[3] = {body.no_kicks ? none : body.exchange_x, body.no_kicks ? none : body.exchange_y,
+                                    body.no_kicks ? none : body.exchange_z};
+      for (int a = 0; a < 3; ++a) force.kick[a] = V(kicks[a] + n, stdx::vector_aligned) * m.inverse_density;
     } else {
       force.coverage_weight = V(0);
       for (int a = 0; a < 3; ++a) force.solid_velocity[a] = force.kick[a] = V(0);
@@ -204,20 +211,21 @@ class BlockKernel {
 
   /// Momentum that the fluid gives to the bodies of the cell, B rho (u + a - u_s), and the velocity after collision.
   /// The operator of Holdych gives B rho (2 (u - u_s) + a).
+  template <class Uniforms>
   [[gnu::always_inline]] static void record_exchange(Block<Real>& block, int n, const Moments<V>& m,
-                                                     const CellForcing<V>& force, bool holdych,
+                                                     const CellForcing<V>& force, const Uniforms& uniform,
                                                      const Departure<V>& after) {
     const V weight = force.coverage_weight * (V(1) + m.drho);
     Real* const out[3] = {block.body->exchange_x, block.body->exchange_y, block.body->exchange_z};
     Real* const velocity[3] = {block.body->velocity_x, block.body->velocity_y, block.body->velocity_z};
     for (int a = 0; a < 3; ++a) {
       V loss = m.u[a] + force.acceleration[a] - force.solid_velocity[a], velocity_a = after.v[a];
-      if (holdych) [[unlikely]] {
+      if (uniform.holdych) [[unlikely]] {
         const V slip = m.u[a] - force.solid_velocity[a];
         loss += slip, velocity_a -= force.coverage_weight * slip;
       }
       (weight * loss).copy_to(out[a] + n, stdx::vector_aligned);
-      velocity_a.copy_to(velocity[a] + n, stdx::vector_aligned);
+      if (uniform.keep_velocity) velocity_a.copy_to(velocity[a] + n, stdx::vector_aligned);
     }
   }
 };

@@ -3,8 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "lbm/cell_moments.h"
-#include "lbm/equilibrium.h"
+#include "lbm/boundary/row_reflection.h"
 
 namespace lahar::lbm {
 
@@ -16,20 +15,6 @@ int velocity_index(const int (&c)[3]) {
     if (D3Q19::c[i][0] == c[0] && D3Q19::c[i][1] == c[1] && D3Q19::c[i][2] == c[2]) return i;
   return 0;
 }
-
-/// Axis of a wall's normal, -1 if it does not lie along one.
-int normal_axis(const WallCell& wall) {
-  for (int a = 0; a < 3; ++a)
-    if (std::abs(wall.normal[static_cast<std::size_t>(a)]) > 1 - 1e-6F) return a;
-  return -1;
-}
-
-/// A velocity into a wall, taken apart.
-struct MirrorLink {
-  int into;      ///< its part across the wall
-  int along;     ///< its part along the wall, 0 if it has none
-  int mirrored;  ///< into less along: the velocity that its way back has in the mirror
-};
 
 MirrorLink take_apart(int i, int axis) {
   int into[3] = {0, 0, 0}, along[3] = {0, 0, 0}, mirrored[3];
@@ -50,31 +35,6 @@ MirrorTable all_mirror_links() {
 
 const MirrorTable kMirrorLinks = all_mirror_links();
 
-const MirrorLink& mirror_link(int i, int axis) {
-  return kMirrorLinks[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)];
-}
-
-/// The populations of one velocity at a cell.
-template <class Real>
-struct Way {
-  Real* sent;  ///< f_i that went out
-  Real* back;  ///< f_opposite(i) that comes in
-};
-
-template <class Real>
-Way<Real> way_of(FluidGrid<Real>& grid, CellPlace place, int i, Parity parity) {
-  const bool forward = i % 2 == 1;
-  const auto pair = grid.access(place, forward ? i : i - 1, parity);
-  if (forward) return {pair.outgoing_a, pair.incoming_b};
-  return {pair.outgoing_b, pair.incoming_a};
-}
-
-bool has_link(const std::uint8_t* links, int count, int i) {
-  for (int k = 0; k < count; ++k)
-    if (links[k] == i) return true;
-  return false;
-}
-
 /// Share of a link's flux that is mass of an interface cell.
 template <class Real>
 Real exchange_share(const FluidGrid<Real>& grid, CellPlace to, Real fill) {
@@ -86,43 +46,36 @@ Real exchange_share(const FluidGrid<Real>& grid, CellPlace to, Real fill) {
 
 }  // namespace
 
+int normal_axis(const WallCell& wall) {
+  for (int a = 0; a < 3; ++a)
+    if (std::abs(wall.normal[static_cast<std::size_t>(a)]) > 1 - 1e-6F) return a;
+  return -1;
+}
+
 bool is_mirror(const WallCell& wall) { return wall.slip == WallSlip::free_slip && normal_axis(wall) >= 0; }
 
-template <class Real>
-void mirror(FluidGrid<Real>& grid, CellPlace place, WallCell& wall, const std::uint8_t* links, Parity parity) {
-  const int axis = normal_axis(wall);
-  wall.mirrored = 0;
-  for (int k = 0; k < wall.links; ++k) {
-    const MirrorLink& link = mirror_link(links[k], axis);
-    const auto way = way_of(grid, place, links[k], parity);
-    *way.back = *way.sent;
-    if (link.into == 0 || link.along == 0 || !has_link(links, wall.links, link.into)) continue;
-    const CellPlace beside = grid.neighbour(place, link.along);
-    const CellType type = grid.type(beside);
-    if (type == CellType::wall) continue;
-    if (is_wet(type)) {
-      *way.back = *way_of(grid, beside, link.mirrored, parity).sent;
-      wall.mirrored |= std::uint32_t{1} << k;
-    } else {
-      const auto m = outgoing_moments(grid, place, parity);
-      *way.back = equilibrium_pair_sum(links[k], Real(0), m.u[0], m.u[1], m.u[2]) - *way.sent;
-    }
-  }
+const MirrorLink& mirror_link(int i, int axis) {
+  return kMirrorLinks[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)];
 }
 
 template <class Real>
 void exchange_over_mirrors(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
   Block<Real>& block = grid.block(b);
-  if (!block.surface) return;
+  if (!block.surface || block.walls.rows.empty()) return;
+  const MirroredLinks mirrored(block.walls);
+  if (!mirrored.any()) return;
+  const auto& directions = block.walls.directions;
   for (const WallCell& wall : block.walls.cells) {
-    if (wall.mirrored == 0 || block.type[wall.cell] != CellType::interface) continue;
+    if (block.type[wall.cell] != CellType::interface) continue;
+    const std::uint32_t links = mirrored.of(wall, directions.data());
+    if (links == 0) continue;
     const CellPlace place{b, wall.cell};
     const int axis = normal_axis(wall);
     const Real fill = block.surface->fill_level[wall.cell];
     Real gain = 0;
     for (int k = 0; k < wall.links; ++k) {
-      if (!(wall.mirrored >> k & 1)) continue;
-      const int i = block.walls.directions[static_cast<std::size_t>(wall.first_link + k)];
+      if (!(links >> k & 1)) continue;
+      const int i = directions[static_cast<std::size_t>(wall.first_link + k)];
       const auto way = way_of(grid, place, i, parity);
       gain += exchange_share(grid, grid.neighbour(place, mirror_link(i, axis).along), fill) * (*way.back - *way.sent);
     }
@@ -130,8 +83,6 @@ void exchange_over_mirrors(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
   }
 }
 
-template void mirror<float>(FluidGrid<float>&, CellPlace, WallCell&, const std::uint8_t*, Parity);
-template void mirror<double>(FluidGrid<double>&, CellPlace, WallCell&, const std::uint8_t*, Parity);
 template void exchange_over_mirrors<float>(FluidGrid<float>&, BlockIndex, Parity);
 template void exchange_over_mirrors<double>(FluidGrid<double>&, BlockIndex, Parity);
 

@@ -12,24 +12,52 @@
 //   dm = k (f_opposite(c) coming in - f_c that went out), k by the types of x and x'.
 // In a corner (x' is a wall) two mirrors send the population back where it came from. Where x' is gas the link by way
 // of the wall ends at the gas, and gets what any link to gas gets (anti-bounce-back at the gas pressure). Which links
-// lead where is settled after the conversion of cells, and holds for the coming step.
+// lead where is settled after the conversion of cells, and holds for the coming step. The reflection itself is that of
+// rows (row_reflection.h).
 #include "lbm/fluid_grid.h"
 
 namespace lahar::lbm {
 
+/// Axis of a wall's normal, -1 if it does not lie along one.
+int normal_axis(const WallCell& wall);
+
 /// Whether a wall cell's links are mirrored.
 bool is_mirror(const WallCell& wall);
 
-/// Sets what comes back to a wet cell from a mirror, and notes the links that lead to another cell.
+/// Whether a wall is no-slip and at rest: it sends back what it got.
+inline bool stands_still(const WallCell& wall) {
+  return wall.slip == WallSlip::no_slip && wall.wall_velocity == std::array<float, 3>{0, 0, 0};
+}
+
+/// A velocity into a wall, taken apart.
+struct MirrorLink {
+  int into;      ///< its part across the wall
+  int along;     ///< its part along the wall, 0 if it has none
+  int mirrored;  ///< into less along: the velocity that its way back has in the mirror
+};
+
+/// Velocity i for a wall across an axis.
+const MirrorLink& mirror_link(int i, int axis);
+
+/// The populations of one velocity at a cell.
 template <class Real>
-void mirror(FluidGrid<Real>& grid, CellPlace place, WallCell& wall, const std::uint8_t* links, Parity parity);
+struct Way {
+  Real* sent;  ///< f_i that went out
+  Real* back;  ///< f_opposite(i) that comes in
+};
+
+template <class Real>
+Way<Real> way_of(FluidGrid<Real>& grid, CellPlace place, int i, Parity parity) {
+  const bool forward = i % 2 == 1;
+  const auto pair = grid.access(place, forward ? i : i - 1, parity);
+  if (forward) return {pair.outgoing_a, pair.incoming_b};
+  return {pair.outgoing_b, pair.incoming_a};
+}
 
 /// Before a step: mass of a block's interface cells over mirrored links.
 template <class Real>
 void exchange_over_mirrors(FluidGrid<Real>& grid, BlockIndex b, Parity parity);
 
-extern template void mirror<float>(FluidGrid<float>&, CellPlace, WallCell&, const std::uint8_t*, Parity);
-extern template void mirror<double>(FluidGrid<double>&, CellPlace, WallCell&, const std::uint8_t*, Parity);
 extern template void exchange_over_mirrors<float>(FluidGrid<float>&, BlockIndex, Parity);
 extern template void exchange_over_mirrors<double>(FluidGrid<double>&, BlockIndex, Parity);
 

@@ -1,5 +1,6 @@
 #include "lbm/boundary/wall_reflection.h"
 
+#include "lbm/boundary/row_reflection.h"
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/boundary/wall_balance.h"
 #include "lbm/boundary/wall_traction.h"
@@ -91,23 +92,6 @@ void interpolate_links(FluidGrid<Real>& grid, CellPlace place, const WallCell& w
   book_gain(block, wall, gained);
 }
 
-bool stands_still(const WallCell& wall) {
-  return wall.slip == WallSlip::no_slip && wall.wall_velocity == std::array<float, 3>{0, 0, 0};
-}
-
-/// Half-way, off a wall at rest.
-template <class Real>
-void bounce_back(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* links, int count, Parity parity) {
-  for (int k = 0; k < count; ++k) {
-    const int i = links[k], a = i % 2 == 1 ? i : i - 1;
-    const auto pair = grid.access(place, a, parity);
-    if (i == a)
-      *pair.incoming_b = *pair.outgoing_a;
-    else
-      *pair.incoming_a = *pair.outgoing_b;
-  }
-}
-
 /// Half-way, off a wall that moves, or seems to: free slip and wall model.
 template <class Real>
 void bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* links, const WallCell& wall, Parity parity,
@@ -146,6 +130,14 @@ void add_load(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, cons
   }
 }
 
+template <class Real>
+void add_loads(FluidGrid<Real>& grid, BlockIndex b, Parity parity, BlockWallLoads& loads) {
+  const Block<Real>& block = grid.block(b);
+  for (const WallCell& wall : block.walls.cells)
+    if (is_wet(block.type[wall.cell]))
+      add_load(grid, {b, wall.cell}, wall, block.walls.directions.data() + wall.first_link, parity, loads);
+}
+
 }  // namespace
 
 template <class Real>
@@ -154,25 +146,19 @@ void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
   Block<Real>& block = grid.block(b);
   block.walls.gained = 0, block.walls.takers = 0;
   block.walls.gains.resize(block.walls.cells.size(), 0);
-  for (WallCell& wall : block.walls.cells) {
+  reflect_rows(grid, b, parity);
+  for (const std::uint16_t entry : block.walls.others) {
+    const WallCell& wall = block.walls.cells[entry];
     const CellPlace place{b, wall.cell};
     const std::uint8_t* const links = block.walls.directions.data() + wall.first_link;
-    if (!is_wet(block.type[wall.cell])) {
-      block.walls.gains[static_cast<std::size_t>(&wall - block.walls.cells.data())] = 0;
-      wall.mirrored = 0;
-      continue;
-    }
-    if (wall.slip == WallSlip::no_slip && !block.walls.hits.empty()) {
+    if (!is_wet(block.type[wall.cell]))
+      block.walls.gains[entry] = 0;
+    else if (wall.slip == WallSlip::no_slip && !block.walls.hits.empty())
       interpolate_links(grid, place, wall, parity, physics);
-    } else if (stands_still(wall)) {
-      bounce_back(grid, place, links, wall.links, parity);
-    } else if (is_mirror(wall)) {
-      mirror(grid, place, wall, links, parity);
-    } else {
+    else
       bounce_off(grid, place, links, wall, parity, physics);
-    }
-    if (loads) add_load(grid, place, wall, links, parity, *loads);
   }
+  if (loads) add_loads(grid, b, parity, *loads);
 }
 
 template void reflect_at_walls<float>(FluidGrid<float>&, BlockIndex, Parity, const WallPhysics&, BlockWallLoads*);

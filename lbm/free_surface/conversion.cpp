@@ -17,20 +17,25 @@ constexpr double kPoolDose = 0.02;   ///< largest payment of the pool to one cel
 constexpr std::uint64_t kVoidsEvery = 8;  ///< steps between looks for voids that are cut off from the gas
 constexpr double kPoolIdle = 1e-5;        ///< a smaller pool waits: payments would drown in rounding
 
-struct Surroundings {
-  bool gas = false, interface = false, liquid = false;
-};
+/// Whether a neighbour of a cell is of a kind.
+template <class Real, class Kind>
+bool touches(const FluidGrid<Real>& grid, CellPlace place, const Kind& kind) {
+  const auto& around = grid.around(place.block);
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const Block<Real>* block = around[kNeighbours.slot[i][place.cell]];
+    if (kind(block ? block->type[kNeighbours.cell[i][place.cell]] : CellType::gas)) return true;
+  }
+  return false;
+}
 
 template <class Real>
-Surroundings look_around(const FluidGrid<Real>& grid, CellPlace place) {
-  Surroundings s;
-  for (int i = 1; i < D3Q19::q; ++i) {
-    const CellType t = grid.type(grid.neighbour(place, i));
-    s.gas |= t == CellType::gas || t == CellType::sink;
-    s.interface |= t == CellType::interface;
-    s.liquid |= t == CellType::liquid;
-  }
-  return s;
+bool touches_gas(const FluidGrid<Real>& grid, CellPlace place) {
+  return touches(grid, place, [](CellType t) { return t == CellType::gas || t == CellType::sink; });
+}
+
+template <class Real>
+bool touches_liquid(const FluidGrid<Real>& grid, CellPlace place) {
+  return touches(grid, place, [](CellType t) { return t == CellType::liquid; });
 }
 
 template <class Real>
@@ -38,7 +43,7 @@ Real body_share(const Block<Real>& block, int cell) {
   return block.body ? block.body->solid_fraction[cell] : Real(0);
 }
 
-/// Voids that are cut off from the gas: interface cells that are not full although none of their neighbours is gas. No
+/// A void that is cut off from the gas: an interface cell that is not full although none of its neighbours is gas. No
 /// link tells them the gas pressure any more, so that they would stand half empty in water under any pressure. They
 /// take liquid from their liquid neighbours as long as those are above the gas pressure: at most what would bring them
 /// down to it half-way, and what is missing flows in. Only cells under pressure are touched, and mass is moved, not
@@ -51,9 +56,7 @@ void close_void(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   int n = 0;
   for (int i = 1; i < D3Q19::q; ++i) {
     const CellPlace next = grid.neighbour(place, i);
-    const CellType type = grid.type(next);
-    if (type == CellType::gas || type == CellType::sink) return;
-    if (type != CellType::liquid) continue;
+    if (grid.type(next) != CellType::liquid) continue;
     const Real drho = outgoing_moments(grid, next, parity).drho;
     if (drho <= 0) continue;
     liquids[n] = next, above[n] = drho, sum += drho;
@@ -70,18 +73,6 @@ void close_void(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   }
 }
 
-template <class Real>
-void close_voids(FluidGrid<Real>& grid, Parity parity) {
-  for (const BlockIndex b : grid.active()) {
-    const Block<Real>& block = grid.block(b);
-    if (!block.surface) continue;
-    for (int k = 0; k < block.surface->count; ++k) {
-      const auto cell = block.surface->cells[static_cast<std::size_t>(k)];
-      if (block.type[cell] == CellType::interface && !block.at_rim[cell]) close_void(grid, {b, cell}, parity);
-    }
-  }
-}
-
 enum class Verdict { stay, fill, empty };
 
 /// A thin cell that gains liquid is the front of a drop or sheet on its way: it is kept. Not so at bodies, whose motion
@@ -94,9 +85,8 @@ Verdict judge(const FluidGrid<Real>& grid, CellPlace place, Real mass, Real rho,
   if (!at_rim && mass > Real(1 + kThreshold) * rho) return Verdict::fill;
   const bool thin = (draining || eps > 0) && liquid<Real(kThinFill) * room, thick = mass> Real(1 - kThinFill) * rho;
   if (!thin && !thick) return Verdict::stay;
-  const Surroundings s = look_around(grid, place);
-  if (thick && !s.gas && !at_rim) return Verdict::fill;
-  if (thin && !s.liquid) return Verdict::empty;
+  if (thick && !at_rim && !touches_gas(grid, place)) return Verdict::fill;
+  if (thin && !touches_liquid(grid, place)) return Verdict::empty;
   return Verdict::stay;
 }
 
@@ -153,12 +143,31 @@ void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, const std::
 
 template <class Real>
 void CellConversion<Real>::relist_touched(FluidGrid<Real>& grid) {
+  parallel_for(0, touched_.size(), 8, [&](std::size_t k) { grid.list_cells(touched_[k]); });
   for (const BlockIndex b : touched_) {
-    grid.relist(b);
+    grid.release_unused_surface(b);
     fresh_[static_cast<std::size_t>(b)].clear();
     is_touched_[static_cast<std::size_t>(b)] = 0;
   }
   touched_.clear();
+}
+
+/// They are looked for in parallel, and closed in the order of blocks and cells.
+template <class Real>
+void CellConversion<Real>::close_voids(FluidGrid<Real>& grid, Parity parity) {
+  voids_.resize(with_surface_.size());
+  parallel_for(0, with_surface_.size(), 16, [&](std::size_t k) {
+    const BlockIndex b = with_surface_[k];
+    const Block<Real>& block = grid.block(b);
+    voids_[k].clear();
+    for (int c = 0; c < block.surface->count; ++c) {
+      const auto cell = block.surface->cells[static_cast<std::size_t>(c)];
+      if (block.type[cell] == CellType::interface && !block.at_rim[cell] && !touches_gas(grid, {b, cell}))
+        voids_[k].push_back(cell);
+    }
+  });
+  for (std::size_t k = 0; k < with_surface_.size(); ++k)
+    for (const auto cell : voids_[k]) close_void(grid, {with_surface_[k], cell}, parity);
 }
 
 template <class Real>
@@ -171,18 +180,19 @@ void CellConversion<Real>::wet(FluidGrid<Real>& grid, CellPlace place, Parity pa
 template <class Real>
 void CellConversion<Real>::flag(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes,
                                 LiquidAccount& account) {
-  const std::size_t n = grid.topology().capacity();
-  flagged_.resize(n);
-  for (Flagged<Real>& f : flagged_) f.clear();  // also those of blocks that are gone
-  left_.assign(n, 0.0);
+  for (const BlockIndex b : with_surface_) flagged_[static_cast<std::size_t>(b)].clear();  // also if the block is gone
+  flagged_.resize(grid.topology().capacity());
+  with_surface_.clear(), places_.clear();
   const auto& active = grid.active();
-  parallel_for(0, active.size(), 16, [&](std::size_t k) {
-    const BlockIndex b = active[k];
-    const auto at = static_cast<std::size_t>(b);
-    if (!grid.has_surface(b)) return;
-    left_[at] = flag_conversions(grid, b, parity, round_, std::sqrt(notes[k].speed_square), flagged_[at]);
+  for (std::size_t k = 0; k < active.size(); ++k)
+    if (grid.has_surface(active[k])) with_surface_.push_back(active[k]), places_.push_back(k);
+  left_.resize(with_surface_.size());
+  parallel_for(0, with_surface_.size(), 16, [&](std::size_t k) {
+    const BlockIndex b = with_surface_[k];
+    left_[k] = flag_conversions(grid, b, parity, round_, std::sqrt(notes[places_[k]].speed_square),
+                                flagged_[static_cast<std::size_t>(b)]);
   });
-  for (const BlockIndex b : active) account.outflow += left_[static_cast<std::size_t>(b)];
+  for (const double left : left_) account.outflow += left;
 }
 
 template <class Real>
@@ -207,9 +217,10 @@ bool CellConversion<Real>::is_fresh(CellPlace p) const {
 template <class Real>
 void CellConversion<Real>::fill_cells(FluidGrid<Real>& grid, Parity parity) {
   excess_.clear();
-  for (std::size_t at = 0; at < flagged_.size(); ++at)
-    for (const auto cell : flagged_[at].filled) {
-      const CellPlace place{static_cast<BlockIndex>(at), cell};
+  opened_.clear();
+  for (const BlockIndex b : with_surface_)
+    for (const auto cell : flagged_[static_cast<std::size_t>(b)].filled) {
+      const CellPlace place{b, cell};
       Block<Real>& block = grid.block(place.block);
       const Real rho = Real(1) + block.surface->density[cell];
       excess_.push_back({place, block.surface->mass[cell] - rho});
@@ -217,24 +228,32 @@ void CellConversion<Real>::fill_cells(FluidGrid<Real>& grid, Parity parity) {
       block.surface->fill_level[cell] = Real(1);
       block.surface->mass[cell] = 0;
       touch(place.block);
-      wet_neighbours(grid, place, parity);
+      wet_neighbours(grid, place);
     }
+  // What they start with hangs on cells that were wet before alone.
+  parallel_for(0, opened_.size(), 16, [&](std::size_t k) {
+    settle_interface(grid, opened_[k], parity, mean_around(grid, opened_[k], parity), Real(0));
+  });
 }
 
 /// Gas next to a new liquid cell becomes interface; a neighbour that was about to empty stays.
 template <class Real>
-void CellConversion<Real>::wet_neighbours(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
+void CellConversion<Real>::wet_neighbours(FluidGrid<Real>& grid, CellPlace place) {
   for (int i = 1; i < D3Q19::q; ++i) {
     const CellPlace next = grid.neighbour(place, i);
     const CellType t = grid.type(next);
-    if (t == CellType::gas) make_interface(grid, next, parity);
+    if (t == CellType::gas) {
+      open_interface(grid, next);
+      opened_.push_back(next);
+    }
     if (t == CellType::interface && static_cast<std::size_t>(next.block) < flagged_.size())
       std::erase(flagged_[static_cast<std::size_t>(next.block)].emptied, next.cell);
   }
 }
 
+/// Mean density and velocity of the wet cells around, but those that are new.
 template <class Real>
-void CellConversion<Real>::make_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
+CellMoments<Real> CellConversion<Real>::mean_around(FluidGrid<Real>& grid, CellPlace place, Parity parity) const {
   CellMoments<Real> mean;
   int sources = 0;
   for (int i = 1; i < D3Q19::q; ++i) {
@@ -249,18 +268,34 @@ void CellConversion<Real>::make_interface(FluidGrid<Real>& grid, CellPlace place
     mean.drho /= static_cast<Real>(sources);
     for (Real& u : mean.u) u /= static_cast<Real>(sources);
   }
-  set_interface(grid, place, parity, mean, Real(0));
+  return mean;
 }
 
 /// A gas cell becomes interface with some liquid, in the equilibrium of given moments.
 template <class Real>
 void CellConversion<Real>::set_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity,
                                          const CellMoments<Real>& mean, Real liquid) {
+  open_interface(grid, place);
+  settle_interface(grid, place, parity, mean, liquid);
+}
+
+/// Type and place in the blocks.
+template <class Real>
+void CellConversion<Real>::open_interface(FluidGrid<Real>& grid, CellPlace place) {
   grid.require_neighbours(place);
+  grid.require_surface(place.block);
+  grid.block(place.block).type[static_cast<std::size_t>(place.cell)] = CellType::interface;
+  touch(place.block);
+  fresh_[static_cast<std::size_t>(place.block)].push_back(static_cast<std::uint16_t>(place.cell));
+}
+
+/// Numbers of the cell alone.
+template <class Real>
+void CellConversion<Real>::settle_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity,
+                                            const CellMoments<Real>& mean, Real liquid) const {
   Block<Real>& block = grid.block(place.block);
-  SurfaceFields<Real>& surface = grid.require_surface(place.block);
+  SurfaceFields<Real>& surface = *block.surface;
   const auto cell = static_cast<std::size_t>(place.cell);
-  block.type[cell] = CellType::interface;
   surface.mass[cell] = body_share(block, place.cell) + liquid;
   surface.density[cell] = mean.drho;
   surface.fill_level[cell] = std::clamp(surface.mass[cell] / (Real(1) + mean.drho), Real(0), Real(1));
@@ -276,15 +311,13 @@ void CellConversion<Real>::set_interface(FluidGrid<Real>& grid, CellPlace place,
     if (grid.type(grid.neighbour(place, a)) == CellType::wall) *pair.incoming_b = fb;
     if (grid.type(grid.neighbour(place, a + 1)) == CellType::wall) *pair.incoming_a = fa;
   }
-  touch(place.block);
-  fresh_[static_cast<std::size_t>(place.block)].push_back(static_cast<std::uint16_t>(place.cell));
 }
 
 template <class Real>
 void CellConversion<Real>::empty_cells(FluidGrid<Real>& grid, Parity parity) {
-  for (std::size_t at = 0; at < flagged_.size(); ++at)
-    for (const auto cell : flagged_[at].emptied) {
-      const CellPlace place{static_cast<BlockIndex>(at), cell};
+  for (const BlockIndex b : with_surface_)
+    for (const auto cell : flagged_[static_cast<std::size_t>(b)].emptied) {
+      const CellPlace place{b, cell};
       Block<Real>& block = grid.block(place.block);
       excess_.push_back({place, block.surface->mass[cell] - body_share(block, cell)});
       block.type[cell] = CellType::gas;
@@ -301,9 +334,9 @@ void CellConversion<Real>::empty_cells(FluidGrid<Real>& grid, Parity parity) {
 /// Spray moves on by a cell; through an open face it leaves.
 template <class Real>
 void CellConversion<Real>::move_drops(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
-  for (std::size_t at = 0; at < flagged_.size(); ++at)
-    for (const Drop<Real>& drop : flagged_[at].drops) {
-      const CellPlace place{static_cast<BlockIndex>(at), drop.cell};
+  for (const BlockIndex b : with_surface_)
+    for (const Drop<Real>& drop : flagged_[static_cast<std::size_t>(b)].drops) {
+      const CellPlace place{b, drop.cell};
       Block<Real>& block = grid.block(place.block);
       if (block.type[drop.cell] != CellType::interface || !is_free_to_move(grid, place, drop.direction)) continue;
       const CellPlace next = grid.neighbour(place, drop.direction);

@@ -76,20 +76,28 @@ class CellConversion {
   void relist_touched(FluidGrid<Real>& grid);
   void flag(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes, LiquidAccount& account);
   void fill_cells(FluidGrid<Real>& grid, Parity parity);
-  void wet_neighbours(FluidGrid<Real>& grid, CellPlace place, Parity parity);
-  void make_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity);
+  void wet_neighbours(FluidGrid<Real>& grid, CellPlace place);
+  [[nodiscard]] CellMoments<Real> mean_around(FluidGrid<Real>& grid, CellPlace place, Parity parity) const;
   void set_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m, Real liquid);
+  void open_interface(FluidGrid<Real>& grid, CellPlace place);
+  void settle_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m,
+                        Real liquid) const;
   void empty_cells(FluidGrid<Real>& grid, Parity parity);
   void expose_liquid(FluidGrid<Real>& grid, CellPlace place, Parity parity);
   void move_drops(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
   void distribute(FluidGrid<Real>& grid, LiquidAccount& account);
+  void close_voids(FluidGrid<Real>& grid, Parity parity);
   void pay_pool(FluidGrid<Real>& grid, LiquidAccount& account);
   void touch(BlockIndex b);
   [[nodiscard]] bool is_fresh(CellPlace p) const;
 
   std::vector<Flagged<Real>> flagged_;  // by block index
   std::uint64_t round_ = 0;
-  std::vector<double> left_;
+  std::vector<BlockIndex> with_surface_;           // when cells were flagged
+  std::vector<std::size_t> places_;                // of them in the list of active blocks
+  std::vector<double> left_;                       // by place in with_surface_
+  std::vector<std::vector<std::uint16_t>> voids_;  // same
+  std::vector<CellPlace> opened_;                  // gas cells that become interface beside filled ones
   std::vector<Excess> excess_;
   std::vector<std::vector<std::uint16_t>> fresh_;  // new interface cells of this step, by block index
   std::vector<BlockIndex> touched_;

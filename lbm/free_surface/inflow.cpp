@@ -76,6 +76,7 @@ double Inflow<Real>::dose(FluidGrid<Real>& grid, CellPlace place, Parity parity,
   const double density = 1 + static_cast<double>(m.drho), held = std::max(1e-3, static_cast<double>(before));
   const double weight = liquid ? mass : density * mass / (held + mass);
   BodyFields<Real>& body = grid.require_body(place.block);
+  open_kicks(body);
   Real* const kick[3] = {body.exchange_x, body.exchange_y, body.exchange_z};
   for (int a = 0; a < 3; ++a) {
     const double entering = units_.velocity_to_lu(options_.velocity[a]);

@@ -77,8 +77,8 @@ class RowExchange {
   [[gnu::always_inline]] void load(int row) {
     const Rows rows = Rows::at(kBlockWidth * row, 1);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      incoming_a_[P] = V(home_[P] + 8 * row, stdx::element_aligned);
-      outgoing_b_[P] = V(away_[P] + 8 * row, stdx::element_aligned);
+      incoming_a_[P] = V(home_[P] + rows.n, stdx::element_aligned);
+      outgoing_b_[P] = V(away_[P] + rows.n, stdx::element_aligned);
       outgoing_a_[P] = home_ahead_.template pair<P>().template load<V>(rows);
       incoming_b_[P] = away_ahead_.template pair<P>().template load<V>(rows);
     });
@@ -102,7 +102,7 @@ class RowExchange {
       if (stdx::any_of(from_ahead))
         away_ahead_.template pair<P>().store_chosen(rows, even(s.depth + half_way) - outgoing_a_[P], from_ahead);
       if (stdx::any_of(from_behind))
-        store_some(home_[P] + 8 * row, V(even(s.depth - half_way) - outgoing_b_[P]), from_behind);
+        store_some(home_[P] + rows.n, V(even(s.depth - half_way) - outgoing_b_[P]), from_behind);
     });
   }
 
@@ -114,18 +114,12 @@ class RowExchange {
     const V size = stdx::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]), largest(largest_gradient_);
     const V share = largest / stdx::max(size, largest);
     for (V& component : a) component *= share;
-    alignas(64) Real depth[kBlockWidth] = {};
+    // The level of now: that of the last conversion is a step old, and a pressure that lags feeds waves.
     const SurfaceFields<Real>& surface = *block_.surface;
-    for (int k = 0; k < kBlockWidth; ++k) {
-      const auto lane = static_cast<std::size_t>(k);
-      if (!open[lane]) continue;
-      // The level of now: that of the last conversion is a step old, and a pressure that lags feeds waves.
-      const int cell = 8 * row + k;
-      const Real fill = std::clamp(surface.mass[cell] / (Real(1) + surface.density[cell]), Real(0), Real(1));
-      const Real gradient[3] = {a[0][lane], a[1][lane], a[2][lane]};
-      depth[k] = depth_of_centre(gradient, fill);
-    }
-    return {V(depth, stdx::vector_aligned), a[0], a[1], a[2]};
+    const V mass(surface.mass + 8 * row, stdx::element_aligned),
+        density(surface.density + 8 * row, stdx::element_aligned);
+    const V fill = stdx::min(stdx::max(V(mass / (V(1) + density)), V(0)), V(1));
+    return {depths_of_centres(a, fill, open), a[0], a[1], a[2]};
   }
 
   /// Velocity that the cells had after their last collision.

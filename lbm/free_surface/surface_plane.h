@@ -3,6 +3,7 @@
 // linear interface, Scardovelli & Zaleski 2000, J. Comput. Phys. 164, 228).
 #include <algorithm>
 #include <cmath>
+#include <experimental/simd>
 #include <utility>
 
 namespace lahar::lbm {
@@ -50,6 +51,54 @@ Real depth_of_centre(const Real (&a)[3], Real fill) {
   const bool more = fill > Real(0.5);
   const Real offset = plane_offset_of_half(m1, m2, m3, more ? Real(1) - fill : fill) - Real(0.5);
   return sum * (more ? -offset : offset);
+}
+
+/// a b + c of every lane, with one rounding where the processor can, as the compiler makes it of the lines above.
+template <class V>
+[[gnu::always_inline]] inline V fused(const V& a, const V& b, const V& c) {
+#ifdef __FP_FAST_FMA
+  alignas(64) typename V::value_type x[V::size()], y[V::size()], z[V::size()];
+  a.copy_to(x, std::experimental::vector_aligned), b.copy_to(y, std::experimental::vector_aligned);
+  c.copy_to(z, std::experimental::vector_aligned);
+  for (std::size_t k = 0; k < V::size(); ++k) x[k] = std::fma(x[k], y[k], z[k]);
+  return V(x, std::experimental::vector_aligned);
+#else
+  return a * b + c;
+#endif
+}
+
+/// The same for the wanted cells of a vector, 0 in the others. The ranges of volumes that a root or a product settles
+/// are taken together; those that need cube roots or angles cell by cell.
+template <class V, class Mask>
+[[gnu::always_inline]] inline V depths_of_centres(const V (&a)[3], const V& fill, const Mask& wanted) {
+  using Real = typename V::value_type;
+  using std::experimental::abs, std::experimental::max, std::experimental::min, std::experimental::sqrt;
+  const auto real = [](double x) { return V(static_cast<Real>(x)); };
+  V m1 = abs(a[0]), m2 = abs(a[1]), m3 = abs(a[2]);
+  const V sum = m1 + m2 + m3;
+  const auto inclined = wanted && sum > real(0);
+  m1 /= sum, m2 /= sum, m3 /= sum;
+  const auto sort = [](V& low, V& high) {
+    const V least = min(low, high);
+    high = max(low, high), low = least;
+  };
+  sort(m1, m2), sort(m2, m3), sort(m1, m2);
+  const auto more = fill > real(0.5);
+  V volume = fill, v1(0);
+  where(more, volume) = real(1) - fill;
+  where(m1 > real(0), v1) = m1 * m1 / max(real(6) * m2 * m3, real(1e-20));
+  const V m12 = m1 + m2, v2 = v1 + (m2 - m1) / (real(2) * m3), v3 = m12 / (real(2) * m3);
+  const auto edge = volume >= v1 && volume < v2, face = volume >= v2 && m3 >= m12 && volume >= v3;
+  V offset = fused(m3, volume, V(m12 / real(2)));
+  where(edge, offset) = (m1 + sqrt(fused(m1, m1, V(real(8) * m2 * m3 * (volume - v1))))) / real(2);
+  if (const auto others = inclined && !(edge || face); any_of(others))
+    for (std::size_t k = 0; k < V::size(); ++k)
+      if (others[k]) offset[k] = plane_offset_of_half<Real>(m1[k], m2[k], m3[k], volume[k]);
+  offset -= real(0.5);
+  where(more, offset) = -offset;
+  V depth(0);
+  where(inclined, depth) = sum * offset;
+  return depth;
 }
 
 }  // namespace lahar::lbm

@@ -160,7 +160,9 @@ TEST_F(Resume, AnotherFormatIsRefused) {
     file.set_attribute("/", "time_s", 0.1), file.set_attribute("/", "last_row_s", 0.1);
     file.set_attribute("/", "version", std::string("9.9")), file.set_attribute("/", "commit", std::string("abc"));
   }
-  EXPECT_NE(mistake("out").find("is of format 99, written by Lahar 9.9 (abc), expected format 1"), std::string::npos);
+  const std::string expected =
+      "is of format 99, written by Lahar 9.9 (abc), expected format " + std::to_string(kCheckpointFormat);
+  EXPECT_NE(mistake("out").find(expected), std::string::npos);
 }
 
 TEST_F(Resume, AFailedRunKeepsAndNamesItsLastCheckpoint) {

@@ -138,6 +138,82 @@ TEST(BodyMap, SphereAcrossAPeriodicFace) {
   EXPECT_NEAR((across - inside).norm() / inside.norm(), 0, 1e-9);
 }
 
+/// Grains at rest, moving, turning on the spot, stopping, starting, taken out, across the surface and in the water.
+template <class Real>
+class Mapping {
+ public:
+  explicit Mapping(lbm::BodyWeighting weighting, bool in_full) : fluid_(options(weighting)), in_full_(in_full) {
+    fluid_.fill({{Vec3::Zero(), Vec3(0.96, 0.48, 0.3)}});
+    for (int k = 0; k < 24; ++k)
+      particles_.add(grain(Vec3(0.08 + 0.16 * (k % 6), 0.12 + 0.2 * (k / 6 % 2), 0.1 + 0.21 * (k / 12)), 0.031, 2500));
+    map_.embed(fluid_, particles_);
+    fluid_.open_ledger();
+  }
+  void step() {
+    const double dt = fluid_.units().time_step;
+    particles_.velocity.set(1, Vec3(0, 0.2, -0.1));
+    particles_.velocity.set(2, steps_ < 10 ? Vec3(0.3, 0, 0) : Vec3(Vec3::Zero()));
+    particles_.velocity.set(13, steps_ % 8 < 4 ? Vec3(0, 0, -0.3) : Vec3(Vec3::Zero()));
+    particles_.angular_velocity.set(3, Vec3(0, 1.0 + steps_, 0));
+    for (std::size_t i = 0; i < particles_.size(); ++i) particles_.position.add(i, dt * particles_.velocity[i]);
+    if (steps_++ == 20) particles_.remove(0);
+    if (in_full_) map_.forget();
+    coupling::step(fluid_, map_, particles_);
+  }
+  /// Everything that the coupling writes and the fluid keeps.
+  [[nodiscard]] std::vector<Real> state() const {
+    std::vector<Real> all;
+    const auto add = [&](const Real* field) { all.insert(all.end(), field, field + lbm::kBlockCells); };
+    for (const lbm::BlockIndex b : fluid_.grid().active()) {
+      const lbm::Block<Real>& block = fluid_.grid().block(b);
+      for (int i = 0; i < lbm::D3Q19::q; ++i) add(block.f(i));
+      if (block.surface) add(block.surface->mass);
+      if (const lbm::BodyFields<Real>* f = block.body)
+        for (const Real* field : {f->solid_fraction, f->coverage, f->resistance, f->momentum_x, f->momentum_y,
+                                  f->momentum_z, f->exchange_x, f->exchange_y, f->exchange_z})
+          add(field);
+    }
+    for (std::size_t i = 0; i < particles_.size(); ++i)
+      for (int a = 0; a < 3; ++a) {
+        all.push_back(static_cast<Real>(particles_.external_force[i][a]));
+        all.push_back(static_cast<Real>(particles_.external_torque[i][a]));
+      }
+    return all;
+  }
+  [[nodiscard]] std::size_t written() const { return map_.written_blocks(); }
+
+ private:
+  static lbm::FluidOptions options(lbm::BodyWeighting weighting) {
+    auto o = tank(Vec3(0.96, 0.48, 0.48), 0.02, 4e-4);
+    o.weighting = weighting;
+    if (weighting == lbm::BodyWeighting::wall_distance) o.solid_operator = lbm::SolidOperator::equilibrium_difference;
+    o.seepage_constant = 0.01;
+    return o;
+  }
+  lbm::Fluid<Real> fluid_;
+  dem::Particles particles_;
+  BodyMap<Real> map_;
+  bool in_full_;
+  int steps_ = 0;
+};
+
+/// What stayed where it was is not written again, and that changes no bit.
+template <class Real>
+void compare_with_full_mapping(lbm::BodyWeighting weighting) {
+  Mapping<Real> part(weighting, false), full(weighting, true);
+  for (int s = 0; s < 40; ++s) {
+    part.step(), full.step();
+    EXPECT_LT(part.written(), full.written() / 2) << s;
+    EXPECT_GT(part.written(), 0U) << s;
+    ASSERT_EQ(part.state(), full.state()) << s;
+  }
+}
+
+TEST(BodyMap, WritesOnlyWhatMoved) {
+  compare_with_full_mapping<float>(lbm::BodyWeighting::seepage);
+  compare_with_full_mapping<double>(lbm::BodyWeighting::wall_distance);
+}
+
 /// Ten thousand grains at once, most of them in contact, half of them in air.
 TEST(BodyMap, TenThousandGrains) {
   lbm::Fluid<float> fluid(tank(Vec3(0.5, 0.4, 0.48), 0.02, 2e-4));

@@ -53,7 +53,7 @@ void SphereFlow<Real>::write_fringe() {
     const int x = grid.lowest_cell(b).x();
     if (x + lbm::kBlockWidth <= fringe_.first || x >= fringe_.last) continue;
     auto& f = grid.require_body(b);
-    f.used = true;
+    f.used = f.edited = true;
     for (int n = 0; n < lbm::kBlockCells; ++n) {
       const int at = x + lbm::cell_position(n)[0];
       if (at < fringe_.first || at >= fringe_.last) continue;

@@ -1,0 +1,187 @@
+// Force and torque of the fluid on the bodies.
+#include <cstdio>
+
+#include "core/check.h"
+#include "coupling/body_map_parts.h"
+#include "coupling/body_rows.h"
+
+namespace lahar::coupling {
+
+using lbm::kBlockWidth;
+
+namespace {
+
+/// The inertia of the liquid in the body's place is known one step late; beyond the body's own mass that would feed
+/// back on itself. Bodies lighter than about 1.4 times the liquid keep part of that inertia and are too sluggish for
+/// it. The torque is limited alike: on a body of one or two cells the liquid in the partly covered cells turns with
+/// more inertia than a light body has.
+constexpr double kInertiaLimit = 0.7;
+
+double limited_share(double body, double liquid) {
+  return std::min(1.0, kInertiaLimit * body / std::max(liquid, 1e-300));
+}
+
+[[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
+  const Vec3 p = particles.position[i];
+  char where[112];
+  std::snprintf(where, sizeof where, "grain %u at (%.4g, %.4g, %.4g) m", i, p.x(), p.y(), p.z());
+  throw NumericalFailure(where, step, "the force of the fluid on it is not finite");
+}
+
+/// Sums over the rows of a block, one for each of the 8 places in a row; arms from the body's centre.
+template <class Real>
+struct RowSums {
+  using Row = lbm::Row<Real>;
+  Row force[3]{Row(0), Row(0), Row(0)};
+  Row y_fx{0}, z_fx{0}, z_fy{0}, y_fz{0};  ///< moments by the arms along y and z
+  Row held{0}, held_arm{0};                ///< liquid that moves with the body; times the squared arm across x
+
+  [[gnu::always_inline]] void add(const Row& share, const lbm::BodyFields<Real>& f, int row, Real ry, Real rz) {
+    const Row fx = share * Row(f.exchange_x + row, stdx::vector_aligned);
+    const Row fy = share * Row(f.exchange_y + row, stdx::vector_aligned);
+    const Row fz = share * Row(f.exchange_z + row, stdx::vector_aligned);
+    force[0] += fx, force[1] += fy, force[2] += fz;
+    y_fx += ry * fx, z_fx += rz * fx, z_fy += rz * fy, y_fz += ry * fz;
+  }
+  [[gnu::always_inline]] void hold(const Row& share, Real ry, Real rz) {
+    held += share;
+    held_arm += (ry * ry + rz * rz) * share;
+  }
+
+  /// `rx`: arms along x. Adds force, torque, held, held times 2/3 of the squared arm.
+  template <class Load>
+  [[gnu::always_inline]] void reduce(const Row& rx, Load& load) const {
+    const auto sum = [](const Row& row) { return static_cast<double>(stdx::reduce(row)); };
+    load.force += Vec3(sum(force[0]), sum(force[1]), sum(force[2]));
+    load.torque += Vec3(sum(y_fz - z_fy), sum(z_fx - rx * force[2]), sum(rx * force[1] - y_fx));
+    load.locked += sum(held);
+    load.locked_inertia += 2.0 / 3.0 * sum(held_arm + rx * rx * held);
+  }
+};
+
+/// How much of a cell's liquid moves with what covers it.
+enum class Held {
+  fraction,  ///< wall_distance: eps
+  weight,    ///< B, which is the resistance itself
+  law,       ///< B by the law
+};
+
+template <class Real>
+lbm::Row<Real> held_share(const lbm::Row<Real>& share, const Real* resistance, const lbm::CoverageLaw& law) {
+  return lbm::Row<Real>([&](auto c) {
+    return static_cast<Real>(static_cast<double>(static_cast<Real>(share[c])) *
+                             lbm::coverage_weight(static_cast<double>(resistance[c]), law));
+  });
+}
+
+/// Sums of a body over a block, all of it wet or by `wet` (1 or 0 for each cell); s is its middle.
+template <class Real, Held kHeld, bool kMixed, class Body, class Load>
+[[gnu::noinline]] void add_sums(const Body body, const GridSphere<Real> s, const Vec3i lowest,
+                                const lbm::BodyFields<Real>& f, const Real* wet, const lbm::CoverageLaw& law,
+                                Load& load) {
+  using Row = lbm::Row<Real>;
+  RowSums<Real> sums;
+  for_rows_near(
+      body, lowest, reach_of(body), [&](int y, int z) __attribute__((always_inline)) {
+        const RowCover<Real> cover =
+            cover_row<kHeld == Held::fraction>(body, lowest.x(), lowest.y() + y, lowest.z() + z);
+        const int row = lbm::cell_index(0, y, z);
+        const Real ry = static_cast<Real>(lowest.y() + y) + Real(0.5) - s.centre[1];
+        const Real rz = static_cast<Real>(lowest.z() + z) + Real(0.5) - s.centre[2];
+        const Row all(f.coverage + row, stdx::vector_aligned);
+        const Row share = cover.coverage / stdx::max(all, Row(Real(1e-30)));
+        sums.add(share, f, row, ry, rz);
+        Row held;
+        if constexpr (kHeld == Held::fraction)
+          held = cover.fraction;
+        else if constexpr (kHeld == Held::weight)
+          held = share * stdx::min(Row(f.resistance + row, stdx::vector_aligned), Row(Real(1)));
+        else
+          held = held_share<Real>(share, f.resistance + row, law);
+        if constexpr (kMixed) held *= Row(wet + row, stdx::vector_aligned);
+        sums.hold(held, ry, rz);
+      });
+  sums.reduce(static_cast<Real>(lowest.x()) + row_places<Real>() + Real(0.5) - s.centre[0], load);
+}
+
+template <class Real, Held kHeld, class Body, class Load>
+void add_sums_of(const Body& body, const GridSphere<Real>& s, const Vec3i& lowest, const lbm::BodyFields<Real>& f,
+                 const Real* wet, const lbm::CoverageLaw& law, Load& load) {
+  if (wet)
+    add_sums<Real, kHeld, true>(body, s, lowest, f, wet, law, load);
+  else
+    add_sums<Real, kHeld, false>(body, s, lowest, f, wet, law, load);
+}
+
+}  // namespace
+
+template <class Real>
+void BodyMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) {
+  const auto pairs = pairs_of(block_start_, index);
+  for (const std::uint32_t k : pairs) loads_[k] = {};
+  if (!is_alive(fluid, pairs_[pairs.front()])) return;
+  const lbm::Block<Real>& block = fluid.grid().block(static_cast<lbm::BlockIndex>(index));
+  alignas(64) Real mask[lbm::kBlockCells];
+  const Real* const wet = block.wet_cells < lbm::kBlockCells ? mask : nullptr;
+  for (std::size_t n = 0; wet && n < lbm::kBlockCells; ++n) mask[n] = lbm::is_wet(block.type[n]) ? Real(1) : Real(0);
+  const lbm::CoverageLaw& law = fluid.coverage_law();
+  const lbm::BodyWeighting weighting = fluid.options().weighting;
+  for (const std::uint32_t k : pairs) {
+    const GridSphere<Real>& s = spheres_[pairs_[k].body];
+    const Vec3i& lowest = pairs_[k].lowest;
+    if (weighting == lbm::BodyWeighting::wall_distance)
+      add_sums_of<Real, Held::fraction>(s, s, lowest, *block.body, wet, law, loads_[k]);
+    else if (weighting == lbm::BodyWeighting::solid_fraction)
+      add_sums_of<Real, Held::weight>(s, s, lowest, *block.body, wet, law, loads_[k]);
+    else
+      add_sums_of<Real, Held::law>(s, s, lowest, *block.body, wet, law, loads_[k]);
+  }
+}
+
+/// The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body. The
+/// weight of that liquid is carried by the fluid: the body's buoyancy.
+template <class Real>
+void BodyMap<Real>::hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& particles, std::size_t k) {
+  const auto& units = fluid.units();
+  const Body& b = bodies_[k];
+  Load sum;
+  double wet = 0;
+  for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
+    sum.force += loads_[p].force;
+    sum.torque += loads_[p].torque;
+    sum.locked += loads_[p].locked;
+    sum.locked_inertia += loads_[p].locked_inertia;
+    wet += pairs_[p].wet_volume;
+  }
+  forces_[k] = sum.force;
+  const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
+  const double area = units.cell_size * units.cell_size;
+  const double share = limited_share(particles.mass[b.particle], units.mass() * sum.locked);
+  sum.torque *= limited_share(particles.inertia[b.particle], units.mass() * area * sum.locked_inertia);
+  sum.force += sum.locked * share * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
+  particles.external_force.add(b.particle, sum.force * units.force_to_si(1.0));
+  particles.external_torque.add(b.particle, sum.torque * units.torque_to_si(1.0));
+}
+
+template <class Real>
+Vec3 BodyMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
+  loads_.resize(pairs_.size()), forces_.resize(bodies_.size());
+  for_each_block([&](std::size_t b) { add_loads(fluid, b); });
+  parallel_for(0, bodies_.size(), 256, [&](std::size_t k) { hand_over(fluid, particles, k); });
+  Vec3 total = Vec3::Zero();
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    if (!particles.external_force[bodies_[k].particle].allFinite())
+      report_bad_force(particles, bodies_[k].particle, fluid.steps());
+    total += forces_[k];
+  }
+  return total;
+}
+
+template void BodyMap<float>::add_loads(const lbm::Fluid<float>&, std::size_t);
+template void BodyMap<double>::add_loads(const lbm::Fluid<double>&, std::size_t);
+template void BodyMap<float>::hand_over(const lbm::Fluid<float>&, dem::Particles&, std::size_t);
+template void BodyMap<double>::hand_over(const lbm::Fluid<double>&, dem::Particles&, std::size_t);
+template Vec3 BodyMap<float>::add_forces(lbm::Fluid<float>&, dem::Particles&);
+template Vec3 BodyMap<double>::add_forces(lbm::Fluid<double>&, dem::Particles&);
+
+}  // namespace lahar::coupling

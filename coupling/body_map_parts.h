@@ -1,0 +1,30 @@
+#pragma once
+// What the files of BodyMap share.
+#include "core/parallel.h"
+#include "coupling/body_map.h"
+
+namespace lahar::coupling {
+
+/// Dry blocks may have been released since the pair was made, and their index used again.
+template <class Real>
+inline bool BodyMap<Real>::is_alive(const lbm::Fluid<Real>& fluid, const Pair& p) const {
+  return fluid.grid().exists(p.block) && fluid.grid().block(p.block).birth == p.birth;
+}
+
+template <class Real>
+inline std::span<const std::uint32_t> BodyMap<Real>::pairs_of(const std::vector<std::uint32_t>& start,
+                                                              std::size_t block) const {
+  return std::span(by_block_).subspan(start[block], start[block + 1] - start[block]);
+}
+
+/// Calls visit(block index) for the blocks that bodies reach.
+template <class Real>
+template <class Visit>
+void BodyMap<Real>::for_each_block(const Visit& visit) const {
+  const std::size_t blocks = block_start_.empty() ? 0 : block_start_.size() - 1;
+  parallel_for(0, blocks, 8, [&](std::size_t b) {
+    if (block_start_[b] < block_start_[b + 1]) visit(b);
+  });
+}
+
+}  // namespace lahar::coupling

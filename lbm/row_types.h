@@ -1,0 +1,37 @@
+#pragma once
+// The types of a row's eight cells at once, as bits: bit k is the cell at x = k.
+#include <bit>
+#include <cstring>
+
+#include "lbm/block.h"
+
+namespace lahar::lbm {
+
+static_assert(std::endian::native == std::endian::little, "the first cell of a row is the lowest byte");
+
+/// The lowest bit of every byte, gathered: byte k to bit k.
+inline unsigned gather_bytes(std::uint64_t bytes) {
+  return static_cast<unsigned>((bytes & 0x0101010101010101U) * 0x0102040810204080U >> 56);
+}
+
+/// Wet cells of a row (y + 8 z). Of the types only interface (1) and liquid (2) have the second bit set once one is
+/// added.
+template <class Real>
+unsigned wet_cells(const Block<Real>& block, int row) {
+  static_assert(static_cast<int>(CellType::interface) == 1 && static_cast<int>(CellType::liquid) == 2 &&
+                static_cast<int>(CellType::sink) == 4);
+  std::uint64_t types;
+  std::memcpy(&types, block.type.data() + kBlockWidth * row, sizeof(types));
+  return gather_bytes((types + 0x0101010101010101U) >> 1);
+}
+
+/// Interface cells of a row: of the types with the lowest bit, interface (1) and wall (3), that without the second.
+template <class Real>
+unsigned interface_cells(const Block<Real>& block, int row) {
+  static_assert(static_cast<int>(CellType::gas) == 0 && static_cast<int>(CellType::wall) == 3);
+  std::uint64_t types;
+  std::memcpy(&types, block.type.data() + kBlockWidth * row, sizeof(types));
+  return gather_bytes(types & ~(types >> 1));
+}
+
+}  // namespace lahar::lbm
