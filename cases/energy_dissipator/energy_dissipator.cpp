@@ -27,6 +27,15 @@ struct Chain {
   std::size_t dissipator;  // bond
 };
 
+/// Limit of the bonds at the largest force, with a tenth more than the dissipator is drawn out by then, s: a longer
+/// bond turns its ends with a longer lever (docs/decisions/0029).
+double time_step_limit(const EnergyDissipator& brake, const dem::Bonds& bonds, dem::Particles particles) {
+  const Vec3 drawn_out(1.1 * brake.elongation_at(brake.last_force), 0, 0);
+  for (auto k = static_cast<dem::ParticleIndex>(brake.cable_beads + 1); k < particles.size(); ++k)
+    particles.position.add(k, drawn_out);
+  return dem::bond_time_step(bonds, particles);
+}
+
 Chain build(const EnergyDissipator& brake) {
   dem::Bonds bonds;
   dem::Particles particles;
@@ -53,7 +62,7 @@ Chain build(const EnergyDissipator& brake) {
   materials.add({"steel", 100e9, 0.3});  // nothing touches under tension
   dem::SolidsOptions options;
   options.gravity = Vec3::Zero();
-  options.time_step = brake.safety * dem::bond_time_step(bonds, particles);
+  options.time_step = brake.safety * time_step_limit(brake, bonds, particles);
   return {dem::Solids(std::move(particles), std::move(bonds), std::move(materials), Walls{}, options),
           static_cast<dem::ParticleIndex>(beads - 1), static_cast<std::size_t>(brake.cable_beads)};
 }

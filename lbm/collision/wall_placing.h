@@ -14,7 +14,7 @@
 // (J. Comput. Phys. 348, 862):
 //   l = kLargestThird rho / (kLargestThird rho + |n|),   |n|^2 = sum n_i^2 / w_i.
 // The even moments above the stress stay at equilibrium: relaxed at 1/tau too, as by TRT, K is nearer to the reference,
-// but at tau - 1/2 = 1e-3 they begin to grow by themselves.
+// but nothing damps them as tau -> 1/2.
 // A cell that no body touches collides as by the default operator, bit by bit: where blocks lie does not matter.
 #include "lbm/collision/central_moments.h"
 #include "lbm/collision/trt.h"

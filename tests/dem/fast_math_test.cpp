@@ -11,8 +11,7 @@ namespace {
 
 TEST(FastMath, inverse_root_is_right_to_two_units_in_the_last_place) {
   double worst = 0;
-  for (double x = 1e-300; x < 1e300; x *= 1.37)
-    worst = std::max(worst, std::abs(inverse_root(x) * std::sqrt(x) - 1));
+  for (double x = 1e-300; x < 1e300; x *= 1.37) worst = std::max(worst, std::abs(inverse_root(x) * std::sqrt(x) - 1));
   for (double x = 0.5; x < 4; x += 1e-4) worst = std::max(worst, std::abs(inverse_root(x) * std::sqrt(x) - 1));
   EXPECT_LT(worst, 3 * std::numeric_limits<double>::epsilon());  // two, and one for the check's own roundings
 }

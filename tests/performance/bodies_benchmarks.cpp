@@ -13,8 +13,8 @@ namespace {
 constexpr int kCells = 128;        // along each axis
 constexpr double kDiameter = 4.0;  // cells
 
-/// Touching grains in staggered layers (body-centred cubic, 0.68 solid) that creep along by `pace` cells a step, each its
-/// own way.
+/// Touching grains in staggered layers (body-centred cubic, 0.68 solid) that creep along by `pace` cells a step, each
+/// its own way.
 dem::Particles packed_bed(double pace) {
   dem::Particles particles;
   const double pitch = kDiameter * 2 / std::sqrt(3.0);
