@@ -38,10 +38,8 @@ TEST(Packing, HasTheSpheresAskedForInsideTheBox) {
   }
 }
 
-/// Overlaps by comparing all pairs, not by the packing's own lists.
-TEST(Packing, IsDenseAndFreeOfOverlaps) {
-  const PackingSpec spec = two_sizes();
-  const auto spheres = pack(spec);
+/// Largest overlap over the smaller radius, by comparing all pairs, not by the packing's own lists.
+double worst_overlap(const std::vector<ParticleSpec>& spheres) {
   double worst = 0;
   for (std::size_t i = 0; i < spheres.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
@@ -49,6 +47,13 @@ TEST(Packing, IsDenseAndFreeOfOverlaps) {
       const double overlap = reach - (spheres[i].position - spheres[j].position).norm();
       worst = std::max(worst, overlap / std::min(spheres[i].radius, spheres[j].radius));
     }
+  return worst;
+}
+
+TEST(Packing, IsDenseAndFreeOfOverlaps) {
+  const PackingSpec spec = two_sizes();
+  const auto spheres = pack(spec);
+  const double worst = worst_overlap(spheres);
   EXPECT_LT(worst, 1e-3);
   const PackingReport report = measure_packing(spec, spheres);
   EXPECT_NEAR(report.max_relative_overlap, worst, 1e-12);
@@ -77,15 +82,8 @@ TEST(Packing, SieveCurveIsDenseAndFreeOfOverlaps) {
     spec.classes.push_back({d / 2, 1, 2650, 0});
   const auto spheres = pack(spec);
   ASSERT_EQ(spheres.size(), spec.classes.size());
-  double worst = 0;
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    EXPECT_EQ(spheres[i].radius, spec.classes[i].radius);
-    for (std::size_t j = 0; j < i; ++j) {
-      const double reach = spheres[i].radius + spheres[j].radius;
-      const double overlap = reach - (spheres[i].position - spheres[j].position).norm();
-      worst = std::max(worst, overlap / std::min(spheres[i].radius, spheres[j].radius));
-    }
-  }
+  for (std::size_t i = 0; i < spheres.size(); ++i) EXPECT_EQ(spheres[i].radius, spec.classes[i].radius);
+  const double worst = worst_overlap(spheres);
   EXPECT_LT(worst, 1e-3);
   const PackingReport report = measure_packing(spec, spheres);
   EXPECT_NEAR(report.max_relative_overlap, worst, 1e-12);
