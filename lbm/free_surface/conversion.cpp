@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "lbm/cell_moments.h"
 #include "lbm/equilibrium.h"
+#include "lbm/free_surface/covered_cells.h"
 
 namespace lahar::lbm {
 
@@ -15,6 +16,7 @@ constexpr double kThreshold = 0.01;  ///< beyond full or empty before a cell con
 constexpr double kThinFill = 0.1;    ///< liquid share under which a draining cell with no liquid neighbour is given up
 constexpr double kPoolDose = 0.02;   ///< largest payment of the pool to one cell in a step
 constexpr std::uint64_t kVoidsEvery = 8;  ///< steps between looks for voids that are cut off from the gas
+constexpr int kSharpBend = 7;             ///< of 18 neighbours: more gas than liquid around a spike, less in a pit
 constexpr double kPoolIdle = 1e-5;        ///< a smaller pool waits: payments would drown in rounding
 
 /// Whether a neighbour of a cell is of a kind.
@@ -33,9 +35,17 @@ bool touches_gas(const FluidGrid<Real>& grid, CellPlace place) {
   return touches(grid, place, [](CellType t) { return t == CellType::gas || t == CellType::sink; });
 }
 
+/// Liquid that is not the inside of a body.
 template <class Real>
 bool touches_liquid(const FluidGrid<Real>& grid, CellPlace place) {
-  return touches(grid, place, [](CellType t) { return t == CellType::liquid; });
+  const auto& around = grid.around(place.block);
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const Block<Real>* block = around[kNeighbours.slot[i][place.cell]];
+    const int cell = kNeighbours.cell[i][place.cell];
+    if (block && block->type[static_cast<std::size_t>(cell)] == CellType::liquid && !is_covered(*block, cell))
+      return true;
+  }
+  return false;
 }
 
 template <class Real>
@@ -90,6 +100,21 @@ Verdict judge(const FluidGrid<Real>& grid, CellPlace place, Real mass, Real rho,
   return Verdict::stay;
 }
 
+/// An interface cell that a body covers has no mass of its own to go by (covered_cells.h). The surface inside a body
+/// stays unless it is a spike or a pit, or the water around has come up to it (docs/decisions/0041).
+template <class Real>
+Verdict judge_covered(const FluidGrid<Real>& grid, CellPlace place, bool at_rim) {
+  const auto& around = grid.around(place.block);
+  int liquid = 0, gas = 0;
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const Block<Real>* block = around[kNeighbours.slot[i][place.cell]];
+    const CellType t = block ? block->type[static_cast<std::size_t>(kNeighbours.cell[i][place.cell])] : CellType::gas;
+    liquid += t == CellType::liquid, gas += t == CellType::gas || t == CellType::sink;
+  }
+  if (gas > liquid + kSharpBend) return Verdict::empty;
+  return (gas == 0 || liquid > gas + kSharpBend) && !at_rim ? Verdict::fill : Verdict::stay;
+}
+
 template <class Real>
 void flag_drop(FluidGrid<Real>& grid, CellPlace place, Parity parity, std::uint64_t round,
                std::vector<Drop<Real>>& drops) {
@@ -119,7 +144,8 @@ double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std:
     const Real fill = std::clamp(mass / rho, Real(0), Real(1));
     const bool draining = fill <= surface.fill_level[cell];
     surface.fill_level[cell] = fill;
-    const Verdict v = judge(grid, {b, cell}, mass, rho, block.at_rim[cell], draining);
+    const Verdict v = is_covered(block, cell) ? judge_covered(grid, {b, cell}, block.at_rim[cell])
+                                              : judge(grid, {b, cell}, mass, rho, block.at_rim[cell], draining);
     if (v == Verdict::fill) flagged.filled.push_back(cell);
     if (v == Verdict::empty) flagged.emptied.push_back(cell);
     if (moving && v == Verdict::stay && surface.alone[cell]) flag_drop(grid, {b, cell}, parity, round, flagged.drops);
