@@ -71,13 +71,21 @@ enum class Held {
   law,       ///< B by the law for both
 };
 
+/// The law in the number type of the rows.
 template <class Real>
-lbm::Row<Real> held_share(const lbm::Row<Real>& share, const Real* resistance, const lbm::CoverageLaw& law) {
-  return lbm::Row<Real>([&](auto c) {
-    return static_cast<Real>(static_cast<double>(static_cast<Real>(share[c])) *
-                             lbm::coverage_weight(static_cast<double>(resistance[c]), law));
-  });
-}
+struct RowLaw {
+  lbm::Row<Real> alpha, beta, gamma, cap, largest;
+
+  explicit RowLaw(const lbm::CoverageLaw& law)
+      : alpha(static_cast<Real>(law.alpha)),
+        beta(static_cast<Real>(law.beta)),
+        gamma(static_cast<Real>(law.gamma)),
+        cap(static_cast<Real>(law.cap)),
+        largest(static_cast<Real>(law.largest)) {}
+  [[gnu::always_inline]] lbm::Row<Real> weight(const lbm::Row<Real>& resistance) const {
+    return lbm::coverage_weight(resistance, alpha, beta, gamma, cap, largest);
+  }
+};
 
 /// Sums of a body over a block, all of it wet or by `wet` (1 or 0 for each cell); s is its middle.
 template <class Real, Held kHeld, bool kMixed, class Body, class Load>
@@ -86,6 +94,7 @@ template <class Real, Held kHeld, bool kMixed, class Body, class Load>
                                 Load& load) {
   using Row = lbm::Row<Real>;
   RowSums<Real> sums;
+  const RowLaw<Real> rows_law(law);
   for_rows_near(
       body, lowest, reach_of(body), [&](int y, int z) __attribute__((always_inline)) {
         const RowCover<Real> cover =
@@ -100,7 +109,7 @@ template <class Real, Held kHeld, bool kMixed, class Body, class Load>
         if constexpr (kHeld == Held::weight)
           held = share * stdx::min(Row(f.resistance + row, stdx::vector_aligned), Row(Real(1)));
         else
-          held = held_share<Real>(share, f.resistance + row, law);
+          held = share * rows_law.weight(Row(f.resistance + row, stdx::vector_aligned));
         Row inside = held;
         if constexpr (kHeld == Held::fraction) inside = cover.fraction;
         if constexpr (kMixed) {
