@@ -237,11 +237,11 @@ TEST(WireMap, LoweredBarRaisesTheLevel) {
   const double start = fill();
   while (c.particles.position.z[3] > 0.2) step(Vec3(0, 0, -speed));
   double lift = 0, rise = 0;
-  for (int s = 0; s < 1500; ++s) {
+  for (int s = 0; s < 900; ++s) {
     step(Vec3::Zero());
-    if (s < 500) continue;
-    for (std::size_t i = 0; i < c.particles.size(); ++i) lift += c.particles.external_force.z[i] / 1000;
-    rise += (fill() - start) / 1000;
+    if (s < 400) continue;
+    for (std::size_t i = 0; i < c.particles.size(); ++i) lift += c.particles.external_force.z[i] / 500;
+    rise += (fill() - start) / 500;
   }
   EXPECT_NEAR(map.wet_volume() * 8e-6 / volume, 1, 0.02);
   EXPECT_NEAR(rise / volume, 1, 0.05);
@@ -249,7 +249,7 @@ TEST(WireMap, LoweredBarRaisesTheLevel) {
   EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
   std::fill(c.bonds.intact.begin(), c.bonds.intact.end(), 0);
   EXPECT_TRUE(map.follow_breakage(c.particles, c.bonds));
-  for (int s = 0; s < 300; ++s) step(Vec3::Zero());
+  for (int s = 0; s < 100; ++s) step(Vec3::Zero());
   EXPECT_EQ(map.wet_volume(), 0);
   EXPECT_EQ(c.particles.external_force[1], Vec3::Zero());
   EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
