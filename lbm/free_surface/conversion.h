@@ -85,6 +85,7 @@ class CellConversion {
   void empty_cells(FluidGrid<Real>& grid, Parity parity);
   void expose_liquid(FluidGrid<Real>& grid, CellPlace place, Parity parity);
   void move_drops(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
+  void move_drop(FluidGrid<Real>& grid, CellPlace place, const Drop<Real>& drop, Parity parity, LiquidAccount& account);
   void distribute(FluidGrid<Real>& grid, LiquidAccount& account);
   void close_voids(FluidGrid<Real>& grid, Parity parity);
   void pay_pool(FluidGrid<Real>& grid, LiquidAccount& account);
