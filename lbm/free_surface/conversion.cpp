@@ -6,6 +6,7 @@
 #include "core/parallel.h"
 #include "lbm/cell_moments.h"
 #include "lbm/equilibrium.h"
+#include "lbm/free_surface/surface_exchange.h"
 
 namespace lahar::lbm {
 
@@ -138,12 +139,14 @@ void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, const std::
   distribute(grid, account);
   pay_pool(grid, account);
   if (round_ % kVoidsEvery == 0) close_voids(grid, parity);
-  relist_touched(grid);
+  relist_touched(grid, parity);
 }
 
 template <class Real>
-void CellConversion<Real>::relist_touched(FluidGrid<Real>& grid) {
+void CellConversion<Real>::relist_touched(FluidGrid<Real>& grid, Parity parity) {
   parallel_for(0, touched_.size(), 8, [&](std::size_t k) { grid.list_cells(touched_[k]); });
+  for (const BlockIndex b : new_surfaces_) note_densities(grid, b, parity);
+  new_surfaces_.clear();
   for (const BlockIndex b : touched_) {
     grid.release_unused_surface(b);
     fresh_[static_cast<std::size_t>(b)].clear();
@@ -174,7 +177,7 @@ template <class Real>
 void CellConversion<Real>::wet(FluidGrid<Real>& grid, CellPlace place, Parity parity,
                                const CellMoments<Real>& moments) {
   set_interface(grid, place, parity, moments, Real(0));
-  relist_touched(grid);
+  relist_touched(grid, parity);
 }
 
 template <class Real>
@@ -279,11 +282,18 @@ void CellConversion<Real>::set_interface(FluidGrid<Real>& grid, CellPlace place,
   settle_interface(grid, place, parity, mean, liquid);
 }
 
+/// The fields of a block's surface; the coming exchange looks at densities that no sweep has written into new ones.
+template <class Real>
+SurfaceFields<Real>& CellConversion<Real>::require_surface(FluidGrid<Real>& grid, BlockIndex b) {
+  if (!grid.block(b).surface) new_surfaces_.push_back(b);
+  return grid.require_surface(b);
+}
+
 /// Type and place in the blocks.
 template <class Real>
 void CellConversion<Real>::open_interface(FluidGrid<Real>& grid, CellPlace place) {
   grid.require_neighbours(place);
-  grid.require_surface(place.block);
+  require_surface(grid, place.block);
   grid.block(place.block).type[static_cast<std::size_t>(place.cell)] = CellType::interface;
   touch(place.block);
   fresh_[static_cast<std::size_t>(place.block)].push_back(static_cast<std::uint16_t>(place.cell));
@@ -370,7 +380,7 @@ template <class Real>
 void CellConversion<Real>::expose_liquid(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   const auto m = outgoing_moments(grid, place, parity);
   Block<Real>& block = grid.block(place.block);
-  SurfaceFields<Real>& surface = grid.require_surface(place.block);
+  SurfaceFields<Real>& surface = require_surface(grid, place.block);
   const auto cell = static_cast<std::size_t>(place.cell);
   block.type[cell] = CellType::interface;
   surface.mass[cell] = Real(1) + m.drho;
