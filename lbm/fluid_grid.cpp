@@ -109,11 +109,11 @@ void FluidGrid<Real>::cut_geometry(BlockIndex b) {
 
 namespace {
 
-/// A link into the edge where two no-slip walls meet hits both of them there, and liquid may cross neither. The push of
-/// a moving wall over its diagonal links is the liquid that it carries along from cell to cell; over the link into the
-/// edge it would carry that through the other wall, u/6 a step in at one end and out at the other, which takes as much
-/// from the circulation that the wall drives: an error of first order in the cell (docs/decisions/0038). So such a link
-/// is the wall's that moves less along it; among walls at rest nothing changes.
+/// A link into the edge where a no-slip wall meets another one hits both of them there, and liquid may cross neither.
+/// The push of a moving wall over its diagonal links is the liquid that it carries along from cell to cell; over the
+/// link into the edge it would carry that through the other wall, u/6 a step in at one end and out at the other, which
+/// takes as much from the circulation that the wall drives: an error of first order in the cell (docs/decisions/0038).
+/// So such a link is the wall's that moves less along it; among walls at rest nothing changes.
 void give_corner_links(const Domain& domain, const Vec3i& place, std::array<int, D3Q19::q>& wall_of) {
   const auto& walls = domain.walls().all();
   const auto link = [](int x, int y, int z) {
@@ -134,7 +134,7 @@ void give_corner_links(const Domain& domain, const Vec3i& place, std::array<int,
       if (c[a] != 0) meeting[n++] = sides[a];
     if (meeting[0] < 0 || meeting[1] < 0 || meeting[0] == meeting[1]) continue;
     for (const int wall : meeting)
-      if (walls[static_cast<std::size_t>(wall)].slip == WallSlip::no_slip &&
+      if (walls[static_cast<std::size_t>(wall)].slip != WallSlip::wall_model &&
           walls[static_cast<std::size_t>(wall_of[i])].slip == WallSlip::no_slip && pace(wall) < pace(wall_of[i]))
         wall_of[i] = wall;
   }
