@@ -129,10 +129,11 @@ void Fluid<Real>::initialize(CellPlace place, double drho, const Vec3& u, const 
 
 namespace {
 
-/// rho - 1 of liquid at rest under the top of its region (z is the direction of depth): p = rho g h = cs^2 (rho - 1).
+/// rho - 1 of liquid at rest under the top of its region (z is the direction of depth): dp = rho g dh with p = cs^2
+/// rho, so rho = exp(3 g h).
 double resting_density(double z, const LiquidRegion& region, double gravity_z, const LatticeUnits& units) {
   const double depth_lu = std::max(0.0, region.upper.z() - z) / units.cell_size;
-  return std::max(0.0, -3 * units.acceleration_to_lu(gravity_z) * depth_lu);
+  return std::max(0.0, std::expm1(-3 * units.acceleration_to_lu(gravity_z) * depth_lu));
 }
 
 /// Volume of the part of a cell that lies in a box, as a fraction of the cell.
@@ -190,10 +191,19 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
           }
         }
   }
-  for (const auto& [place, region] : wet)
-    initialize(place, resting_density(grid_.centre(place.block, place.cell).z(), *region, options_.gravity.z(), units_),
-               units_.velocity_to_lu(1.0) * region->velocity);
+  // Between two steps cells send out what half of a step's weight has been added to: without it water at rest would
+  // start with a jolt of g/2 and ring.
+  const Vec3 half_force = 0.5 * Vec3(parameters_.gravity[0], parameters_.gravity[1], parameters_.gravity[2]);
+  for (const auto& [place, region] : wet) {
+    const double drho =
+        resting_density(grid_.centre(place.block, place.cell).z(), *region, options_.gravity.z(), units_);
+    initialize(place, drho, units_.velocity_to_lu(1.0) * region->velocity + half_force);
+    SurfaceFields<Real>& surface = *grid_.block(place.block).surface;
+    surface.density[place.cell] = static_cast<Real>(drho);
+  }
   classify_filled(touched);
+  for (const BlockIndex b : touched)
+    if (grid_.block(b).surface) note_densities(grid_, b, parameters_.parity);
   reflect();  // what is on its way into a wall at the start comes back: without it the mass would change
   open_ledger();
 }

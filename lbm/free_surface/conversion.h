@@ -73,18 +73,20 @@ class CellConversion {
     CellPlace place;
     Real mass;
   };
-  void relist_touched(FluidGrid<Real>& grid);
+  void relist_touched(FluidGrid<Real>& grid, Parity parity);
   void flag(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes, LiquidAccount& account);
   void fill_cells(FluidGrid<Real>& grid, Parity parity);
   void wet_neighbours(FluidGrid<Real>& grid, CellPlace place);
   [[nodiscard]] CellMoments<Real> mean_around(FluidGrid<Real>& grid, CellPlace place, Parity parity) const;
   void set_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m, Real liquid);
+  SurfaceFields<Real>& require_surface(FluidGrid<Real>& grid, BlockIndex b);
   void open_interface(FluidGrid<Real>& grid, CellPlace place);
   void settle_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m,
                         Real liquid) const;
   void empty_cells(FluidGrid<Real>& grid, Parity parity);
   void expose_liquid(FluidGrid<Real>& grid, CellPlace place, Parity parity);
   void move_drops(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
+  void move_drop(FluidGrid<Real>& grid, CellPlace place, const Drop<Real>& drop, Parity parity, LiquidAccount& account);
   void distribute(FluidGrid<Real>& grid, LiquidAccount& account);
   void close_voids(FluidGrid<Real>& grid, Parity parity);
   void pay_pool(FluidGrid<Real>& grid, LiquidAccount& account);
@@ -101,6 +103,7 @@ class CellConversion {
   std::vector<Excess> excess_;
   std::vector<std::vector<std::uint16_t>> fresh_;  // new interface cells of this step, by block index
   std::vector<BlockIndex> touched_;
+  std::vector<BlockIndex> new_surfaces_;
   std::vector<std::uint8_t> is_touched_;
   std::size_t pool_cursor_ = 0;
 };
