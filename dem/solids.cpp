@@ -106,11 +106,17 @@ void Solids::detect_wires(bool bonds_broke) {
     return wires_->relist(particles_);
   }
   check_motion(particles_, options_.watchdog, step_count_);
+  // It happens between the last step and this one: energies are those half-way.
+  const Vec3Field now = particles_.position;
+  for (std::size_t i = 0; i < particles_.size(); ++i)
+    particles_.position.add(i, -0.5 * options_.time_step * particles_.velocity[i]);
   const double before = wires_->normal_energy(particles_);
+  const Vec3Field half_way = std::exchange(particles_.position, now);
   const std::vector<std::uint8_t> covered = wires_->chains().covered();
   wires_->rebuild(particles_, bonds_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
+  particles_.position = half_way;
   double after = wires_->normal_energy(particles_);
   const ContactSlots& pairs = contacts_.pairs();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -120,6 +126,7 @@ void Solids::detect_wires(bool bonds_broke) {
     after += normal_energy(i, j, particles_.radius[i] + particles_.radius[j] - distance, particles_, materials_,
                            options_.contact_law);
   }
+  particles_.position = now;
   bonds_.breakage_loss += before - after;
   known_breakage_ = bonds_.breakage_loss;
 }

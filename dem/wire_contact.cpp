@@ -58,9 +58,11 @@ void describe(const WirePatch& patch, const WirePiece& piece, const WirePartner&
     const Triple pull = per_node * n.weight * n.overlap * n.normal;
     resultant = resultant + pull;
     wire = wire + share * n.point, other = other + share * n.foot.point;
-    const auto weights = piece.weights(n.s);
+    const auto weights = piece.weights(n.s), slopes = piece.weight_slopes(n.s);
+    // Beads that move apart lengthen the patch: dI = sum of overlap^2 d(dl).
+    const Triple stretch = (0.5 * per_node * n.overlap * n.overlap * n.share) * n.along;
     for (std::size_t b = 0; b < 3; ++b)
-      if (weights[b] > 0) add(c.wire, piece.beads[b], share * weights[b], weights[b] * pull);
+      if (weights[b] > 0) add(c.wire, piece.beads[b], share * weights[b], weights[b] * pull + slopes[b] * stretch);
     if (sphere.there) {
       add(c.partner, sphere.particle, share, -1.0 * pull);
       continue;

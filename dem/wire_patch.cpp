@@ -76,7 +76,11 @@ class Search {
       const double distance = length(d);
       n.overlap = std::max(0.0, reach_ - distance);
       n.normal = (1 / distance) * d;
-      n.weight = (to - from) * kShare[k] * length(piece_.along(n.s));
+      const Triple along = piece_.along(n.s);
+      const double stretch = length(along);
+      n.along = (1 / stretch) * along;
+      n.share = (to - from) * kShare[k];
+      n.weight = n.share * stretch;
       patch_.integral += n.weight * n.overlap * n.overlap;
       patch_.depth = std::max(patch_.depth, n.overlap);
       patch_.nodes[patch_.count++] = n;

@@ -32,9 +32,11 @@ struct Foot {
 /// One place of the patch.
 struct PatchNode {
   double s = 0;       ///< place on the piece
+  double share = 0;   ///< quadrature weight, in s
   double weight = 0;  ///< dl x quadrature weight, m
   double overlap = 0;
   Triple point{};   ///< of the wire's centre-line
+  Triple along{};   ///< unit, of the wire
   Triple normal{};  ///< unit, towards the partner
   Foot foot;
 };

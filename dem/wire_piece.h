@@ -27,6 +27,11 @@ struct WirePiece {
     if (last) return {0.5 * (1 - t), 0.5 * (1 + t), 0};
     return {0.5 * (1 - t) * (1 - t), 0.5 + t * (1 - t), 0.5 * t * t};
   }
+  [[nodiscard]] std::array<double, 3> weight_slopes(double t) const {  ///< dw/dt
+    if (first) return {0, -0.5, 0.5};
+    if (last) return {-0.5, 0.5, 0};
+    return {t - 1, 1 - 2 * t, t};
+  }
   /// No point of the piece is farther from its own bead, m.
   [[nodiscard]] static double extent(const WireChains& chains, const Vec3Field& x, std::size_t k) {
     double longest = 0;
