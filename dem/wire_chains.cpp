@@ -32,6 +32,7 @@ std::vector<std::uint8_t> in_mesh(const Bonds& bonds, const Particles& p) {
 void WireChains::build(const Bonds& bonds, const Particles& p) {
   const std::size_t n = p.size();
   covered_.assign(n, 0);
+  closed_.assign(n, 0);
   before_.assign(n, none);  // for now the two neighbours in any order
   behind_.assign(n, none);
   const auto mesh = in_mesh(bonds, p);
@@ -47,7 +48,7 @@ void WireChains::build(const Bonds& bonds, const Particles& p) {
     for (ParticleIndex i = 0; i < n; ++i) {
       if (covered_[i] == 0 || strung[i] != 0 || (!closed && !is_end(i))) continue;
       string_up(i);
-      for (ParticleIndex k = i; k != none && strung[k] == 0; k = behind_[k]) strung[k] = 1;
+      for (ParticleIndex k = i; k != none && strung[k] == 0; k = behind_[k]) strung[k] = 1, closed_[k] = closed ? 1 : 0;
     }
   };
   string_up_all(false);

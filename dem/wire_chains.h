@@ -21,6 +21,7 @@ class WireChains {
   /// 1 for each particle that is part of a wire.
   [[nodiscard]] const std::vector<std::uint8_t>& covered() const { return covered_; }
   [[nodiscard]] bool is_end(std::size_t i) const { return covered_[i] != 0 && (before_[i] == none || behind_[i] == none); }
+  [[nodiscard]] bool closed(std::size_t i) const { return closed_[i] != 0; }
   [[nodiscard]] ParticleIndex before(std::size_t i) const { return before_[i]; }
   [[nodiscard]] ParticleIndex behind(std::size_t i) const { return behind_[i]; }
   /// Whether at most two bonds, broken ones included, lead from one particle to the other: such never touch.
@@ -30,7 +31,7 @@ class WireChains {
   void find_near(const Bonds& bonds, std::size_t particles);
   void string_up(ParticleIndex from);
 
-  std::vector<std::uint8_t> covered_;
+  std::vector<std::uint8_t> covered_, closed_;
   std::vector<ParticleIndex> before_, behind_;
   std::vector<std::uint32_t> near_offset_;  // per particle, CSR
   std::vector<ParticleIndex> near_;         // ascending

@@ -16,21 +16,21 @@ void add(WireSide& side, ParticleIndex particle, double weight, const Triple& gr
 
 struct Motion {
   Triple velocity{}, spin{}, velocity_end{}, spin_end{};
-  double closing = 0, inverse_mass = 0;
+  double inverse_mass = 0;  // 1/kg
 };
 
 Motion motion_of(const WireSide& side, const Particles& p, double dt) {
   Motion m;
   for (std::size_t k = 0; k < side.count; ++k) {
-    const auto& [i, weight, gradient] = side.shares[k];
+    const ParticleIndex i = side.shares[k].particle;
+    const double weight = side.shares[k].weight;
     const double inverse = p.inverse_mass[i], r = p.radius[i];
     const Triple v = triple_at(p.velocity, i), w = triple_at(p.angular_velocity, i);
     const Triple v_end = v + (0.5 * dt * inverse) * triple_at(p.force, i);
     const Triple w_end = w + (0.5 * dt * 2.5 * inverse / (r * r)) * triple_at(p.torque, i);
     m.velocity = m.velocity + weight * v, m.velocity_end = m.velocity_end + weight * v_end;
     m.spin = m.spin + weight * w, m.spin_end = m.spin_end + weight * w_end;
-    m.closing += dot(gradient, v_end);
-    m.inverse_mass += inverse * dot(gradient, gradient);
+    m.inverse_mass += weight * weight * inverse;
   }
   return m;
 }
@@ -56,7 +56,9 @@ void describe(const WirePatch& patch, const WirePiece& piece, const WirePartner&
     const PatchNode& n = patch.nodes[m];
     const double share = n.weight * n.overlap / sum;
     const Triple pull = per_node * n.weight * n.overlap * n.normal;
-    resultant = resultant + pull;
+    // Less what lies along the wire, but for a sphere in front of its end.
+    const double along = dot(n.normal, n.along);
+    resultant = resultant + per_node * n.weight * n.overlap * (n.normal - along * (1 - along * along) * n.along);
     wire = wire + share * n.point, other = other + share * n.foot.point;
     const auto weights = piece.weights(n.s), slopes = piece.weight_slopes(n.s);
     // Beads that move apart lengthen the patch: dI = sum of overlap^2 d(dl).
@@ -85,13 +87,14 @@ void set_motion(const WireContact& c, const Particles& particles, double dt, Con
   const Motion a = motion_of(c.wire, particles, dt), b = motion_of(c.partner, particles, dt);
   s.overlap = c.overlap;
   s.normal_ij = c.normal;
-  s.closing_speed = a.closing + b.closing;
-  const double inverse = a.inverse_mass + b.inverse_mass;
+  const Triple slip = a.velocity - b.velocity + cross(a.spin, c.wire.lever) - cross(b.spin, c.partner.lever);
+  const Triple slip_end =
+      a.velocity_end - b.velocity_end + cross(a.spin_end, c.wire.lever) - cross(b.spin_end, c.partner.lever);
+  s.closing_speed = c.spread * dot(slip_end, c.normal);
+  const double inverse = c.spread * c.spread * (a.inverse_mass + b.inverse_mass);
   s.effective_mass = inverse > 0 ? 1 / inverse : 0.0;
-  s.tangential_velocity = normal_part(
-      a.velocity - b.velocity + cross(a.spin, c.wire.lever) - cross(b.spin, c.partner.lever), c.normal);
-  s.tangential_velocity_end = normal_part(
-      a.velocity_end - b.velocity_end + cross(a.spin_end, c.wire.lever) - cross(b.spin_end, c.partner.lever), c.normal);
+  s.tangential_velocity = normal_part(slip, c.normal);
+  s.tangential_velocity_end = normal_part(slip_end, c.normal);
   s.twist_rate = 0.5 * dot(a.spin + b.spin, c.normal);
 }
 

@@ -1,13 +1,16 @@
 #pragma once
 // One contact of a wire: from its patch to what the contact law sees, and from the law's answer to forces on beads.
 //
-// The equivalent overlap e is a function of the positions of all beads whose pieces take part, and the normal force F
+// The equivalent overlap e is a function of the positions of all beads whose pieces take part, and the elastic force F
 // of the law acts on each of them as -F de/dx: the contact is as conservative as the law. At every place of the patch
 // these forces lie on the line between both centre-lines and are shared out by the weights of the splines, so that
-// neither momentum nor angular momentum changes. Tangential forces act at one point, between the mean points a and b of
-// both centre-lines; each side's beads share it by the mean weights W, and its moment about the centre-line goes to
-// their spins by the same weights. The slip that the law sees is the velocity of that point, from sum W v and sum W w,
-// so that what the law books is what the beads feel.
+// neither momentum nor angular momentum changes.
+//
+// Friction and dampers act at one point, between the mean points of both centre-lines; each side's beads share their
+// force by the mean weights W, and its moment about the centre-line goes to their spins by the same weights. The law
+// sees the velocity of that point, from sum W v and sum W w, so that what it books is what the beads feel. The damper
+// does not see de/dt: a patch that slides along a wire passes from piece to piece, each of which it enters and leaves,
+// and nothing approaches.
 #include <array>
 #include <cstddef>
 
@@ -33,7 +36,7 @@ struct WireSide {
 struct WireContact {
   double overlap = 0;  ///< e, m
   double spread = 0;   ///< resultant normal force / F
-  Triple normal{};     ///< unit, mean, from the wire to its partner
+  Triple normal{};     ///< unit, mean, from the wire to its partner, across the wire
   WireSide wire, partner;
 };
 

@@ -1,6 +1,7 @@
 #include "dem/wire_detection.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "dem/wire_piece.h"
@@ -93,10 +94,11 @@ void WireDetection::list_candidates(const Particles& p, const WireChains& chains
   const auto add_pair = [&](ParticleIndex i, ParticleIndex j) {
     if (chains.near(i, j)) return;
     const bool wire_i = chains.covered()[i] != 0, wire_j = chains.covered()[j] != 0;
-    if (wire_i && wire_j && std::pair(p.body[j], j) < std::pair(p.body[i], i)) std::swap(i, j);
-    if (wire_i && wire_j) candidates_.push_back(candidate(i, j, true));
-    if (chains.covered()[i] != 0 && (!wire_j || chains.is_end(j))) candidates_.push_back(candidate(i, j, false));
-    if (chains.covered()[j] != 0 && (!wire_i || chains.is_end(i))) candidates_.push_back(candidate(j, i, false));
+    if (wire_i && (!wire_j || chains.is_end(j))) candidates_.push_back(candidate(i, j, false));
+    if (wire_j && (!wire_i || chains.is_end(i))) candidates_.push_back(candidate(j, i, false));
+    if (!wire_i || !wire_j) return;
+    const auto rank = [&](ParticleIndex k) { return std::tuple(!chains.closed(k), p.body[k], k); };
+    candidates_.push_back(rank(i) < rank(j) ? candidate(i, j, true) : candidate(j, i, true));
   };
   for (ParticleIndex i = 0; i < p.size(); ++i)
     for (std::uint32_t k = neighbours_.offset()[i]; k < neighbours_.offset()[i + 1]; ++k)

@@ -11,8 +11,9 @@
 
 namespace lahar::dem {
 
-/// A possible contact of one piece of wire. Of two wires the one of the lower body gives the piece, the other one the
-/// run: pieces that follow each other from `partner` on. So a contact that moves along the run stays the same contact.
+/// A possible contact of one piece of wire. Of two wires one gives the piece (a ring rather than an open wire, which it
+/// may wrap; otherwise that of the lower body), the other one the run: pieces that follow each other from `partner` on.
+/// So a contact that moves along the run stays the same contact.
 struct WireSlot {
   ParticleIndex wire = 0;     ///< bead of the piece
   ParticleIndex partner = 0;  ///< sphere, or first bead of the run

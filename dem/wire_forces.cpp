@@ -69,6 +69,7 @@ bool WireForces::find_contact(const WireSlot& slot, const Particles& p, Scratch&
   x.partner.centre = triple_at(p.position, slot.partner);
   for (std::uint32_t n = 0, k = slot.partner; n < slot.count; ++n, k = chains_.behind(k))
     x.partner.pieces.push_back(wire_piece(chains_, p.position, k));
+  bend_of(x.partner, reach);
   if (!find_patch(x.piece, x.partner, reach, extent, {x.partner.centre, slot.count > 0 ? near_piece : 0, 0.5}, x.patch))
     return false;
   describe(x.patch, x.piece, x.partner, x.sphere, reach, r, x.contact);
@@ -101,16 +102,21 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
   ContactState s = material_state(slot, p);
   set_motion(c, p, dt, s);
   s.friction *= c.spread;  // Coulomb's limit is one on the resultant
+  ContactState still = s;
+  still.damping_ratio = 0;
+  ContactHistory none;
+  const double elastic = law(still, none, 0.0).normal;
   const ContactForce f = law(s, slot.history, dt);
+  const Triple at_point = f.tangential - (f.normal - elastic) * c.spread * c.normal;  // friction and dampers, on the wire
   slot.touching = 1;
   const auto deepest = std::max_element(x.patch.nodes.begin(), x.patch.nodes.begin() + static_cast<long>(x.patch.count),
                                         [](const auto& a, const auto& b) { return a.overlap < b.overlap; });
   slot.last = slot.count > 0 ? x.partner.pieces[deepest->foot.piece].beads[1] : slot.partner;
   const auto answer = [&](const WireSide& side, double sign) {
-    const Triple moment = cross(side.lever, sign * f.tangential);
+    const Triple moment = cross(side.lever, sign * at_point);
     for (std::size_t k = 0; k < side.count; ++k) {
       const WireShare& b = side.shares[k];
-      chunk.answers.push_back({b.particle, (sign * b.weight) * f.tangential - f.normal * b.gradient, b.weight * moment});
+      chunk.answers.push_back({b.particle, (sign * b.weight) * at_point - elastic * b.gradient, b.weight * moment});
     }
   };
   answer(c.wire, 1);

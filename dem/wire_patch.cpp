@@ -118,8 +118,48 @@ class Search {
 
 }  // namespace
 
+namespace {
+
+/// The nearest of all points of the run. Each quarter of a piece holds at most one place that is nearer than those
+/// around it.
+Foot nearest_of_all(const WirePartner& partner, const Triple& x) {
+  Foot best;
+  double least = -1;
+  const auto consider = [&](std::size_t k, double t) {
+    const Triple point = partner.pieces[k].at(t);
+    const double square = dot(point - x, point - x);
+    if (least < 0 || square < least) least = square, best = {point, static_cast<std::uint32_t>(k), t};
+  };
+  for (std::size_t k = 0; k < partner.pieces.size(); ++k) {
+    const WirePiece& p = partner.pieces[k];
+    const auto slope = [&](double t) { return dot(p.at(t) - x, p.along(t)); };
+    consider(k, 0);
+    consider(k, 1);
+    constexpr int parts = 4;
+    double before = slope(0);
+    for (int n = 1; n <= parts; ++n) {
+      const double now = slope(1.0 * n / parts);
+      if (before < 0 && now > 0) consider(k, nearest_on(p, x, (n - 1.0) / parts, 1.0 * n / parts, (n - 0.5) / parts));
+      before = now;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+void bend_of(WirePartner& partner, double reach) {
+  // The distance to x has one minimum where (C - x) . C' grows: C'^2 + (C - x) . C'' > 0.
+  partner.kinked = false;
+  for (const WirePiece& p : partner.pieces) {
+    const double bend = length(p.bend), along = std::max(0.0, length(p.slope + p.bend) - bend);
+    partner.kinked = partner.kinked || along * along <= 2 * bend * (reach + length(p.slope));
+  }
+}
+
 Foot foot_of(const WirePartner& partner, const Triple& x, const Foot& from) {
   if (partner.pieces.empty()) return {partner.centre, 0, 0};
+  if (partner.kinked) return nearest_of_all(partner, x);
   const std::size_t count = partner.pieces.size();
   std::size_t k = from.piece;
   for (int way = 0;;) {  // never back: at a joint rounding must not send it to and fro
@@ -137,7 +177,7 @@ Foot foot_of(const WirePartner& partner, const Triple& x, const Foot& from) {
         continue;
       }
     } else {
-      t = nearest_on(p, x, k == from.piece ? from.t : 0.5);
+      t = nearest_on(p, x, 0, 1, k == from.piece ? from.t : 0.5);
     }
     return {p.at(t), static_cast<std::uint32_t>(k), t};
   }

@@ -20,7 +20,12 @@ namespace lahar::dem {
 struct WirePartner {
   Triple centre{};                ///< of the sphere, m
   std::vector<WirePiece> pieces;  ///< of the run; empty for a sphere
+  /// Bent so sharply that from places within reach there may be several nearest points on it. To be set by bend_of.
+  bool kinked = false;
 };
+
+/// Sets `kinked` for places up to `reach` (m) from the run.
+void bend_of(WirePartner& partner, double reach);
 
 /// The point of the partner nearest to a point of the wire.
 struct Foot {

@@ -62,10 +62,10 @@ inline WirePiece wire_piece(const WireChains& chains, const Vec3Field& position,
   return p;
 }
 
-/// Place in [0, 1] at which the piece is nearest to x, given that its distance falls at 0 and grows at 1 (Newton,
-/// guarded by bisection). Within the radius of curvature the distance has one minimum there.
-inline double nearest_on(const WirePiece& p, const Triple& x, double guess) {
-  double low = 0, high = 1, t = guess;
+/// Place in [low, high] at which the piece is nearest to x, given that its distance falls at `low` and grows at `high`
+/// (Newton, guarded by bisection).
+inline double nearest_on(const WirePiece& p, const Triple& x, double low, double high, double guess) {
+  double t = guess;
   for (int iteration = 0; iteration < 40; ++iteration) {
     const Triple d = p.at(t) - x, along = p.along(t);
     const double g = dot(d, along), slope = dot(along, along) + 2 * dot(d, p.bend);
