@@ -29,7 +29,7 @@ struct WireShare {
 
 struct WireSide {
   std::size_t count = 0;
-  std::array<WireShare, 24> shares;
+  std::array<WireShare, 48> shares;
   Triple lever{};  ///< m, from the mean point of its centre-line (or centre) to the contact point
 };
 

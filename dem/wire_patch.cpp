@@ -13,6 +13,10 @@ constexpr std::array<double, 4> kPlace{0.06943184420297371, 0.3300094782075719, 
 constexpr std::array<double, 4> kShare{0.17392742256872692, 0.32607257743127305, 0.32607257743127305,
                                        0.17392742256872692};
 
+// Wires that lie nearly along each other may be nearest at several places of a piece.
+constexpr std::size_t kStretches = 4;
+static_assert(2 * kStretches * kPlace.size() <= std::tuple_size_v<decltype(WirePatch::nodes)>);
+
 /// What is known of one place of the piece.
 struct Probe {
   double s = 0, overlap = 0, turn = 0;  // turn: half the slope of the squared distance
@@ -92,21 +96,32 @@ class Search {
     add_nodes(edge(left, deepest), edge(right, deepest), deepest.foot);
   }
 
-  void run(const Foot& hint) {
-    const Probe a = probe(0, hint), b = probe(1, hint);
+  /// The patch within one stretch of the piece, in which the distance has one extremum or none.
+  void search(const Probe& a, const Probe& b) {
     const auto turn = [](const Probe& p) { return p.turn; };
     const double tolerance = 1e-10 * reach_ * reach_;
     if (a.turn < 0 && b.turn > 0) {
-      const double s = a.turn / (a.turn - b.turn);
+      const double s = a.s + (b.s - a.s) * a.turn / (a.turn - b.turn);
       return around(a, root(a, b, turn, tolerance, probe(s, a.foot)), b);
     }
     if (a.turn >= 0 && b.turn >= 0) return around(a, a, b);
     if (a.turn <= 0 && b.turn <= 0) return around(a, b, b);
     // Nearest at both ends, farthest in between: one patch at each end, or all of it.
-    const Probe far = root(a, b, turn, tolerance, probe(0.5, hint));
-    if (far.overlap >= 0) return add_nodes(0, 1, far.foot);
+    const Probe far = root(a, b, turn, tolerance, probe(0.5 * (a.s + b.s), a.foot));
+    if (far.overlap >= 0) return add_nodes(a.s, b.s, far.foot);
     around(a, a, far);
     around(far, b, b);
+  }
+
+  void run(const Foot& hint) {
+    Probe a = probe(0, hint);
+    for (std::size_t k = 1; k <= kStretches; ++k) {
+      const Probe b = probe(static_cast<double>(k) / kStretches, a.foot);
+      // The distance changes by no more than the way along the wire.
+      const double way = std::max(length(piece_.along(a.s)), length(piece_.along(b.s))) / kStretches;
+      if (a.overlap + b.overlap + way > 0) search(a, b);
+      a = b;
+    }
   }
 
  private:

@@ -50,7 +50,7 @@ struct WirePatch {
   double integral = 0;  ///< I, m^3
   double depth = 0;     ///< m, deepest overlap of a node
   std::size_t count = 0;
-  std::array<PatchNode, 8> nodes;
+  std::array<PatchNode, 32> nodes;
 };
 
 /// Point of the partner nearest to x, going on from `from`.
