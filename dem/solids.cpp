@@ -101,7 +101,7 @@ bool Solids::note_broken_bonds() {
 /// comes from what the bond held.
 void Solids::detect_wires(bool bonds_broke) {
   if (!bonds_broke) {
-    if (!wires_->outdated(particles_)) return;
+    if (!wires_->outdated(particles_)) return wires_->narrow(particles_);
     check_motion(particles_, options_.watchdog, step_count_);
     return wires_->relist(particles_);
   }

@@ -1,6 +1,7 @@
 #include "dem/wire_forces.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/parallel.h"
 #include "dem/contact/damping.h"
@@ -9,7 +10,8 @@ namespace lahar::dem {
 
 namespace {
 
-constexpr std::size_t kChunk = 64;  // slots; fixed, so that sums do not depend on the number of threads
+constexpr std::size_t kChunk = 16;    // slots; fixed, so that sums do not depend on the number of threads
+constexpr double kNarrowShare = 0.05;  // of a wire's radius; a narrowing costs about as much as ten steps
 
 /// The energy of a tangential spring.
 double held(const ContactHistory& h) {
@@ -40,16 +42,54 @@ void WireForces::rebuild(const Particles& particles, const Bonds& bonds) {
   chains_.build(bonds, particles);
   energy_.friction += detection_.rebuild(particles, chains_);
   ++builds_;
+  pick_near(particles);
 }
 
 void WireForces::relist(const Particles& particles) {
   energy_.friction += detection_.rebuild(particles, chains_);
   ++builds_;
+  pick_near(particles);
 }
 
-/// Fills the scratch with the contact of a slot. False if it does not touch.
-bool WireForces::find_contact(const WireSlot& slot, const Particles& p, Scratch& x) const {
-  const double r = p.radius[slot.wire], reach = r + p.radius[slot.partner];
+void WireForces::narrow(const Particles& particles) {
+  if (any_moved(particles.position, narrowed_at_, narrow_limit2_)) pick_near(particles);
+}
+
+void WireForces::pick_near(const Particles& p) {
+  auto& slots = detection_.slots();
+  narrowed_at_ = p.position;
+  narrow_limit_ = std::numeric_limits<double>::infinity();
+  for (const WireSlot& s : slots) narrow_limit_ = std::min(narrow_limit_, kNarrowShare * p.radius[s.wire]);
+  parallel_for_chunks(slots.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    static thread_local Scratch scratch;
+    for (std::size_t k = first; k < last; ++k)
+      slots[k].near = slots[k].touching != 0 || find_patch_of(slots[k], p, 2 * narrow_limit_, scratch) ? 1 : 0;
+  });
+  note_near();
+}
+
+/// What follows from the slots: which are near, and whose movement counts.
+void WireForces::note_near() {
+  const auto& slots = detection_.slots();
+  near_.clear();
+  narrow_limit2_.assign(narrowed_at_.size(), std::numeric_limits<double>::infinity());
+  const double limit2 = narrow_limit_ * narrow_limit_;
+  const auto counts = [&](ParticleIndex i) {
+    for (const ParticleIndex k : {i, chains_.before(i), chains_.behind(i)})
+      if (k != WireChains::none) narrow_limit2_[k] = limit2;
+  };
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    if (slots[k].near != 0) near_.push_back(static_cast<std::uint32_t>(k));
+    counts(slots[k].wire);
+    ParticleIndex j = slots[k].partner;
+    for (std::uint32_t n = 0; n < std::max(1U, slots[k].count); ++n, j = slots[k].count > 0 ? chains_.behind(j) : j)
+      counts(j);
+  }
+}
+
+/// Fills the scratch with the patch of a slot, with its reach longer by `margin`. False if there is none.
+bool WireForces::find_patch_of(const WireSlot& slot, const Particles& p, double margin, Scratch& x) const {
+  const double reach = p.radius[slot.wire] + p.radius[slot.partner] + margin;
   x.sphere = {slot.count == 0, slot.partner};
   if (slot.count == 0 && p.state[slot.partner] == ParticleState::removed) return false;
   const Triple own = triple_at(p.position, slot.wire);
@@ -70,9 +110,15 @@ bool WireForces::find_contact(const WireSlot& slot, const Particles& p, Scratch&
   for (std::uint32_t n = 0, k = slot.partner; n < slot.count; ++n, k = chains_.behind(k))
     x.partner.pieces.push_back(wire_piece(chains_, p.position, k));
   bend_of(x.partner, reach);
-  if (!find_patch(x.piece, x.partner, reach, extent, {x.partner.centre, slot.count > 0 ? near_piece : 0, 0.5}, x.patch))
-    return false;
-  describe(x.patch, x.piece, x.partner, x.sphere, reach, r, x.contact);
+  const Foot hint{x.partner.centre, slot.count > 0 ? near_piece : 0, 0.5};
+  return find_patch(x.piece, x.partner, reach, extent, hint, x.patch);
+}
+
+/// Fills the scratch with the contact of a slot. False if it does not touch.
+bool WireForces::find_contact(const WireSlot& slot, const Particles& p, Scratch& x) const {
+  if (!find_patch_of(slot, p, 0, x)) return false;
+  const double r = p.radius[slot.wire];
+  describe(x.patch, x.piece, x.partner, x.sphere, r + p.radius[slot.partner], r, x.contact);
   return true;
 }
 
@@ -133,13 +179,13 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
 template <ContactLaw L>
 void WireForces::evaluate_with(const L& law, const Particles& p, double dt) {
   auto& slots = detection_.slots();
-  chunks_.resize((slots.size() + kChunk - 1) / kChunk);
-  parallel_for_chunks(slots.size(), kChunk, [&](std::size_t first, std::size_t last) {
+  chunks_.resize((near_.size() + kChunk - 1) / kChunk);
+  parallel_for_chunks(near_.size(), kChunk, [&](std::size_t first, std::size_t last) {
     static thread_local Scratch scratch;
     Chunk& chunk = chunks_[first / kChunk];
     chunk.answers.clear();
     chunk.energy = {}, chunk.worst = {};
-    for (std::size_t k = first; k < last; ++k) evaluate_slot(law, slots[k], p, dt, scratch, chunk);
+    for (std::size_t k = first; k < last; ++k) evaluate_slot(law, slots[near_[k]], p, dt, scratch, chunk);
   });
 }
 

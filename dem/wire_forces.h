@@ -23,6 +23,8 @@ class WireForces {
   void rebuild(const Particles& particles, const Bonds& bonds);
   /// True if particles have moved so far that the contacts must be listed anew.
   [[nodiscard]] bool outdated(const Particles& particles) const { return detection_.outdated(particles); }
+  /// Picks out the slots that may touch before a particle has moved by a small share of the wires' radius, if one has.
+  void narrow(const Particles& particles);
   /// Lists the contacts anew. Positions must be finite.
   void relist(const Particles& particles);
 
@@ -65,12 +67,15 @@ class WireForces {
   struct Scratch;
 
   bool find_contact(const WireSlot& slot, const Particles& particles, Scratch& scratch) const;
+  bool find_patch_of(const WireSlot& slot, const Particles& particles, double margin, Scratch& scratch) const;
   [[nodiscard]] ContactState material_state(const WireSlot& slot, const Particles& particles) const;
   template <ContactLaw L>
   void evaluate_with(const L& law, const Particles& particles, double dt);
   template <ContactLaw L>
   void evaluate_slot(const L& law, WireSlot& slot, const Particles& particles, double dt, Scratch& scratch,
                      Chunk& chunk) const;
+  void note_near();
+  void pick_near(const Particles& particles);
   [[nodiscard]] double energy_at_rest(const WireSlot& slot, const Particles& particles) const;
 
   ContactLawChoice law_;
@@ -78,6 +83,10 @@ class WireForces {
   std::vector<Pair> pairs_;
   WireChains chains_;
   WireDetection detection_;
+  std::vector<std::uint32_t> near_;  // slots that may touch soon
+  Vec3Field narrowed_at_;
+  std::vector<double> narrow_limit2_;
+  double narrow_limit_ = 0;  // m
   std::vector<Chunk> chunks_;
   ContactEnergy energy_;
   WorstOverlap worst_;
