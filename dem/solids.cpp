@@ -26,7 +26,8 @@ Solids::Solids(Particles particles, Bonds bonds, Materials materials, Walls wall
       section_bonds_(&timers_.section("bonds")) {
   require(options.long_step >= 1, "a long step has at least one sub-step");
   set_time_step(options.time_step);
-  if (options.wire_contacts == WireContacts::capsules) wires_.emplace(materials_, options.contact_law, options.neighbours);
+  if (options.wire_contacts == WireContacts::capsules)
+    wires_.emplace(materials_, options.contact_law, options.neighbours);
   if (!contact_forces_.rolls()) return;
   contacts_.remember_rolling();
   slow_contacts_.remember_rolling();
@@ -97,8 +98,8 @@ bool Solids::note_broken_bonds() {
   return true;
 }
 
-/// Where a bond broke, a wire became two, or its bead a plain one: what its contacts hold changes at once. The difference
-/// comes from what the bond held.
+/// Where a bond broke, a wire became two, or its bead a plain one: what its contacts hold changes at once. The
+/// difference comes from what the bond held.
 void Solids::detect_wires(bool bonds_broke) {
   if (!bonds_broke) {
     if (!wires_->outdated(particles_)) return wires_->narrow(particles_);

@@ -86,7 +86,7 @@ class Solids {
 
  private:
   [[nodiscard]] bool two_rates() const { return !slow_.empty(); }
-  [[nodiscard]] RateShare share(Rate rate) const { 
+  [[nodiscard]] RateShare share(Rate rate) const {
     return {two_rates() ? rate : Rate::all, slow_.data(), wires_ ? wires_->chains().covered().data() : nullptr};
   }
   void find_slow();

@@ -18,12 +18,14 @@ std::vector<std::uint8_t> in_mesh(const Bonds& bonds, const Particles& p) {
   std::vector<std::uint8_t> count(p.size(), 0), mesh(p.size(), 0);
   for (std::size_t b = 0; b < bonds.size(); ++b)
     if (joins_wire(bonds, p, b))
-      for (const ParticleIndex i : {bonds.i[b], bonds.j[b]}) count[i] = static_cast<std::uint8_t>(std::min(3, count[i] + 1));
+      for (const ParticleIndex i : {bonds.i[b], bonds.j[b]})
+        count[i] = static_cast<std::uint8_t>(std::min(3, count[i] + 1));
   std::vector<std::int32_t> bodies;
   for (std::size_t i = 0; i < p.size(); ++i)
     if (count[i] > 2) bodies.push_back(p.body[i]);
   std::sort(bodies.begin(), bodies.end());
-  for (std::size_t i = 0; i < p.size(); ++i) mesh[i] = std::binary_search(bodies.begin(), bodies.end(), p.body[i]) ? 1 : 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+    mesh[i] = std::binary_search(bodies.begin(), bodies.end(), p.body[i]) ? 1 : 0;
   return mesh;
 }
 

@@ -20,7 +20,9 @@ class WireChains {
 
   /// 1 for each particle that is part of a wire.
   [[nodiscard]] const std::vector<std::uint8_t>& covered() const { return covered_; }
-  [[nodiscard]] bool is_end(std::size_t i) const { return covered_[i] != 0 && (before_[i] == none || behind_[i] == none); }
+  [[nodiscard]] bool is_end(std::size_t i) const {
+    return covered_[i] != 0 && (before_[i] == none || behind_[i] == none);
+  }
   [[nodiscard]] bool closed(std::size_t i) const { return closed_[i] != 0; }
   [[nodiscard]] ParticleIndex before(std::size_t i) const { return before_[i]; }
   [[nodiscard]] ParticleIndex behind(std::size_t i) const { return behind_[i]; }

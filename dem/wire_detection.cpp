@@ -77,7 +77,8 @@ double WireDetection::rebuild(const Particles& p, const WireChains& chains) {
   list_candidates(p, chains);
   const auto old = std::exchange(slots_, {});
   for (std::size_t first = 0, last = 0; first < candidates_.size(); first = last) {
-    for (last = first; last < candidates_.size() && piece_of(candidates_[last]) == piece_of(candidates_[first]);) ++last;
+    for (last = first; last < candidates_.size() && piece_of(candidates_[last]) == piece_of(candidates_[first]);)
+      ++last;
     std::size_t k = first;
     for (; k < last && !is_run(candidates_[k]); ++k) {
       WireSlot slot;

@@ -10,7 +10,7 @@ namespace lahar::dem {
 
 namespace {
 
-constexpr std::size_t kChunk = 16;    // slots; fixed, so that sums do not depend on the number of threads
+constexpr std::size_t kChunk = 16;     // slots; fixed, so that sums do not depend on the number of threads
 constexpr double kNarrowShare = 0.05;  // of a wire's radius; a narrowing costs about as much as ten steps
 
 /// The energy of a tangential spring.
@@ -82,7 +82,7 @@ void WireForces::note_near() {
     if (slots[k].near != 0) near_.push_back(static_cast<std::uint32_t>(k));
     counts(slots[k].wire);
     ParticleIndex j = slots[k].partner;
-    for (std::uint32_t n = 0; n < std::max(1U, slots[k].count); ++n, j = slots[k].count > 0 ? chains_.behind(j) : j)
+    for (std::uint32_t n = 0; n<std::max(1U, slots[k].count); ++n, j = slots[k].count> 0 ? chains_.behind(j) : j)
       counts(j);
   }
 }
@@ -153,7 +153,8 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
   ContactHistory none;
   const double elastic = law(still, none, 0.0).normal;
   const ContactForce f = law(s, slot.history, dt);
-  const Triple at_point = f.tangential - (f.normal - elastic) * c.spread * c.normal;  // friction and dampers, on the wire
+  const Triple at_point =
+      f.tangential - (f.normal - elastic) * c.spread * c.normal;  // friction and dampers, on the wire
   slot.touching = 1;
   const auto deepest = std::max_element(x.patch.nodes.begin(), x.patch.nodes.begin() + static_cast<long>(x.patch.count),
                                         [](const auto& a, const auto& b) { return a.overlap < b.overlap; });

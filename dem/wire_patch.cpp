@@ -8,8 +8,7 @@ namespace lahar::dem {
 namespace {
 
 // Gauss-Legendre, four nodes on [0, 1]: exact up to degree 7. The overlap is nearly a parabola, its square of degree 4.
-constexpr std::array<double, 4> kPlace{0.06943184420297371, 0.3300094782075719, 0.6699905217924281,
-                                       0.9305681557970262};
+constexpr std::array<double, 4> kPlace{0.06943184420297371, 0.3300094782075719, 0.6699905217924281, 0.9305681557970262};
 constexpr std::array<double, 4> kShare{0.17392742256872692, 0.32607257743127305, 0.32607257743127305,
                                        0.17392742256872692};
 

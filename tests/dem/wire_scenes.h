@@ -26,7 +26,8 @@ struct WireScene {
   WireScene() { bonds.add_sort(wire_sort()); }
 
   /// Beads at these points, bonded in turn; returns the first.
-  ParticleIndex add_wire(const std::vector<Vec3>& points, bool closed = false, ParticleState state = ParticleState::free) {
+  ParticleIndex add_wire(const std::vector<Vec3>& points, bool closed = false,
+                         ParticleState state = ParticleState::free) {
     const auto first = static_cast<ParticleIndex>(particles.size());
     for (const Vec3& x : points) {
       ParticleSpec bead = sphere(x, kWireRadius, 7850);

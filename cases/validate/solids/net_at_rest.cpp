@@ -81,8 +81,7 @@ Fall watch(HangingNet& hanging, double duration, double interval, int samples_pe
 }  // namespace
 
 std::vector<Row> net_at_rest(const Context& context) {
-  HangingNet hanging =
-      context.quick ? hang(3, 2, dem::WireContacts::beads) : hang(4, 3, dem::WireContacts::beads);
+  HangingNet hanging = context.quick ? hang(3, 2, dem::WireContacts::beads) : hang(4, 3, dem::WireContacts::beads);
   const Fall fall = watch(hanging, context.quick ? 0.12 : 4.0, 0.01, context.quick ? 1 : 20);
   std::vector<Row> rows{
       at_most_row("largest rise of the stored energy in 10 ms, of what is lost", fall.largest_rise / fall.released,

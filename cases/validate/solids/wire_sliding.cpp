@@ -1,9 +1,9 @@
-// A ring that hangs on a taut cable is pulled along it by the load that hangs in it: is the mean pull Coulomb's, and how
-// much does it pulsate? With beads the wires are rows of bumps that catch each other; as smooth wires (capsules) they
-// slide. The cable moves, the ring is held back by a soft spring at its lowest bead, where the load acts too.
+// A ring that hangs on a taut cable is pulled along it by the load that hangs in it: is the mean pull Coulomb's, and
+// how much does it pulsate? With beads the wires are rows of bumps that catch each other; as smooth wires (capsules)
+// they slide. The cable moves, the ring is held back by a soft spring at its lowest bead, where the load acts too.
 #include <cmath>
-#include <ctime>
 #include <cstdio>
+#include <ctime>
 #include <numbers>
 
 #include "barrier/cable.h"
@@ -77,8 +77,8 @@ Pull measure(Sliding& s, int beads_passed) {
   const auto hold = [&] {
     dem::Particles& p = s.solids.particles();
     const double pull = -kSpring * (p.position.x[s.loaded] - s.place) - kDashpot * p.velocity.x[s.loaded];
-    p.external_force.set(s.loaded, Vec3(pull, -kDashpot * p.velocity.y[s.loaded],
-                                        -kLoad - kDashpot * p.velocity.z[s.loaded]));
+    p.external_force.set(s.loaded,
+                         Vec3(pull, -kDashpot * p.velocity.y[s.loaded], -kLoad - kDashpot * p.velocity.z[s.loaded]));
   };
   const auto run = [&](double way, const auto& sample) {
     const int steps = static_cast<int>(way / (kSpeed * dt));
