@@ -89,7 +89,7 @@ std::vector<Row> net_at_rest(const Context& context) {
       at_most_row("gap of the energy ledger, of what is lost", fall.largest_gap / fall.released, 1e-3),
       at_least_row("all links kept (1 = yes)", fall.linked ? 1 : 0, 1)};
   HangingNet smooth = hang(3, 2, dem::WireContacts::capsules);
-  const Fall smooth_fall = watch(smooth, context.quick ? 0.12 : 0.5, 0.01, 1);
+  const Fall smooth_fall = watch(smooth, context.quick ? 0.05 : 0.5, 0.01, 1);
   rows.push_back(at_most_row("smooth wires: largest rise of the stored energy in 10 ms, of what is lost",
                              smooth_fall.largest_rise / smooth_fall.released, 1e-4));
   rows.push_back(at_most_row("smooth wires: gap of the energy ledger, of what is lost",

@@ -39,13 +39,7 @@ std::vector<Row> rockfall(const Context& context) {
   const cases::RockfallResult slides = net.strike(paper, go_on);
   if (!context.plots.empty()) cases::draw_rockfall(context.plots, slides);
   std::vector<Row> rows = rows_of(cases::rockfall_sanity(slides, paper), "");
-  if (context.quick) {
-    cases::Rockfall smooth = paper;
-    smooth.capsules = true;
-    const auto result = cases::run_rockfall(smooth, go_on);
-    for (Row& row : rows_of(cases::rockfall_sanity(result, smooth), "smooth wires: ")) rows.push_back(std::move(row));
-    return rows;
-  }
+  if (context.quick) return rows;
   for (Row& row : rows_of(cases::rockfall_paper_checks(slides), "")) rows.push_back(std::move(row));
 
   cases::Rockfall fast = paper;
