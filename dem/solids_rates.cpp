@@ -90,7 +90,8 @@ void Solids::evaluate_slow(double dt, const MeanMotion* mean) {
 
 const WorstOverlap& Solids::worst_overlap() const {
   const WorstOverlap &fast = contact_forces_.worst_overlap(), &slow = slow_forces_.worst_overlap();
-  return slow.ratio > fast.ratio ? slow : fast;
+  const WorstOverlap& plain = slow.ratio > fast.ratio ? slow : fast;
+  return wires_ && wires_->worst_overlap().ratio > plain.ratio ? wires_->worst_overlap() : plain;
 }
 
 Vec3 Solids::force_on_wall(std::uint32_t wall) const {
