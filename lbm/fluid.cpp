@@ -278,7 +278,7 @@ void Fluid<Real>::step() {
   parameters_.parity = parameters_.parity.next();
   {
     const ScopedTimer timer(timers_.section("fluid.conversion"));
-    conversion_.run(grid_, parameters_.parity, notes_, account_);
+    conversion_.run(grid_, parameters_.parity, account_);
   }
   reflect();  // after the conversion: what a mirror sends to gas is another thing than what it sends to a new cell
   clock_.advance();
@@ -379,11 +379,13 @@ void Fluid<Real>::sweep() {
       {choose_sweep<Real>(parameters_, true, false), choose_sweep<Real>(parameters_, true, true)}};
   const auto& active = grid_.active();
   notes_.assign(active.size(), {});
+  conversion_.begin(grid_);
   parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
     Block<Real>& block = grid_.block(active[k]);
     if (block.wet_cells == 0) return;
     const bool mixed = block.wet_cells < kBlockCells || block.surface;
     notes_[k] = kernels[mixed][block.body != nullptr](block, grid_.around(active[k]), parameters_);
+    if (block.surface) conversion_.flag(grid_, k, parameters_.parity.next(), notes_[k]);
   });
   survey_ = survey_of(notes_, active);
   cell_updates_ += static_cast<double>(survey_.wet);

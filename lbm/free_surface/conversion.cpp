@@ -128,10 +128,8 @@ double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std:
 }
 
 template <class Real>
-void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes,
-                               LiquidAccount& account) {
-  ++round_;
-  flag(grid, parity, notes, account);
+void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
+  for (const double left : left_) account.outflow += left;
   fill_cells(grid, parity);
   empty_cells(grid, parity);
   move_drops(grid, parity, account);
@@ -178,21 +176,21 @@ void CellConversion<Real>::wet(FluidGrid<Real>& grid, CellPlace place, Parity pa
 }
 
 template <class Real>
-void CellConversion<Real>::flag(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes,
-                                LiquidAccount& account) {
+void CellConversion<Real>::begin(const FluidGrid<Real>& grid) {
+  ++round_;
   for (const BlockIndex b : with_surface_) flagged_[static_cast<std::size_t>(b)].clear();  // also if the block is gone
   flagged_.resize(grid.topology().capacity());
-  with_surface_.clear(), places_.clear();
-  const auto& active = grid.active();
-  for (std::size_t k = 0; k < active.size(); ++k)
-    if (grid.has_surface(active[k])) with_surface_.push_back(active[k]), places_.push_back(k);
-  left_.resize(with_surface_.size());
-  parallel_for(0, with_surface_.size(), 16, [&](std::size_t k) {
-    const BlockIndex b = with_surface_[k];
-    left_[k] = flag_conversions(grid, b, parity, round_, std::sqrt(notes[places_[k]].speed_square),
-                                flagged_[static_cast<std::size_t>(b)]);
-  });
-  for (const double left : left_) account.outflow += left;
+  with_surface_.clear();
+  for (const BlockIndex b : grid.active())
+    if (grid.has_surface(b)) with_surface_.push_back(b);
+  left_.assign(grid.active().size(), 0);
+}
+
+template <class Real>
+void CellConversion<Real>::flag(FluidGrid<Real>& grid, std::size_t k, Parity parity, const SweepNote& note) {
+  const BlockIndex b = grid.active()[k];
+  left_[k] =
+      flag_conversions(grid, b, parity, round_, std::sqrt(note.speed_square), flagged_[static_cast<std::size_t>(b)]);
 }
 
 template <class Real>
