@@ -9,7 +9,7 @@
 // (drops.h).
 #include "lbm/boundary/wall_balance.h"
 #include "lbm/fluid_grid.h"
-#include "lbm/free_surface/drops.h"
+#include "lbm/free_surface/cell_flags.h"
 #include "lbm/sweep.h"
 
 namespace lahar::lbm {
@@ -38,20 +38,6 @@ struct LiquidAccount {
     archive.part("walls", walls);
   }
 };
-
-/// What is to become of the interface cells of one block.
-template <class Real>
-struct Flagged {
-  std::vector<std::uint16_t> filled, emptied;
-  std::vector<Drop<Real>> drops;
-  void clear() { filled.clear(), emptied.clear(), drops.clear(); }
-};
-
-/// Flags one block's interface cells and sets their fill levels from their new mass; returns what left at the rim.
-/// `round` is any count of the steps; no cell of the block is faster than `speed`, lu.
-template <class Real>
-double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round, double speed,
-                        Flagged<Real>& flagged);
 
 /// The whole conversion after a sweep: begin before it, flag for every swept block with a surface, then run. `parity`
 /// is that of the coming step. Deterministic whatever the thread count: cells are judged in parallel, changed in the
