@@ -6,53 +6,16 @@
 #include "core/parallel.h"
 #include "lbm/cell_moments.h"
 #include "lbm/equilibrium.h"
-#include "lbm/free_surface/covered_cells.h"
 #include "lbm/free_surface/surface_exchange.h"
+#include "lbm/free_surface/touching.h"
 
 namespace lahar::lbm {
 
 namespace {
 
-constexpr double kThreshold = 0.01;  ///< beyond full or empty before a cell converts: damps flicker
-constexpr double kThinFill = 0.1;    ///< liquid share under which a draining cell with no liquid neighbour is given up
-constexpr double kPoolDose = 0.02;   ///< largest payment of the pool to one cell in a step
+constexpr double kPoolDose = 0.02;        ///< largest payment of the pool to one cell in a step
 constexpr std::uint64_t kVoidsEvery = 8;  ///< steps between looks for voids that are cut off from the gas
-constexpr int kSharpBend = 7;             ///< of 18 neighbours: more gas than liquid around a spike, less in a pit
 constexpr double kPoolIdle = 1e-5;        ///< a smaller pool waits: payments would drown in rounding
-
-/// Whether a neighbour of a cell is of a kind.
-template <class Real, class Kind>
-bool touches(const FluidGrid<Real>& grid, CellPlace place, const Kind& kind) {
-  const auto& around = grid.around(place.block);
-  for (int i = 1; i < D3Q19::q; ++i) {
-    const Block<Real>* block = around[kNeighbours.slot[i][place.cell]];
-    if (kind(block ? block->type[kNeighbours.cell[i][place.cell]] : CellType::gas)) return true;
-  }
-  return false;
-}
-
-template <class Real>
-bool touches_gas(const FluidGrid<Real>& grid, CellPlace place) {
-  return touches(grid, place, [](CellType t) { return t == CellType::gas || t == CellType::sink; });
-}
-
-/// Liquid that is not the inside of a body.
-template <class Real>
-bool touches_liquid(const FluidGrid<Real>& grid, CellPlace place) {
-  const auto& around = grid.around(place.block);
-  for (int i = 1; i < D3Q19::q; ++i) {
-    const Block<Real>* block = around[kNeighbours.slot[i][place.cell]];
-    const int cell = kNeighbours.cell[i][place.cell];
-    if (block && block->type[static_cast<std::size_t>(cell)] == CellType::liquid && !is_covered(*block, cell))
-      return true;
-  }
-  return false;
-}
-
-template <class Real>
-Real body_share(const Block<Real>& block, int cell) {
-  return block.body ? block.body->solid_fraction[cell] : Real(0);
-}
 
 /// A void that is cut off from the gas: an interface cell that is not full although none of its neighbours is gas. No
 /// link tells them the gas pressure any more, so that they would stand half empty in water under any pressure. They
@@ -84,81 +47,11 @@ void close_void(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   }
 }
 
-enum class Verdict { stay, fill, empty };
-
-/// A thin cell that gains liquid is the front of a drop or sheet on its way: it is kept. Not so at bodies, whose motion
-/// changes the cells' liquid too: films that were kept there held a sinking sphere back at the surface.
-template <class Real>
-Verdict judge(const FluidGrid<Real>& grid, CellPlace place, Real mass, Real rho, bool at_rim, bool draining) {
-  const Real eps = body_share(grid.block(place.block), place.cell), room = std::max(Real(0), Real(1) - eps);
-  const Real liquid = mass - eps;
-  if (liquid < Real(-kThreshold)) return Verdict::empty;
-  if (!at_rim && mass > Real(1 + kThreshold) * rho) return Verdict::fill;
-  const bool thin = (draining || eps > 0) && liquid<Real(kThinFill) * room, thick = mass> Real(1 - kThinFill) * rho;
-  if (!thin && !thick) return Verdict::stay;
-  if (thick && !at_rim && !touches_gas(grid, place)) return Verdict::fill;
-  if (thin && !touches_liquid(grid, place)) return Verdict::empty;
-  return Verdict::stay;
-}
-
-/// An interface cell that a body covers has no mass of its own to go by (covered_cells.h). The surface inside a body
-/// stays unless it is a spike or a pit, or the water around has come up to it (docs/decisions/0041).
-template <class Real>
-Verdict judge_covered(const FluidGrid<Real>& grid, CellPlace place, bool at_rim) {
-  const auto& around = grid.around(place.block);
-  int liquid = 0, gas = 0;
-  for (int i = 1; i < D3Q19::q; ++i) {
-    const Block<Real>* block = around[kNeighbours.slot[i][place.cell]];
-    const CellType t = block ? block->type[static_cast<std::size_t>(kNeighbours.cell[i][place.cell])] : CellType::gas;
-    liquid += t == CellType::liquid, gas += t == CellType::gas || t == CellType::sink;
-  }
-  if (gas > liquid + kSharpBend) return Verdict::empty;
-  return (gas == 0 || liquid > gas + kSharpBend) && !at_rim ? Verdict::fill : Verdict::stay;
-}
-
-template <class Real>
-void flag_drop(FluidGrid<Real>& grid, CellPlace place, Parity parity, std::uint64_t round,
-               std::vector<Drop<Real>>& drops) {
-  const CellMoments<Real> m = outgoing_moments(grid, place, parity);
-  const int i = drop_direction(m.u, round);
-  if (i != 0 && is_free_to_move(grid, place, i))
-    drops.push_back({static_cast<std::uint16_t>(place.cell), static_cast<std::uint8_t>(i), m});
-}
-
 }  // namespace
 
 template <class Real>
-double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round, double speed,
-                        Flagged<Real>& flagged) {
-  const bool moving = drops_may_move(speed, round);
-  Block<Real>& block = grid.block(b);
-  SurfaceFields<Real>& surface = *block.surface;
-  double left = 0;
-  for (int k = 0; k < surface.count; ++k) {
-    const auto cell = surface.cells[static_cast<std::size_t>(k)];
-    const Real rho = Real(1) + surface.density[cell];
-    Real& mass = surface.mass[cell];
-    if (block.at_rim[cell] && mass > rho) {
-      left += static_cast<double>(mass) - static_cast<double>(rho);
-      mass = rho;
-    }
-    const Real fill = std::clamp(mass / rho, Real(0), Real(1));
-    const bool draining = fill <= surface.fill_level[cell];
-    surface.fill_level[cell] = fill;
-    const Verdict v = is_covered(block, cell) ? judge_covered(grid, {b, cell}, block.at_rim[cell])
-                                              : judge(grid, {b, cell}, mass, rho, block.at_rim[cell], draining);
-    if (v == Verdict::fill) flagged.filled.push_back(cell);
-    if (v == Verdict::empty) flagged.emptied.push_back(cell);
-    if (moving && v == Verdict::stay && surface.alone[cell]) flag_drop(grid, {b, cell}, parity, round, flagged.drops);
-  }
-  return left;
-}
-
-template <class Real>
-void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes,
-                               LiquidAccount& account) {
-  ++round_;
-  flag(grid, parity, notes, account);
+void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
+  for (const double left : left_) account.outflow += left;
   fill_cells(grid, parity);
   empty_cells(grid, parity);
   move_drops(grid, parity, account);
@@ -207,21 +100,21 @@ void CellConversion<Real>::wet(FluidGrid<Real>& grid, CellPlace place, Parity pa
 }
 
 template <class Real>
-void CellConversion<Real>::flag(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes,
-                                LiquidAccount& account) {
+void CellConversion<Real>::begin(const FluidGrid<Real>& grid) {
+  ++round_;
   for (const BlockIndex b : with_surface_) flagged_[static_cast<std::size_t>(b)].clear();  // also if the block is gone
   flagged_.resize(grid.topology().capacity());
-  with_surface_.clear(), places_.clear();
-  const auto& active = grid.active();
-  for (std::size_t k = 0; k < active.size(); ++k)
-    if (grid.has_surface(active[k])) with_surface_.push_back(active[k]), places_.push_back(k);
-  left_.resize(with_surface_.size());
-  parallel_for(0, with_surface_.size(), 16, [&](std::size_t k) {
-    const BlockIndex b = with_surface_[k];
-    left_[k] = flag_conversions(grid, b, parity, round_, std::sqrt(notes[places_[k]].speed_square),
-                                flagged_[static_cast<std::size_t>(b)]);
-  });
-  for (const double left : left_) account.outflow += left;
+  with_surface_.clear();
+  for (const BlockIndex b : grid.active())
+    if (grid.has_surface(b)) with_surface_.push_back(b);
+  left_.assign(grid.active().size(), 0);
+}
+
+template <class Real>
+void CellConversion<Real>::flag(FluidGrid<Real>& grid, std::size_t k, Parity parity, const SweepNote& note) {
+  const BlockIndex b = grid.active()[k];
+  left_[k] =
+      flag_conversions(grid, b, parity, round_, std::sqrt(note.speed_square), flagged_[static_cast<std::size_t>(b)]);
 }
 
 template <class Real>
@@ -492,9 +385,6 @@ void CellConversion<Real>::pay_pool(FluidGrid<Real>& grid, LiquidAccount& accoun
   }
 }
 
-template double flag_conversions<float>(FluidGrid<float>&, BlockIndex, Parity, std::uint64_t, double, Flagged<float>&);
-template double flag_conversions<double>(FluidGrid<double>&, BlockIndex, Parity, std::uint64_t, double,
-                                         Flagged<double>&);
 template class CellConversion<float>;
 template class CellConversion<double>;
 

@@ -7,6 +7,7 @@
 #include "lbm/collision/stress_limit.h"
 #include "lbm/equilibrium.h"
 #include "lbm/free_surface/curvature.h"
+#include "lbm/free_surface/look_around.h"
 #include "lbm/free_surface/surface_gradient.h"
 #include "lbm/free_surface/surface_plane.h"
 #include "lbm/free_surface/surroundings.h"
