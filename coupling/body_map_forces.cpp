@@ -143,6 +143,21 @@ void BodyMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) 
   }
 }
 
+namespace {
+
+/// Inertia of the liquid in a body's place that the body gets back, at most what the exchange holds: a body of a cell
+/// or two holds less than its volume, and what it got back beyond that would drive itself. With other weightings than
+/// wall_distance a light body gets back no more than a share of its own, and none has its spin driven by more than its
+/// own inertia (docs/decisions/0034).
+constexpr double kShareOfOwn = 0.7;
+
+double liquid_given_back(double inside, double held, double own, lbm::BodyWeighting weighting) {
+  const double most = weighting == lbm::BodyWeighting::wall_distance ? held : std::min(held, kShareOfOwn * own);
+  return std::min(inside, most);
+}
+
+}  // namespace
+
 /// The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body (Feng &
 /// Michaelides 2009; Uhlmann 2005). The weight of that liquid is carried by the fluid: the body's buoyancy.
 template <class Real>
@@ -162,11 +177,16 @@ void BodyMap<Real>::hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& par
   const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
   const dem::ParticleIndex i = b.particle;
   const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
-  Vec3 force = sum.force + sum.inside * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
-  Vec3 torque = sum.torque + sum.inside_inertia * units.time_step * units.time_step * b.spin_up;
+  const double given_back =
+      liquid_given_back(sum.inside, sum.held, particles.mass[i] / to_kg, fluid.options().weighting);
+  Vec3 force = sum.force + given_back * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
+  const double spun = std::min({sum.inside_inertia, sum.held_inertia, particles.inertia[i] / to_kg_m2});
+  Vec3 torque = sum.torque + spun * units.time_step * units.time_step * b.spin_up;
   force *= units.force_to_si(1.0), torque *= units.torque_to_si(1.0);
   follow(felt_force_[i], force, followed_share(particles.mass[i], to_kg * sum.held), sum.held > 0);
-  follow(felt_torque_[i], torque, followed_share(particles.inertia[i], to_kg_m2 * sum.held_inertia), sum.held > 0);
+  // About any axis the liquid held has at most 3/2 of the mean over axes.
+  follow(felt_torque_[i], torque, followed_share(particles.inertia[i], 1.5 * to_kg_m2 * sum.held_inertia),
+         sum.held > 0);
   particles.external_force.add(i, felt_force_[i]);
   particles.external_torque.add(i, felt_torque_[i]);
 }

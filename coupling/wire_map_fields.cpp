@@ -1,7 +1,6 @@
 // What resolved wires write into the blocks: fields and displaced liquid. Compiled without contraction of products and
 // sums, as body_map_fields.cpp is.
 #include "coupling/wire_map_parts.h"
-#include "lbm/free_surface/covered_cells.h"
 
 namespace lahar::coupling {
 
@@ -41,11 +40,9 @@ template <bool kByDistance, class Real>
         add_to_row(f.coverage + row, cover.coverage);
         if constexpr (kByDistance) {
           const Row<Real> sum(f.resistance + row, stdx::vector_aligned);
-          Row<Real> joined =
-              joined_resistance<Row<Real>>(sum, cover.coverage, lbm::number<Row<Real>>(kGapResistance));
-          // A wire holds a cell, but does not cover it: only spheres keep books of what covered cells hold.
+          Row<Real> joined = joined_resistance<Row<Real>>(sum, cover.coverage, lbm::number<Row<Real>>(kGapResistance));
           stdx::where(sum < static_cast<Real>(lbm::kCoveredResistance), joined) =
-              stdx::min(joined, lbm::number<Row<Real>>(0.1 * lbm::kCoveredResistance));
+              stdx::min(joined, lbm::number<Row<Real>>(kWireResistance));
           joined.copy_to(f.resistance + row, stdx::vector_aligned);
         } else {
           add_to_row(f.resistance + row, cover.coverage);
