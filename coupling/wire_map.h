@@ -16,8 +16,8 @@
 
 namespace lahar::coupling {
 
-/// Resistance at most of a cell in which there are wires alone. They hold it, but do not cover it: only spheres keep books
-/// of what covered cells hold.
+/// Resistance at most of a cell in which there are wires alone. They hold it, but do not cover it: only spheres keep
+/// books of what covered cells hold.
 inline constexpr double kWireResistance = 0.1 * lbm::kCoveredResistance;
 
 template <class Real>
