@@ -14,6 +14,7 @@
 #include "dem/particles.h"
 #include "dem/rates.h"
 #include "dem/watchdog.h"
+#include "dem/worst_overlap.h"
 
 namespace lahar::dem {
 
@@ -66,7 +67,7 @@ class Solids {
   [[nodiscard]] BondEnergy bond_energy() const { return bond_forces_.energy(bonds_); }
   [[nodiscard]] const ContactDetection& contacts() const { return contacts_; }  ///< all, or those of a sub-step
   [[nodiscard]] const ContactDetection& slow_contacts() const { return slow_contacts_; }
-  [[nodiscard]] const WorstOverlap& worst_overlap() const;
+  [[nodiscard]] WorstOverlap worst_overlap() const;
   /// Force of all particles on a wall in the last step, N.
   [[nodiscard]] Vec3 force_on_wall(std::uint32_t wall) const;
   /// Its moment about the origin of the coordinates, N m.

@@ -88,8 +88,10 @@ void Solids::evaluate_slow(double dt, const MeanMotion* mean) {
   std::swap(particles_.torque, slow_torque_);
 }
 
-const WorstOverlap& Solids::worst_overlap() const {
-  const WorstOverlap &fast = contact_forces_.worst_overlap(), &slow = slow_forces_.worst_overlap();
+WorstOverlap Solids::worst_overlap() const {
+  const WorstOverlap fast = dem::worst_overlap(particles_, contacts_, walls_);
+  if (!two_rates()) return fast;
+  const WorstOverlap slow = dem::worst_overlap(particles_, slow_contacts_, walls_);
   return slow.ratio > fast.ratio ? slow : fast;
 }
 

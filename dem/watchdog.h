@@ -8,7 +8,7 @@
 
 #include "core/check.h"
 #include "dem/bonds.h"
-#include "dem/contact_forces.h"
+#include "dem/worst_overlap.h"
 #include "dem/particles.h"
 #include "dem/time_step.h"
 
