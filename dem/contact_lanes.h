@@ -12,13 +12,13 @@ using Lines3 = TripleOf<Line>;
 /// Possible contacts. Side j is a sphere or a wall, which has no spin, radius or inverse mass.
 struct EightContacts {
   Lines3 normal{};            ///< from i to j
-  Line overlap{};                     ///< m
-  LineMask touches{};                  ///< lanes that do not touch answer zero
+  Line overlap{};             ///< m
+  LineMask touches{};         ///< lanes that do not touch answer zero
   Lines3 slip{}, slip_end{};  ///< m/s, of i's centre relative to j, at mid-step and at the end of the step
   Lines3 spin{}, spin_end{};  ///< rad/s, sum of both spheres
   Lines3 rim{}, rim_end{};    ///< m/s, sum of radius x spin
-  Line inverse_mass{};                ///< 1/kg, sum of both
-  Line effective_radius{};            ///< m
+  Line inverse_mass{};        ///< 1/kg, sum of both
+  Line effective_radius{};    ///< m
   Line modulus{}, shear_modulus{}, friction{}, damping_ratio{};  ///< see ContactState
 
   /// From the vector from centre j to centre i and the sum of radii (m): normal, overlap and whether they touch.
@@ -34,13 +34,14 @@ struct EightContacts {
 
 /// What they answer; zero where they do not touch, but for what the end of a contact leaves to friction.
 struct EightAnswers {
-  Lines3 force, twist;                                 ///< N, on i; the torque on either sphere is its arm x twist
+  Lines3 force, twist;  ///< N, on i; the torque on either sphere is its arm x twist
   Line elastic_normal, elastic_tangential, damping, friction;  ///< J
 };
 
 /// What goes to friction when a contact ends, J: what its spring still holds, and what its last force did in the step
 /// that parted the two. Nothing of the latter where a particle was removed, whose motion is not a number.
-[[gnu::always_inline]] inline Line left_by_spring(const ContactStateOf<Line>& s, const ContactHistoryOf<Line>& h, double dt) {
+[[gnu::always_inline]] inline Line left_by_spring(const ContactStateOf<Line>& s, const ContactHistoryOf<Line>& h,
+                                                  double dt) {
   const Line half = 0.5 * h.tangential_stiffness;
   const Line held = half * dot(h.tangential_displacement, h.tangential_displacement);
   const Line last = half * dt * dot(h.tangential_displacement, s.tangential_velocity);
@@ -50,7 +51,7 @@ struct EightAnswers {
 /// Evaluates contacts and advances what they remember by `dt` (s).
 template <ContactLaw L>
 [[gnu::always_inline]] inline EightAnswers evaluate(const EightContacts& c, ContactHistoryOf<Line>& history,
-                                                      const L& law, double dt) {
+                                                    const L& law, double dt) {
   const Lines3& n = c.normal;
   const Line half = 0.5 * c.overlap;  // the arms are the radii less half the overlap
   const Lines3 turning = cross(c.rim - half * c.spin, n);

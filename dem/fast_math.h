@@ -32,8 +32,12 @@ inline double choose(bool condition, double a, double b) { return condition ? a 
 inline double root(double x) { return std::sqrt(x); }
 
 #ifdef __AVX512F__
-[[gnu::always_inline]] inline Line smaller(const Line& a, const Line& b) { return Line(_mm512_maskz_min_pd(0xff, a, b)); }
-[[gnu::always_inline]] inline Line larger(const Line& a, const Line& b) { return Line(_mm512_maskz_max_pd(0xff, a, b)); }
+[[gnu::always_inline]] inline Line smaller(const Line& a, const Line& b) {
+  return Line(_mm512_maskz_min_pd(0xff, a, b));
+}
+[[gnu::always_inline]] inline Line larger(const Line& a, const Line& b) {
+  return Line(_mm512_maskz_max_pd(0xff, a, b));
+}
 
 /// The same from the processor's estimate, wrong by at most 2^-14, and one step of fourth order: what is left out is
 /// 35/128 (2^-13)^4 < 2^-53.
@@ -61,7 +65,9 @@ inline double root(double x) { return std::sqrt(x); }
 }
 #endif
 
-[[gnu::always_inline]] inline Line choose(const LineMask& condition, const Line& a, const Line& b) { return condition ? a : b; }
+[[gnu::always_inline]] inline Line choose(const LineMask& condition, const Line& a, const Line& b) {
+  return condition ? a : b;
+}
 /// To two units in the last place.
 [[gnu::always_inline]] inline Line root(const Line& x) { return x * inverse_root(x); }
 

@@ -44,8 +44,8 @@ struct PairContacts::Tail {
     std::copy_n(at.material, count, material.data());
   }
   [[nodiscard]] Eight eight(bool rolls) {
-    return {owner.data(), partner.data(),   material.data(),     x.data(),        y.data(),
-            z.data(),     stiffness.data(), normal_force.data(), touching.data(), rolls ? rolling.data() : nullptr,
+    return {owner.data(),     partner.data(),   material.data(),     x.data(),        y.data(),
+            z.data(),         stiffness.data(), normal_force.data(), touching.data(), rolls ? rolling.data() : nullptr,
             on_partner.data()};
   }
   void copy(const Eight& at, std::size_t count, bool in) {
@@ -60,8 +60,7 @@ struct PairContacts::Tail {
   }
 };
 
-void PairContacts::note_slots(const Particles& p, const ContactDetection& contacts,
-                              const ContactMaterials& materials) {
+void PairContacts::note_slots(const Particles& p, const ContactDetection& contacts, const ContactMaterials& materials) {
   const ContactSlots& slots = contacts.pairs();
   material_.resize(slots.size());
   on_partner_.resize(slots.size());
@@ -193,9 +192,17 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
   for (std::size_t p = t.first_place[chunk]; p < t.first_place[chunk + 1]; ++p) store_line(bodies_.sum(p), Line{});
   const std::size_t end = slots.offset[std::min(first + kContactChunk, particles)];
   for (std::size_t k = slots.offset[first]; k < end; k += kLine) {
-    const Eight at{&owner_at_[k], &partner_at_[k],      &material_[k],         &h.x[k],
-                   &h.y[k],       &h.z[k],            &h.stiffness[k],       &h.normal_force[k],
-                   &slots.touching[k], slots.rolls ? &slots.rolling[k] : nullptr, on_partner_[k]};
+    const Eight at{&owner_at_[k],
+                   &partner_at_[k],
+                   &material_[k],
+                   &h.x[k],
+                   &h.y[k],
+                   &h.z[k],
+                   &h.stiffness[k],
+                   &h.normal_force[k],
+                   &slots.touching[k],
+                   slots.rolls ? &slots.rolling[k] : nullptr,
+                   on_partner_[k]};
     const std::size_t count = std::min(kLine, end - k);
     if (count == kLine) {
       evaluate_eight(law, at, materials, dt, tally);

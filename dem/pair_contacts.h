@@ -10,8 +10,8 @@
 #include "dem/contact_bodies.h"
 #include "dem/contact_detection.h"
 #include "dem/contact_energy_sums.h"
-#include "dem/contact_materials.h"
 #include "dem/contact_lanes.h"
+#include "dem/contact_materials.h"
 #include "dem/particles.h"
 
 namespace lahar::dem {
@@ -19,8 +19,8 @@ namespace lahar::dem {
 /// The contact laws that a scene can choose from.
 using ContactLawChoice = std::variant<HertzMindlin, LinearSpringDashpot>;
 
-/// A particle's sum is taken over the slots that it owns, ascending, then over those where it is the partner. Slots that
-/// do not touch add zeros: the sum depends neither on which of them are listed nor on threads.
+/// A particle's sum is taken over the slots that it owns, ascending, then over those where it is the partner. Slots
+/// that do not touch add zeros: the sum depends neither on which of them are listed nor on threads.
 class PairContacts {
  public:
   /// Notes what stays the same while the slots stay. To be called when they are new.
@@ -52,8 +52,8 @@ class PairContacts {
             std::array<Line, kLine>& on_partner, ContactTally& tally) const;
 
   ContactBodies bodies_;
-  std::vector<std::uint16_t> material_;  // per slot, into ContactMaterials
-  LineField on_partner_;                 // per slot: force, torque, elastic energies (normal, tangential)
+  std::vector<std::uint16_t> material_;               // per slot, into ContactMaterials
+  LineField on_partner_;                              // per slot: force, torque, elastic energies (normal, tangential)
   std::vector<std::uint32_t> owner_at_, partner_at_;  // per slot: where the lines of its two particles begin
   bool one_material_ = false;                         // the same in all slots
 };

@@ -103,8 +103,7 @@ template <ContactLaw L>
     tally.damping += f.damping[l];
     tally.friction += f.friction[l];
     const ContactHistoryOf<Line>& h = batch.history;
-    work.slots.history.set(
-        k, {lane_of(h.tangential_displacement, l), h.tangential_stiffness[l], h.normal_force[l]});
+    work.slots.history.set(k, {lane_of(h.tangential_displacement, l), h.tangential_stiffness[l], h.normal_force[l]});
     Answer& answer = answers_[k];
     answer.force = lane_of(f.force, l);
     answer.torque = (work.particles.radius[i] - 0.5 * batch.contacts.overlap[l]) * lane_of(f.twist, l);

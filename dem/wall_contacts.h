@@ -6,8 +6,8 @@
 #include "core/geometry.h"
 #include "dem/contact_detection.h"
 #include "dem/contact_energy_sums.h"
-#include "dem/contact_materials.h"
 #include "dem/contact_lanes.h"
+#include "dem/contact_materials.h"
 #include "dem/pair_contacts.h"
 #include "dem/particles.h"
 

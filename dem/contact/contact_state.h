@@ -14,18 +14,18 @@ namespace lahar::dem {
 /// the velocity at its end, so both are given: mixing them up turns springs into (negative) dampers of order dt.
 template <class V>
 struct ContactStateOf {
-  V overlap{};                                ///< m, > 0 in contact
-  V closing_speed{};                          ///< m/s at the end of the step if all forces stayed; > 0: overlap grows
+  V overlap{};                                 ///< m, > 0 in contact
+  V closing_speed{};                           ///< m/s at the end of the step if all forces stayed; > 0: overlap grows
   TripleOf<V> normal_ij{V{} + 1.0, V{}, V{}};  ///< unit, from i to j
-  TripleOf<V> tangential_velocity{};          ///< m/s at mid-step, surface of i relative to j, normal to normal_ij
-  TripleOf<V> tangential_velocity_end{};      ///< the same at the end of the step
-  V twist_rate{};                             ///< rad/s, mean spin of the two bodies about normal_ij
-  V effective_radius{};                       ///< m, 1/R* = 1/Ri + 1/Rj
-  V effective_mass{};                         ///< kg, 1/m* = 1/mi + 1/mj
-  V effective_modulus{};                      ///< Pa, E*
-  V effective_shear_modulus{};                ///< Pa, G*
-  V friction{};                               ///< Coulomb coefficient
-  V damping_ratio{};                          ///< of critical, see damping.h
+  TripleOf<V> tangential_velocity{};           ///< m/s at mid-step, surface of i relative to j, normal to normal_ij
+  TripleOf<V> tangential_velocity_end{};       ///< the same at the end of the step
+  V twist_rate{};                              ///< rad/s, mean spin of the two bodies about normal_ij
+  V effective_radius{};                        ///< m, 1/R* = 1/Ri + 1/Rj
+  V effective_mass{};                          ///< kg, 1/m* = 1/mi + 1/mj
+  V effective_modulus{};                       ///< Pa, E*
+  V effective_shear_modulus{};                 ///< Pa, G*
+  V friction{};                                ///< Coulomb coefficient
+  V damping_ratio{};                           ///< of critical, see damping.h
 };
 using ContactState = ContactStateOf<double>;
 
@@ -50,7 +50,8 @@ struct ContactForceOf {
 };
 using ContactForce = ContactForceOf<double>;
 
-/// A contact law of one number type: state and history in, force out; the history is advanced by one time step `dt` (s).
+/// A contact law of one number type: state and history in, force out; the history is advanced by one time step `dt`
+/// (s).
 template <class L, class V>
 concept ContactLawOf = requires(const L& law, const ContactStateOf<V>& state, ContactHistoryOf<V>& history, double dt) {
   { law(state, history, dt) } -> std::same_as<ContactForceOf<V>>;

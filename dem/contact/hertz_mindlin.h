@@ -12,7 +12,8 @@ namespace lahar::dem {
 /// does not depend on the impact speed.
 struct HertzMindlin {
   template <class V>
-  [[gnu::always_inline]] ContactForceOf<V> operator()(const ContactStateOf<V>& s, ContactHistoryOf<V>& history, double dt) const {
+  [[gnu::always_inline]] ContactForceOf<V> operator()(const ContactStateOf<V>& s, ContactHistoryOf<V>& history,
+                                                      double dt) const {
     constexpr double two_sqrt_5_6 = 1.8257418583505537;
     const V contact_radius = root(s.effective_radius * s.overlap);
     const V slope = 2 * s.effective_modulus * contact_radius;

@@ -12,7 +12,8 @@ struct LinearSpringDashpot {
   double tangential_stiffness = 3e5;  ///< N/m, > 0; 2/7 of the normal one gives both modes the same period
 
   template <class V>
-  [[gnu::always_inline]] ContactForceOf<V> operator()(const ContactStateOf<V>& s, ContactHistoryOf<V>& history, double dt) const {
+  [[gnu::always_inline]] ContactForceOf<V> operator()(const ContactStateOf<V>& s, ContactHistoryOf<V>& history,
+                                                      double dt) const {
     const V elastic = normal_stiffness * s.overlap;
     const V damper = 2 * s.damping_ratio;
 
@@ -20,8 +21,8 @@ struct LinearSpringDashpot {
     set_normal_force<V>(s, elastic, damper * root(V(normal_stiffness * s.effective_mass)), dt, history, f);
     f.elastic_normal = 0.5 * elastic * s.overlap;
 
-    add_tangential_spring<V>(s, V{} + tangential_stiffness,
-                             damper * root(V(tangential_stiffness * s.effective_mass)), dt, history, f);
+    add_tangential_spring<V>(s, V{} + tangential_stiffness, damper * root(V(tangential_stiffness * s.effective_mass)),
+                             dt, history, f);
     return f;
   }
 };

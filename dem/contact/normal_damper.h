@@ -13,8 +13,8 @@ namespace lahar::dem {
 /// (trapezoidal rule). So a contact on its own is stable however strong its damper, and the work that is booked is what
 /// the kick takes, c v^2 dt, never negative.
 template <class V>
-[[gnu::always_inline]] inline void set_normal_force(const ContactStateOf<V>& s, const V& elastic, const V& damping, double dt,
-                      ContactHistoryOf<V>& history, ContactForceOf<V>& f) {
+[[gnu::always_inline]] inline void set_normal_force(const ContactStateOf<V>& s, const V& elastic, const V& damping,
+                                                    double dt, ContactHistoryOf<V>& history, ContactForceOf<V>& f) {
   const V per_force = choose(s.effective_mass > 0, 0.5 * dt / s.effective_mass, V{});  // change of the closing speed
   const V without = s.closing_speed + per_force * history.normal_force;
   const V closing = (without - per_force * elastic) / (1 + per_force * damping);

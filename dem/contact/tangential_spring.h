@@ -11,7 +11,8 @@ namespace detail {
 
 /// The stored displacement in the present tangent plane: turned with the pair, length kept.
 template <class V>
-[[gnu::always_inline]] inline TripleOf<V> turned_with_contact(const TripleOf<V>& old, const ContactStateOf<V>& s, double dt) {
+[[gnu::always_inline]] inline TripleOf<V> turned_with_contact(const TripleOf<V>& old, const ContactStateOf<V>& s,
+                                                              double dt) {
   TripleOf<V> d = old + V(s.twist_rate * dt) * cross(s.normal_ij, old);
   d = normal_part(d, s.normal_ij);
   const V old2 = dot(old, old);
@@ -35,8 +36,9 @@ template <class V>
 /// Slip dissipates what the mean force of the step puts in and the spring does not store: with that the ledger of a
 /// half-kick-drift-half-kick step closes without an error of order dt.
 template <class V>
-[[gnu::always_inline]] inline void add_tangential_spring(const ContactStateOf<V>& s, const V& stiffness, const V& damping, double dt,
-                           ContactHistoryOf<V>& history, ContactForceOf<V>& f) {
+[[gnu::always_inline]] inline void add_tangential_spring(const ContactStateOf<V>& s, const V& stiffness,
+                                                         const V& damping, double dt, ContactHistoryOf<V>& history,
+                                                         ContactForceOf<V>& f) {
   constexpr double tiny = std::numeric_limits<double>::min();
   const V limit = s.friction * f.normal;
 
@@ -54,7 +56,8 @@ template <class V>
   f.tangential = -1.0 * force;
   f.elastic_tangential = 0.5 * dot(spring, d);
   f.damping_work += dt * dot(force - spring, s.tangential_velocity_end);
-  f.friction_work += larger(V(0.5 * dot(spring + old_force, step) - f.elastic_tangential + 0.5 * dot(old_force, old)), V{});
+  f.friction_work +=
+      larger(V(0.5 * dot(spring + old_force, step) - f.elastic_tangential + 0.5 * dot(old_force, old)), V{});
   history.tangential_displacement = d;
   history.tangential_stiffness = stiffness;
 }

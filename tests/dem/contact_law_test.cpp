@@ -205,7 +205,8 @@ TYPED_TEST(AnyContactLaw, lines_agree_with_numbers) {
       EXPECT_NEAR(g.tangential.x[l], f[l].tangential.x, 1e-9 * (1 + f[l].normal));
       EXPECT_NEAR(g.tangential.z[l], f[l].tangential.z, 1e-9 * (1 + f[l].normal));
       EXPECT_NEAR(g.friction_work[l], f[l].friction_work, 1e-9 * (1e-6 + f[l].friction_work));
-      EXPECT_NEAR(lines.tangential_stiffness[l], history[l].tangential_stiffness, 1e-10 * (1 + history[l].tangential_stiffness));
+      EXPECT_NEAR(lines.tangential_stiffness[l], history[l].tangential_stiffness,
+                  1e-10 * (1 + history[l].tangential_stiffness));
     }
   }
 }
