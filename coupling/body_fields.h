@@ -20,10 +20,10 @@ void clear_body_fields(lbm::FluidGrid<Real>& grid) {
     if (f->no_kicks = grid.block(b).wet_cells == lbm::kBlockCells; !f->no_kicks)
       for (Real* field : {f->exchange_x, f->exchange_y, f->exchange_z})
         std::fill(field, field + lbm::kBlockCells, Real(0));
-    if (f->mapped && !f->edited) continue;
+    if ((f->mapped || f->wired) && !f->edited) continue;
     for (Real* field : {f->solid_fraction, f->coverage, f->resistance, f->momentum_x, f->momentum_y, f->momentum_z})
       std::fill(field, field + lbm::kBlockCells, Real(0));
-    f->mapped = f->edited = false;
+    f->mapped = f->wired = f->edited = false;
   }
 }
 

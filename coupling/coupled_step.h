@@ -1,11 +1,13 @@
 #pragma once
 // THE step: fluid, grains and barrier advance together by one fluid time step.
+#include <limits>
 #include <optional>
 
 #include "core/step_clock.h"
 #include "coupling/audit.h"
 #include "coupling/body_map.h"
 #include "coupling/wire_drag.h"
+#include "coupling/wire_map.h"
 #include "dem/solids.h"
 #include "lbm/fluid.h"
 
@@ -16,6 +18,8 @@ struct CouplingOptions {
   double radius_shift = 0;      ///< cells, see BodyMap
   bool lubrication = false;     ///< films between close grains (lubrication.h)
   bool wire_drag = true;        ///< beads of rings and cables feel drag and give it back
+  /// Cells a diameter from which on wires are mapped as bodies instead (wire_map.h).
+  double resolve_wires_from = std::numeric_limits<double>::infinity();
   int substeps = 1;  ///< DEM steps in a fluid step; where that adapts they stay no longer than those of the first
 };
 
@@ -39,7 +43,8 @@ class CoupledStep {
   [[nodiscard]] lbm::Fluid<Real>* fluid() { return fluid_ ? &*fluid_ : nullptr; }
   [[nodiscard]] dem::Solids* solids() { return solids_ ? &*solids_ : nullptr; }
   [[nodiscard]] const MomentumAudit& audit() const { return audit_; }
-  [[nodiscard]] std::size_t wet_beads() const { return wires_ ? wires_->wet_beads() : 0; }
+  /// Of rings and cables, by either way.
+  [[nodiscard]] std::size_t wet_beads() const;
   [[nodiscard]] Timers& timers() { return timers_; }
 
   /// State of a checkpoint, of everything that the step owns; loading needs a step of the same scene that was not
@@ -50,12 +55,15 @@ class CoupledStep {
  private:
   void follow_time_step();
   void hold_fluid_forces();
+  void choose_wires();
+  void map_bodies();
 
   std::optional<lbm::Fluid<Real>> fluid_;
   std::optional<dem::Solids> solids_;
   CouplingOptions options_;
   BodyMap<Real> bodies_;
   std::optional<WireDrag<Real>> wires_;
+  std::optional<WireMap<Real>> resolved_wires_;
   MomentumAudit audit_;
   StepClock clock_;
   double longest_substep_ = 0;  // s

@@ -66,6 +66,30 @@ void WireDrag<Real>::transfer(Archive& archive) {
   });
 }
 
+/// Where the pieces are follows from the beads; what was displaced and felt does not.
+template <class Real>
+void WireMap<Real>::transfer(Archive& archive) {
+  std::size_t particles = states_.size();
+  archive.value("particles", particles);
+  states_.resize(particles);
+  archive.pieces<double>("bead", particles, 14, [&](std::size_t k, double* stored) {
+    State& s = states_[k];
+    Vec3* const own[] = {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque};
+    for (std::size_t v = 0; v < 4; ++v)
+      for (int a = 0; a < 3; ++a) {
+        double& at = stored[3 * v + static_cast<std::size_t>(a)];
+        if (archive.loading())
+          (*own[v])[a] = at;
+        else
+          at = (*own[v])[a];
+      }
+    if (archive.loading())
+      s.wet = stored[12], s.known = stored[13] != 0;
+    else
+      stored[12] = s.wet, stored[13] = s.known ? 1 : 0;
+  });
+}
+
 template <class Real>
 void CoupledStep<Real>::transfer(Archive& archive) {
   archive.part("clock", clock_);
@@ -75,7 +99,12 @@ void CoupledStep<Real>::transfer(Archive& archive) {
   if (fluid_) archive.part("fluid", *fluid_);
   if (solids_) archive.part("solids", *solids_);
   if (fluid_ && solids_) archive.part("bodies", bodies_);
+  if (archive.loading() && resolved_wires_) {
+    resolved_wires_->follow_breakage(solids_->particles(), solids_->bonds());
+    choose_wires();
+  }
   if (wires_) archive.part("wires", *wires_);
+  if (resolved_wires_) archive.part("resolved_wires", *resolved_wires_);
 }
 
 template <class Real>
@@ -89,6 +118,8 @@ template void BodyMap<float>::transfer(Archive&);
 template void BodyMap<double>::transfer(Archive&);
 template void WireDrag<float>::transfer(Archive&);
 template void WireDrag<double>::transfer(Archive&);
+template void WireMap<float>::transfer(Archive&);
+template void WireMap<double>::transfer(Archive&);
 template void CoupledStep<float>::transfer(Archive&);
 template void CoupledStep<double>::transfer(Archive&);
 template void CoupledStep<float>::transfer_timers(Archive&);

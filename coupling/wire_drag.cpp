@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "coupling/drag_law.h"
+#include "coupling/wire_bonds.h"
 #include "coupling/wire_crowding.h"
 #include "coupling/wire_kernel.h"
 
@@ -44,26 +45,37 @@ Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double length, double
 
 template <class Real>
 WireDrag<Real>::WireDrag(const dem::Particles& particles, const dem::Bonds& bonds) {
-  std::vector<std::int32_t> place(particles.size(), -1);
+  place_.assign(particles.size(), -1);
   for (dem::ParticleIndex i = 0; i < particles.size(); ++i) {
     if (particles.kind[i] != dem::ParticleKind::bead) continue;
-    place[i] = static_cast<std::int32_t>(beads_.size());
+    place_[i] = static_cast<std::int32_t>(beads_.size());
     beads_.push_back({.particle = i, .before = i, .after = i, .length = 0.0});
   }
   for (std::size_t k = 0; k < bonds.size(); ++k) {
-    if (place[bonds.i[k]] < 0 || place[bonds.j[k]] < 0) continue;
-    // Links (barrier/link.h), which have hardly a section, are no piece of a wire: ties, joints, and the wires of a
-    // mesh, whose nodes are far apart.
-    const double section = bonds.sorts[static_cast<std::size_t>(bonds.sort[k])].bond_radius;
-    if (section < 0.01 * std::min(particles.radius[bonds.i[k]], particles.radius[bonds.j[k]])) continue;
-    Bead& first = beads_[static_cast<std::size_t>(place[bonds.i[k]])];
-    Bead& second = beads_[static_cast<std::size_t>(place[bonds.j[k]])];
-    first.after = bonds.j[k];
-    second.before = bonds.i[k];
-    first.length += bonds.rest_length[k] / 2;
-    second.length += bonds.rest_length[k] / 2;
+    if (!is_wire(particles, bonds, k)) continue;
+    wire_bonds_.push_back(static_cast<std::uint32_t>(k));
+    beads_[static_cast<std::size_t>(place_[bonds.i[k]])].after = bonds.j[k];
+    beads_[static_cast<std::size_t>(place_[bonds.j[k]])].before = bonds.i[k];
   }
+  leave_out(bonds, {});
   samples_.resize(beads_.size());
+}
+
+template <class Real>
+void WireDrag<Real>::leave_out(const dem::Bonds& bonds, const std::vector<std::uint8_t>& is_mapped) {
+  for (Bead& bead : beads_) bead.length = 0;
+  for (const std::uint32_t k : wire_bonds_) {
+    if (!is_mapped.empty() && is_mapped[k]) continue;
+    for (const dem::ParticleIndex i : {bonds.i[k], bonds.j[k]})
+      beads_[static_cast<std::size_t>(place_[i])].length += bonds.rest_length[k] / 2;
+  }
+  applied_ = 0;  // other neighbours
+}
+
+template <class Real>
+std::size_t WireDrag<Real>::beads() const {
+  return static_cast<std::size_t>(
+      std::count_if(beads_.begin(), beads_.end(), [](const Bead& bead) { return bead.length > 0; }));
 }
 
 template <class Real>
@@ -139,6 +151,7 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particl
   auto& grid = fluid.grid();
   for (Bead& bead : beads_) {
     bead.near = false;
+    if (bead.length <= 0) continue;
     const WireKernel kernel = kernel_at(fluid, particles, bead.particle);
     bead.lowest = lbm::block_of(kernel.lowest());
     const Vec3i more = lbm::block_of(kernel.highest()) - bead.lowest;

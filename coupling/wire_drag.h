@@ -19,13 +19,19 @@ class WireDrag {
   /// Reads from the bonds which beads are neighbours along a wire and how long a piece each bead stands for.
   WireDrag(const dem::Particles& particles, const dem::Bonds& bonds);
 
+  /// Leaves out what is mapped (wire_map.h): `is_mapped` per bond. Half of each other bond is its bead's, whole or
+  /// broken.
+  void leave_out(const dem::Bonds& bonds, const std::vector<std::uint8_t>& is_mapped);
+
   /// Before the fluid step, after BodyMap::update: drag and buoyancy on every wet bead (added to its external force,
   /// SI) and the opposite momentum into the cells' exchange fields. Returns the sum of the forces on beads, lu.
   Vec3 apply(lbm::Fluid<Real>& fluid, dem::Particles& particles);
 
   /// Momentum that the last `apply` put into cells, lu; the audit compares it with the forces on the beads.
   [[nodiscard]] const Vec3& given_to_fluid() const { return given_; }
-  [[nodiscard]] std::size_t beads() const { return beads_.size(); }
+  /// Beads that stand for a piece of wire.
+  [[nodiscard]] std::size_t beads() const;
+  [[nodiscard]] bool acts_on(dem::ParticleIndex i) const { return place_[i] >= 0 && bead_at(i).length > 0; }
   [[nodiscard]] std::size_t wet_beads() const { return wet_beads_; }
   /// State of a checkpoint (coupled_step_transfer.cpp): what is not looked up anew in every step.
   void transfer(Archive& archive);
@@ -48,6 +54,7 @@ class WireDrag {
 
   /// The block in reach of a bead that holds a cell; kNoBlock if it is missing or dry.
   static lbm::BlockIndex block_at(const Bead& bead, const Vec3i& cell);
+  [[nodiscard]] const Bead& bead_at(dem::ParticleIndex i) const { return beads_[static_cast<std::size_t>(place_[i])]; }
   static WireKernel kernel_at(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, dem::ParticleIndex i);
   static Vec3 tangent_of(const dem::Particles& particles, const Bead& bead);
   void look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
@@ -55,6 +62,8 @@ class WireDrag {
   [[nodiscard]] Sample sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const Bead& bead) const;
 
   std::vector<Bead> beads_;
+  std::vector<std::int32_t> place_;        // per particle: index into beads_, -1 for grains
+  std::vector<std::uint32_t> wire_bonds_;  // that are pieces of a wire
   std::vector<Sample> samples_;
   Vec3 given_ = Vec3::Zero();
   std::size_t wet_beads_ = 0;

@@ -39,6 +39,9 @@ class Relaxer {
  public:
   Relaxer(const PackingSpec& spec, const std::vector<ParticleSpec>& spheres);
 
+  /// Lists near spheres; to be done before anything that feels overlaps. (Before the spheres have places all lie at one
+  /// point, where the lists would hold every pair.)
+  void list_near() { near_->list(x_); }
   /// A loose start: anywhere in a column of kStartFraction, overlapping.
   void place_at_random();
   /// Pushes apart the overlaps of a random start, without weight or inertia.
@@ -92,7 +95,6 @@ Relaxer::Relaxer(const PackingSpec& spec, const std::vector<ParticleSpec>& spher
   drag_ = std::sqrt(kGravity / largest_radius());
   for (Vec3Field* field : {&v_, &f_}) field->resize(size());
   near_.emplace(width_, depth_, radius_, kSkin * *std::min_element(radius_.begin(), radius_.end()));
-  near_->list(x_);
 }
 
 void Relaxer::place_at_random() {
@@ -105,7 +107,7 @@ void Relaxer::place_at_random() {
     const double x = within(width_), y = within(depth_), z = within(height);
     x_.set(i, {x, y, z});
   }
-  near_->list(x_);
+  list_near();
 }
 
 /// Linear spring and dashpot along one contact: force on the sphere, along `normal` out of it.
@@ -334,7 +336,8 @@ PackingReport measure_packing(const PackingSpec& spec, const std::vector<Particl
   if (spheres.empty()) return report;
   double volume = 0;
   for (const ParticleSpec& s : spheres) volume += sphere_volume(s.radius);
-  const Relaxer relaxer(spec, spheres);
+  Relaxer relaxer(spec, spheres);
+  relaxer.list_near();
   report.height = relaxer.height();
   report.surface_height = relaxer.surface_height();
   report.solid_fraction = volume / ((spec.upper - spec.lower).head<2>().prod() * report.surface_height);

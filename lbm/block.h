@@ -48,6 +48,7 @@ struct BodyFields {
   alignas(64) Real velocity_z[kBlockCells];
   bool used = false;      ///< a body or wire reaches the block in this step
   bool mapped = false;    ///< the first six fields are what the body map wrote: it may leave them as they are
+  bool wired = false;     ///< they are what the map of wires wrote, without grains, and may leave as they are
   bool edited = false;    ///< somebody else wrote into the first six fields: they are cleared before the next step
   bool no_kicks = false;  ///< exchange holds what came out of the last step; nothing goes in
 };

@@ -39,6 +39,8 @@ void build_solvers(const scene::Scene& scene, bool resumed, Solvers<Real>& s) {
   coupling::CouplingOptions options;
   options.immersed_grains = scene.coupling.enabled;
   options.wire_drag = scene.coupling.enabled && scene.coupling.wire_drag;
+  if (scene.coupling.enabled && scene.coupling.resolve_wires_from_cells)
+    options.resolve_wires_from = *scene.coupling.resolve_wires_from_cells;
   options.lubrication = scene.coupling.lubrication;
   options.radius_shift = scene.coupling.radius_shift_cells;
   options.substeps = substeps_of(scene);

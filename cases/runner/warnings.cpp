@@ -60,12 +60,14 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
   if (f.cells_per_smallest_grain && *f.cells_per_smallest_grain < 4)
     list.push_back(fmt::format("the smallest grain is {:.1f} cells across: its drag is uncertain below about 4",
                                *f.cells_per_smallest_grain));
-  if (f.cells_per_wire && *f.cells_per_wire < 4 && !s.coupling.wire_drag)
+  if (f.cells_per_wire && !s.coupling.wire_drag &&
+      *f.cells_per_wire < s.coupling.resolve_wires_from_cells.value_or(*f.cells_per_wire + 1))
     list.push_back(fmt::format(
         "wires are {:.1f} cells across and coupling.wire_drag is off: water does not feel the net", *f.cells_per_wire));
   if (s.barrier.enabled && s.barrier.net.kind == scene::NetKind::hexagonal)
     list.push_back("water feels the cables of a hexagonal mesh, but not its wires");
-  if (const double post = s.barrier.posts.diameter / s.fluid.cell_size; s.coupling.wire_drag && post > 4)
+  if (const double post = s.barrier.posts.diameter / s.fluid.cell_size;
+      s.coupling.wire_drag && post > 4 && post < s.coupling.resolve_wires_from_cells.value_or(post + 1))
     list.push_back(fmt::format("posts are {:.1f} cells across: their drag law is for wires up to about 4", post));
   if (s.coupling.body_weighting == scene::BodyWeighting::noble_torczynski)
     list.push_back("coupling.body_weighting = \"noble_torczynski\" lets water through bodies at low viscosity");

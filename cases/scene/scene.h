@@ -322,6 +322,7 @@ struct Coupling {
   double radius_shift_cells = -0.06;  ///< body_weighting = wall_distance only
   bool lubrication = false;
   bool wire_drag = true;
+  std::optional<double> resolve_wires_from_cells;  ///< none: all wires by the drag law
   bool operator==(const Coupling&) const = default;
 };
 

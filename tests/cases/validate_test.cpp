@@ -103,8 +103,8 @@ INSTANTIATE_TEST_SUITE_P(SolidsContact, QuickEntry,
                          [](const auto& param) { return std::string(param.param).substr(7); });
 
 INSTANTIATE_TEST_SUITE_P(Bodies, QuickEntry,
-                         testing::Values("bodies.wire", "bodies.screen", "bodies.ring_net_drag", "bodies.archimedes",
-                                         "bodies.hard_h7", "bodies.hard_h10", "bodies.hard_h17"),
+                         testing::Values("bodies.wire", "bodies.resolved_wire", "bodies.screen", "bodies.ring_net_drag",
+                                         "bodies.archimedes", "bodies.hard_h7", "bodies.hard_h10", "bodies.hard_h17"),
                          [](const auto& param) { return std::string(param.param).substr(7); });
 
 }  // namespace

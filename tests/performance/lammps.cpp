@@ -74,12 +74,14 @@ void write_data(std::ostream& out, const dem::Solids& solids) {
 }
 
 /// gran/hertz/history: F_n = k_n sqrt(R* overlap) overlap + m* g_n sqrt(R* overlap) v, and likewise k_t, g_t, friction.
-/// The damper of LAMMPS has a time scale, ours a restitution; its cost does not depend on its size.
+/// The damper of LAMMPS grows faster with the overlap than ours, which keeps the restitution; its cost does not depend
+/// on its size. It is that of the restitution at the overlaps deep in a bed: from smaller ones it is too large there,
+/// and LAMMPS throws the grains away at our time step.
 std::string contact_numbers(const dem::Solids& solids, const ScenePair& pair) {
   const dem::MaterialPair& m = solids.materials().pair(0, 0);
   const double normal = 4.0 / 3.0 * m.effective_modulus, tangential = 8 * m.effective_shear_modulus;
   const double r = solids.particles().radius[0], mass = solids.particles().mass[0];
-  const double overlap = 1e-4 * r;  // the overlap at which damping is that of the restitution
+  const double overlap = 1e-2 * r;  // the overlap at which damping is that of the restitution
   const double radius = std::sqrt(0.5 * r * overlap), slope = 2 * m.effective_modulus * radius;
   const double damper = 2 * std::sqrt(5.0 / 6.0) * dem::damping_ratio(pair.restitution) * std::sqrt(slope * 0.5 * mass);
   std::ostringstream out;

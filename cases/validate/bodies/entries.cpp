@@ -12,6 +12,8 @@ std::vector<Entry> bodies_entries() {
       fixed_sphere(),
       settling_sphere(),
       {"bodies.wire", "Sucker & Brauer 1975, normal drag of a circular cylinder (cylinder_cd.csv)", wire},
+      {"bodies.resolved_wire", "Sucker & Brauer 1975 (cylinder_cd.csv); Blevins 1984 (screen_net.csv), trusted to 20 %",
+       resolved_wire},
       {"bodies.screen", "Blevins 1984, round wire screens (screen_net.csv), trusted to 20 %", screen},
       {"bodies.ring_net_drag", "Blevins 1984 at the net's solidity (screen_net.csv), trusted to 20 %", ring_net_drag},
       {"bodies.archimedes", "volume of the sphere; ledger", archimedes},

@@ -5,6 +5,7 @@
 namespace lahar::validate {
 
 std::vector<Row> wire(const Context& context);
+std::vector<Row> resolved_wire(const Context& context);
 std::vector<Row> screen(const Context& context);
 std::vector<Row> ring_net_drag(const Context& context);
 std::vector<Row> archimedes(const Context& context);

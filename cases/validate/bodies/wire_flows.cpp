@@ -13,7 +13,7 @@ void add_bead(const Vec3& place, double diameter, dem::Particles& particles) {
   dem::ParticleSpec bead;
   bead.position = place;
   bead.radius = diameter / 2;
-  bead.density = 8;
+  bead.density = 100;  // of no account: held beads; heavy, so that a mapped one feels the fluid's force itself
   bead.kind = dem::ParticleKind::bead;
   bead.state = dem::ParticleState::fixed;
   particles.add(bead);
@@ -63,18 +63,32 @@ lbm::FluidOptions stream_options(const WireStream& s) {
   o.time_step = 1;
   o.density = 1;
   o.kinematic_viscosity = s.speed * s.diameter / s.reynolds;
+  if (s.resolved) {
+    o.weighting = lbm::BodyWeighting::wall_distance;
+    o.solid_operator = lbm::SolidOperator::equilibrium_difference;
+  }
   o.gravity = s.expected_drag / s.cells.cast<double>().prod() * s.direction.normalized();
   return o;
 }
 
-/// Weight of the liquid that a bead's piece displaces under the body force: no part of the drag.
-Vec3 buoyancy(const dem::Solids& solids, const lbm::FluidOptions& o) {
+/// Volume of the wires, cells.
+double volume_of(const dem::Solids& solids) {
   double volume = 0;
   for (std::size_t k = 0; k < solids.bonds().size(); ++k) {
     const double r = solids.particles().radius[solids.bonds().i[k]];
     volume += std::numbers::pi * r * r * solids.bonds().rest_length[k];
   }
-  return -volume * o.gravity;
+  return volume;
+}
+
+/// The same of mapped wires, as they are mapped.
+template <class Real>
+double mapped_volume(lbm::Fluid<Real>& fluid) {
+  double volume = 0;
+  for (const lbm::BlockIndex b : fluid.grid().active())
+    if (const auto* body = fluid.grid().block(b).body)
+      for (const Real eps : body->solid_fraction) volume += static_cast<double>(eps);
+  return volume;
 }
 
 template <class Real>
@@ -88,22 +102,26 @@ template <class Real>
 WireLoad measure(const WireStream& s) {
   const lbm::FluidOptions options = stream_options(s);
   coupling::CouplingOptions coupling;
-  coupling.immersed_grains = s.resolved;
+  if (s.resolved) coupling.resolve_wires_from = 1, coupling.radius_shift = s.radius_shift;
   coupling::CoupledStep<Real> step(options, held_wires(s), coupling);
   const Vec3 along = s.direction.normalized(), push = options.gravity * s.cells.cast<double>().prod();
   auto& fluid = *step.fluid();
   fluid.fill_everything([&](const Vec3&) { return Vec3(s.speed * along); }, [](const Vec3&) { return 0.0; });
-  const Vec3 start = momentum(fluid), lift = buoyancy(*step.solids(), options);
+  const Vec3 start = momentum(fluid);
   const int steps = static_cast<int>(s.travel / s.speed), first = steps * 2 / 3;
   Vec3 given = Vec3::Zero(), mean = Vec3::Zero();
   double exchanged = 0, low = 1e300, high = -1e300, speed = 0;
   int samples = 0;
+  // Weight of the displaced liquid under the body force: no part of the drag. The drag law gives it back to the fluid;
+  // of a mapped wire the fluid keeps it.
+  Vec3 lift = -volume_of(*step.solids()) * options.gravity, kept = Vec3::Zero();
   for (int k = 0; k < steps; ++k) {
     step.advance();
+    if (s.resolved && k == 0) kept = lift = -mapped_volume(fluid) * options.gravity;
     const auto& particles = step.solids()->particles();
     Vec3 force = Vec3::Zero();
     for (std::size_t i = 0; i < particles.size(); ++i) force += particles.external_force[i];
-    given += force;
+    given += force - kept;
     exchanged += force.norm();
     if (k < first) continue;
     const double drag = (force - lift).dot(along);

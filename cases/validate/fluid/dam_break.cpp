@@ -27,6 +27,14 @@ lbm::FluidOptions options_of(const DamBreak& dam, const Vec3i& cells) {
   return o;
 }
 
+double at(const DamBreakRun& run, const std::vector<double>& values, double t) {
+  const std::vector<double>& time = run.time;
+  const auto n = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
+  if (n == 0) return values.front();
+  if (n == time.size()) return values.back();
+  return std::lerp(values[n - 1], values[n], (t - time[n - 1]) / (time[n] - time[n - 1]));
+}
+
 double rms(const DamBreakRun& run, double shift) {
   double squares = 0;
   for (const auto& [t, z] : kMartinMoyceFront) squares += std::pow(run.front_at(t + shift) / z - 1, 2);
@@ -35,12 +43,7 @@ double rms(const DamBreakRun& run, double shift) {
 
 }  // namespace
 
-double DamBreakRun::front_at(double t) const {
-  const auto n = static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin());
-  if (n == 0) return front.front();
-  if (n == time.size()) return front.back();
-  return std::lerp(front[n - 1], front[n], (t - time[n - 1]) / (time[n] - time[n - 1]));
-}
+double DamBreakRun::front_at(double t) const { return at(*this, front, t); }
 
 double DamBreakRun::time_at(double z) const {
   for (std::size_t n = 0; n < front.size(); ++n)
@@ -64,6 +67,7 @@ DamBreakRun run_dam_break(const DamBreak& dam) {
     if (t < dam.until) {
       run.time.push_back(t);
       run.front.push_back(front_in_bottom_layer(fluid, cells) / dam.width);
+      run.height.push_back(height_at_back(fluid, cells) / (2.0 * dam.width));
     }
     fluid.step();
     if (++run.steps % 20 != 0) continue;
@@ -89,6 +93,10 @@ FrontErrors compare_front(const DamBreakRun& run) {
   }
   e.slope = (n * stz - st * sz) / (n * stt - st * st);
   e.rms = e.shifted_rms = rms(run, 0);
+  double squares = 0;
+  for (const auto& [tau, h] : kMartinMoyceHeight)
+    squares += std::pow(at(run, run.height, std::sqrt(2.0) * tau) / h - 1, 2);
+  e.height_rms = std::sqrt(squares / kMartinMoyceHeight.size());
   for (double shift = -0.4; shift <= 0.4; shift += 0.005)
     if (const double r = rms(run, shift); r < e.shifted_rms) e.shifted_rms = r, e.shift = shift;
   return e;

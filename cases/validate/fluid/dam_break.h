@@ -21,6 +21,7 @@ struct DamBreak {
 
 struct DamBreakRun {
   std::vector<double> time, front;  ///< T and Z = x/a, every step until the end of the tank is near
+  std::vector<double> height;       ///< H of the column at the wall behind it, at the same times
   std::size_t steps = 0;
   double fastest = 0;                          ///< lu of that step, of every 20th step
   double energy_rise = 0;                      ///< largest energy above the initial one, of the initial one
@@ -41,6 +42,7 @@ DamBreakRun run_dam_break(const DamBreak& dam);
 struct FrontErrors {
   double rms = 0, slope = 0;
   double shifted_rms = 0, shift = 0;  ///< after the shift in T that fits best
+  double height_rms = 0;              ///< of the relative error of H
 };
 FrontErrors compare_front(const DamBreakRun& run);
 constexpr double kFrontSlope = 1.319;

@@ -25,6 +25,7 @@ std::vector<Row> martin_moyce(const Context& context) {
     return std::vector<Row>{at_most_row("RMS of the error of Z, of Z", e.rms, bar),
                             at_most_row("the same after the best shift in T", e.shifted_rms, bar),
                             relative_row("slope dZ/dT from T = 1.43 on", e.slope, kFrontSlope, bar),
+                            at_most_row("RMS of the error of the column's height, of H", e.height_rms, bar),
                             at_most_row("no-slip bed: RMS of the error of Z, of Z", s.rms, bar),
                             relative_row("no-slip bed: slope dZ/dT", s.slope, kFrontSlope, bar)};
   });

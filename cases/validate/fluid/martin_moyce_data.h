@@ -1,7 +1,8 @@
 #pragma once
-// Front Z = x/a at T = n t sqrt(g/a), n^2 = 2, a = 2.25 in (Martin & Moyce 1952). Copied from martin_moyce1952.csv:
-// "Table 2 front, digits READ identically in two unrelated code bases; trust: n2=2 high (table values). Reported slope
-// dZ/dT: 1.319 (n2=2, T 1.43-3.33)".
+// Front Z = x/a and height H = h / (n^2 a) of the column at the wall behind it, at T = n t sqrt(g/a), n^2 = 2, a = 2.25
+// in (Martin & Moyce 1952). Copied from martin_moyce1952.csv: "Table 2 front and Table 6 height, digits READ
+// identically in two unrelated code bases; trust: n2=2 high (table values). Reported slope dZ/dT: 1.319 (n2=2,
+// T 1.43-3.33)". The heights stand there over t sqrt(g/a).
 #include <array>
 #include <utility>
 
@@ -23,5 +24,16 @@ inline constexpr std::array<std::pair<double, double>, 15> kMartinMoyceFront = {
                                                                                  {3.11, 3.89},
                                                                                  {3.33, 4.11}}};
 inline constexpr double kMartinMoyceSlopeFrom = 1.43;
+/// t sqrt(g/a) = T / n and H; the table goes on, the runs end here.
+inline constexpr std::array<std::pair<double, double>, 10> kMartinMoyceHeight = {{{0.56, 0.94},
+                                                                                  {0.77, 0.89},
+                                                                                  {0.93, 0.83},
+                                                                                  {1.08, 0.78},
+                                                                                  {1.28, 0.72},
+                                                                                  {1.46, 0.67},
+                                                                                  {1.66, 0.61},
+                                                                                  {1.84, 0.56},
+                                                                                  {2.0, 0.5},
+                                                                                  {2.21, 0.44}}};
 
 }  // namespace lahar::validate

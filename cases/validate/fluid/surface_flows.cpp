@@ -76,10 +76,21 @@ double front_in_bottom_layer(const lbm::Fluid<Real>& fluid, const Vec3i& cells) 
   return static_cast<double>(last) - 1 + std::min(1.0, fill[last - 1]) + fill[last];
 }
 
+template <class Real>
+double height_at_back(const lbm::Fluid<Real>& fluid, const Vec3i& cells) {
+  double height = 0;
+  fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
+    if (c.centre.x() < 1) height += c.fill_level / cells.y();
+  });
+  return height;
+}
+
 template double fastest<float>(const lbm::Fluid<float>&);
 template double fastest<double>(const lbm::Fluid<double>&);
 template double front_in_bottom_layer<float>(const lbm::Fluid<float>&, const Vec3i&);
 template double front_in_bottom_layer<double>(const lbm::Fluid<double>&, const Vec3i&);
+template double height_at_back<float>(const lbm::Fluid<float>&, const Vec3i&);
+template double height_at_back<double>(const lbm::Fluid<double>&, const Vec3i&);
 template Energies energies<float>(const lbm::Fluid<float>&);
 template Energies energies<double>(const lbm::Fluid<double>&);
 

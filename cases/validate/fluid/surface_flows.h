@@ -25,6 +25,10 @@ double fastest(const lbm::Fluid<Real>& fluid);
 template <class Real>
 double front_in_bottom_layer(const lbm::Fluid<Real>& fluid, const Vec3i& cells);
 
+/// Depth of the liquid in the first layer of cells along x, in cells, averaged across.
+template <class Real>
+double height_at_back(const lbm::Fluid<Real>& fluid, const Vec3i& cells);
+
 /// Energies of the liquid, lu: the potential one from the corner of the domain, the elastic one, p^2 / (2 rho c_s^2),
 /// of the compressed lattice fluid.
 struct Energies {

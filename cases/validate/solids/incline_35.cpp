@@ -8,34 +8,16 @@
 #include "cases/validate/solids/entries.h"
 #include "cases/validate/solids/ledger_watch.h"
 #include "cases/validate/solids/solid_scenes.h"
-#include "dem/time_step.h"
 
 namespace lahar::validate {
 
 namespace {
 
-constexpr double kAngle = 35 * std::numbers::pi / 180, kRadius = 0.02, kDensity = 2650;
-const Vec3 kNormal(std::sin(kAngle), 0, std::cos(kAngle)), kDown(std::cos(kAngle), 0, -std::sin(kAngle));
-
-/// Lies on the plane, sunk in as far as at rest.
-dem::Solids sphere_on_plane(double friction) {
-  const dem::Materials m = one_material(70e9, 0.3, friction, 0.5);
-  const double weight = sphere_mass(kRadius, kDensity) * kGravity * std::cos(kAngle);
-  const double overlap = std::pow(weight / (4.0 / 3 * m.pair(0, 0).effective_modulus * std::sqrt(kRadius)), 2.0 / 3);
-  dem::ParticleSpec sphere;
-  sphere.position = (kRadius - overlap) * kNormal;
-  sphere.radius = kRadius;
-  sphere.density = kDensity;
-  dem::Particles p;
-  p.add(sphere);
-  Walls walls;
-  walls.add({"plane", HalfSpace{Vec3::Zero(), kNormal}});
-  const double step = 0.2 * dem::damped_share(0.5) * dem::rayleigh_time_step(kRadius, kDensity, m[0]);
-  return {p, {}, m, walls, solids_options(step, Vec3(0, 0, -kGravity))};
-}
+constexpr double kAngle = 35 * std::numbers::pi / 180;
 
 void ask(std::vector<Row>& rows, double friction, double time) {
-  dem::Solids solids = sphere_on_plane(friction);
+  const SphereOnPlane scene{kAngle, friction};
+  dem::Solids solids = scene.solids();
   LedgerWatch watch(solids);
   advance_watched(solids, watch, static_cast<int>(std::lround(time / solids.options().time_step)), 100);
   const bool rolls = friction >= 2.0 / 7 * std::tan(kAngle);
@@ -43,9 +25,9 @@ void ask(std::vector<Row>& rows, double friction, double time) {
   const double a = kGravity * (rolls ? 5.0 / 7 * std::sin(kAngle) : std::sin(kAngle) - friction * std::cos(kAngle));
   const std::string name = fmt::format("friction {:.2f}, {}", friction, rolls ? "rolls" : "slides");
   rows.push_back(
-      relative_row(name + ": acceleration, m/s2", solids.particles().velocity[0].dot(kDown) / reached, a, 1e-3));
+      relative_row(name + ": acceleration, m/s2", solids.particles().velocity[0].dot(scene.down()) / reached, a, 1e-3));
   if (friction > 0) {
-    const double spin = (rolls ? a : 2.5 * friction * kGravity * std::cos(kAngle)) / kRadius;
+    const double spin = (rolls ? a : 2.5 * friction * kGravity * std::cos(kAngle)) / SphereOnPlane::kRadius;
     rows.push_back(relative_row(name + ": angular acceleration, rad/s2",
                                 solids.particles().angular_velocity.y[0] / reached, spin, 1e-3));
   }

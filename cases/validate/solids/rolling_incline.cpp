@@ -9,36 +9,12 @@
 #include "cases/validate/solids/entries.h"
 #include "cases/validate/solids/ledger_watch.h"
 #include "cases/validate/solids/solid_scenes.h"
-#include "dem/time_step.h"
 
 namespace lahar::validate {
 
 namespace {
 
-constexpr double kAngle = 20 * std::numbers::pi / 180, kRadius = 0.02, kDensity = 2650, kFriction = 0.7;
-
-Vec3 down(double angle) { return {std::cos(angle), 0, -std::sin(angle)}; }
-
-/// Lies on the plane, sunk in as far as at rest, and rolls without slip.
-dem::Solids sphere_on_plane(double angle, double rolling_friction, double speed) {
-  dem::Materials m = one_material(70e9, 0.3, kFriction, 0.5);
-  m.set_pair(0, 0, kFriction, 0.5, rolling_friction);
-  const Vec3 normal(std::sin(angle), 0, std::cos(angle));
-  const double weight = sphere_mass(kRadius, kDensity) * kGravity * std::cos(angle);
-  const double overlap = std::pow(weight / (4.0 / 3 * m.pair(0, 0).effective_modulus * std::sqrt(kRadius)), 2.0 / 3);
-  dem::ParticleSpec sphere;
-  sphere.position = (kRadius - overlap) * normal;
-  sphere.velocity = speed * down(angle);
-  sphere.angular_velocity = Vec3(0, speed / kRadius, 0);
-  sphere.radius = kRadius;
-  sphere.density = kDensity;
-  dem::Particles p;
-  p.add(sphere);
-  Walls walls;
-  walls.add({"plane", HalfSpace{Vec3::Zero(), normal}});
-  const double step = 0.2 * dem::damped_share(0.5) * dem::rayleigh_time_step(kRadius, kDensity, m[0]);
-  return {p, {}, m, walls, solids_options(step, Vec3(0, 0, -kGravity))};
-}
+constexpr double kAngle = 20 * std::numbers::pi / 180, kFriction = 0.7, kRadius = SphereOnPlane::kRadius;
 
 /// How far the centre may get before the sphere rests, m, by energy. Neither spring is wound up at the start, so that
 /// they overshoot. With torques over R (t of the weight, the limit l) and the stiffness k of both springs: the weight
@@ -59,15 +35,16 @@ void advance(dem::Solids& solids, LedgerWatch& watch, double time) {
 }
 
 void ask_slope(std::vector<Row>& rows, double rolling_friction, double time) {
-  dem::Solids solids = sphere_on_plane(kAngle, rolling_friction, 0);
+  const SphereOnPlane scene{kAngle, kFriction, rolling_friction};
+  dem::Solids solids = scene.solids();
   LedgerWatch watch(solids);
   advance(solids, watch, 0.1 * time);  // the spring is wound up within 0.3 ms
-  const double start = solids.particles().velocity[0].dot(down(kAngle)), start_time = solids.time();
+  const double start = solids.particles().velocity[0].dot(scene.down()), start_time = solids.time();
   advance(solids, watch, 0.9 * time);
-  const double speed = solids.particles().velocity[0].dot(down(kAngle));
+  const double speed = solids.particles().velocity[0].dot(scene.down());
   if (rolling_friction >= std::tan(kAngle)) {
     const std::string name = fmt::format("20 degrees, mu_r {:.2f}, rests", rolling_friction);
-    rows.push_back(at_most_row(name + ": way down, m", solids.particles().position[0].dot(down(kAngle)),
+    rows.push_back(at_most_row(name + ": way down, m", solids.particles().position[0].dot(scene.down()),
                                longest_start(solids, rolling_friction)));
     rows.push_back(at_most_row(name + ": speed, m/s", std::abs(speed), 1e-7));
     return;
@@ -81,7 +58,7 @@ void ask_slope(std::vector<Row>& rows, double rolling_friction, double time) {
 }
 
 void ask_level(std::vector<Row>& rows, double rolling_friction, double speed) {
-  dem::Solids solids = sphere_on_plane(0, rolling_friction, speed);
+  dem::Solids solids = SphereOnPlane{0, kFriction, rolling_friction, speed}.solids();
   LedgerWatch watch(solids);
   const double way = 0.7 * speed * speed / (rolling_friction * kGravity);
   advance(solids, watch, 2.4 * way / speed);  // it stops after 2 way / speed

@@ -1,0 +1,165 @@
+// Resolved wires in the coupled step: audits, the switch by diameter, breakage, threads, checkpoints.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/memory_archive.h"
+#include "core/parallel.h"
+#include "coupling/coupled_step.h"
+#include "tests/coupling/chains.h"
+
+namespace lahar::coupling {
+namespace {
+
+const std::vector<lbm::LiquidRegion> kWater{{Vec3::Zero(), Vec3(0.4, 0.4, 0.24)}};
+
+lbm::FluidOptions small_tank() {
+  auto o = tank(Vec3(0.4, 0.4, 0.48), 0.02, 2e-4);
+  o.weighting = lbm::BodyWeighting::wall_distance;
+  o.solid_operator = lbm::SolidOperator::equilibrium_difference;
+  return o;
+}
+
+dem::Solids solids_of(Chains c, const Vec3& gravity) {
+  dem::SolidsOptions options;
+  options.gravity = gravity;
+  options.time_step = 1;  // set by the coupled step
+  options.watchdog.overlap_limit = 1;
+  Walls walls;
+  walls.add({"floor", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}});
+  return {std::move(c.particles), std::move(c.bonds), rock(), std::move(walls), options};
+}
+
+/// A cable of 4 cells that is held at its ends under the surface, a ring of 3 cells that falls on it from above, a thin
+/// ring in the water, and a stone among them.
+Chains scene_of_wires() {
+  Chains c;
+  c.add(straight_line(Vec3(0.21, 0.04, 0.2), Vec3(0.2, 0.36, 0.21), 5), 0.08, false, dem::ParticleState::free);
+  for (const std::size_t end : {0, 4})
+    c.particles.state[end] = dem::ParticleState::fixed, c.particles.inverse_mass[end] = 0;
+  c.add(circle(Vec3(0.2, 0.2, 0.34), Vec3(0.1, 0.2, 0.97).normalized(), 0.24, 12), 0.06, true,
+        dem::ParticleState::free);
+  c.add(circle(Vec3(0.1, 0.3, 0.08), Vec3::UnitZ(), 0.1, 30), 0.01, true, dem::ParticleState::free);
+  c.particles.add(grain(Vec3(0.29, 0.1, 0.16), 0.04, 2500));
+  return c;
+}
+
+template <class Real>
+std::unique_ptr<CoupledStep<Real>> coupled(double resolve_from) {
+  const auto fluid = small_tank();
+  CouplingOptions options;
+  options.radius_shift = -0.06;
+  options.substeps = 20;
+  options.resolve_wires_from = resolve_from;
+  return std::make_unique<CoupledStep<Real>>(fluid, solids_of(scene_of_wires(), fluid.gravity), options);
+}
+
+template <class Real>
+double solid_at(CoupledStep<Real>& step, const Vec3& place) {
+  double solid = -1;
+  const double half = step.fluid()->units().cell_size / 2;
+  step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) {
+    if ((c.centre - place).cwiseAbs().maxCoeff() < half) solid = c.solid_fraction;
+  });
+  return solid;
+}
+
+TEST(ResolvedWiresInTheStep, MomentumAndLiquidAreKept) {
+  const auto step = coupled<double>(2.5);
+  step->fill(kWater);
+  EXPECT_NEAR(step->fluid()->mass_drift(), 0, 1e-14);
+  const double before = step->solids()->particles().position.z[8];
+  for (int s = 0; s < 800; ++s) {
+    if (s == 500) step->solids()->bonds().intact[1] = 0;  // of the cable
+    if (s == 600) step->solids()->bonds().intact[8] = 0;  // of the ring that falls
+    step->advance();
+  }
+  EXPECT_LT(step->audit().relative(), 1e-10);
+  EXPECT_NEAR(step->fluid()->mass_drift(), 0, 1e-10);
+  EXPECT_LT(step->solids()->particles().position.z[8], before - 0.04);
+  EXPECT_GT(step->wet_beads(), 30U);
+}
+
+/// The thick wires are bodies, the thin one is left to the drag law; nothing is both. A broken piece goes back.
+TEST(ResolvedWiresInTheStep, SwitchesByTheDiameter) {
+  const auto step = coupled<double>(2.5), thin = coupled<double>(100);
+  for (auto* s : {&*step, &*thin}) s->fill(kWater), s->advance(), s->advance();
+  const Vec3 in_cable(0.205, 0.2, 0.205);
+  EXPECT_GT(solid_at(*step, in_cable), 0.9);
+  EXPECT_EQ(solid_at(*thin, in_cable), 0);
+  EXPECT_EQ(solid_at(*step, Vec3(0.15, 0.31, 0.09)), 0);
+  EXPECT_EQ(step->wet_beads(), 35U);
+  EXPECT_GE(thin->wet_beads(), 35U);  // its kernels reach water where its wires do not
+  const auto force = [](auto& s, std::size_t i) { return Vec3(s->solids()->particles().external_force[i]); };
+  for (std::size_t i = 17; i < 47; ++i) EXPECT_GT(force(step, i).norm(), 0) << i;
+  // Buoyancy of the middle piece, by either way.
+  const double weight = 9810 * std::numbers::pi * 0.04 * 0.04 * 0.08;
+  for (auto* s : {&step, &thin}) EXPECT_NEAR(force(*s, 2).z() / weight, 0.9, 0.35);
+  step->solids()->bonds().intact[1] = 0;
+  step->advance();
+  EXPECT_EQ(solid_at(*step, Vec3(0.2075, 0.171, 0.203)), 0);
+  EXPECT_GT(solid_at(*step, Vec3(0.202, 0.24, 0.207)), 0.9);
+  EXPECT_EQ(step->wet_beads(), 35U);
+  EXPECT_GT(force(step, 1).z(), 0);
+}
+
+/// A ring that sinks in still water, face on: mapped and by the law it falls through the same water with like speed.
+TEST(ResolvedWiresInTheStep, ARingSinksAlikeByEitherWay) {
+  const auto speed = [](double resolve_from) {
+    lbm::FluidOptions fluid = stream(40, 0.02, 4e-4);
+    fluid.weighting = lbm::BodyWeighting::wall_distance;
+    fluid.solid_operator = lbm::SolidOperator::equilibrium_difference;
+    fluid.kinematic_viscosity = 2e-4;
+    Chains c;
+    c.add(circle(Vec3(0.41, 0.4, 0.6), Vec3::UnitZ(), 0.4, 15), 0.08, true, dem::ParticleState::free, 5000);
+    CouplingOptions options;
+    options.radius_shift = -0.06;
+    options.substeps = 40;
+    options.resolve_wires_from = resolve_from;
+    CoupledStep<float> step(fluid, solids_of(std::move(c), Vec3(0, 0, -2)), options);
+    step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
+    while (step.time() < 0.3) step.advance();
+    double sum = 0;
+    for (std::size_t i = 0; i < 15; ++i) sum -= step.solids()->particles().velocity.z[i] / 15;
+    return sum;
+  };
+  const double mapped = speed(2), law = speed(100), free = 2 * 0.3;
+  EXPECT_LT(mapped, 0.9 * free);
+  EXPECT_LT(law, 0.95 * free);
+  EXPECT_NEAR(mapped / law, 1, 0.3);
+}
+
+TEST(ResolvedWiresInTheStep, SameResultWithAnyNumberOfThreads) {
+  const auto end = [](int threads) {
+    const ThreadLimit limit(threads);
+    const auto step = coupled<float>(2.5);
+    step->fill(kWater);
+    for (int s = 0; s < 150; ++s) step->advance();
+    return step->solids()->particles().position.z;
+  };
+  EXPECT_EQ(end(1), end(2));
+}
+
+template <class Real>
+void expect_same_after_restart() {
+  const auto whole = coupled<Real>(2.5), resumed = coupled<Real>(2.5);
+  whole->fill(kWater);
+  for (int n = 0; n < 120; ++n) {
+    if (n == 60) whole->solids()->bonds().intact[1] = whole->solids()->bonds().intact[8] = 0;
+    whole->advance();
+  }
+  StoredState state = state_of(*whole);
+  load_state(state, *resumed);
+  EXPECT_TRUE(differing_lists(state, state_of(*resumed)).empty()) << "what was loaded is not what was stored";
+  for (int n = 0; n < 40; ++n) whole->advance(), resumed->advance();
+  const auto differing = differing_lists(state_of(*whole), state_of(*resumed));
+  EXPECT_TRUE(differing.empty()) << testing::PrintToString(differing);
+  EXPECT_EQ(whole->wet_beads(), resumed->wet_beads());
+}
+
+TEST(ResolvedWiresInTheStep, GoOnAfterACheckpointInDouble) { expect_same_after_restart<double>(); }
+
+TEST(ResolvedWiresInTheStep, GoOnAfterACheckpointInFloat) { expect_same_after_restart<float>(); }
+
+}  // namespace
+}  // namespace lahar::coupling
