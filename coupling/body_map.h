@@ -4,7 +4,9 @@
 // Liquid and bodies share the cells ("total fill": the mass of a wet cell includes the body's share). Populations of
 // wet cells carry the mixture, so that a body that moves inside the liquid pushes it by itself. A body that moves
 // between a gas cell and a wet cell is not carried by any population; its change of volume in wet cells is added to the
-// interface cells that it covers. So a body entering the water raises the level by its volume, and
+// interface cells at its waterline. Cells full of bodies hold no liquid: what flows into or out of the interface cells
+// among them goes to the same place (docs/decisions/0041). So a body entering the water raises the level by its volume,
+// and
 //   liquid = sum of wet masses - sum over bodies of their volume in wet cells
 // is conserved exactly (docs/coupling.md, docs/decisions/0003).
 //
@@ -60,7 +62,8 @@ class BodyMap {
     Vec3i lowest;               ///< first cell of the block as the body sees it: past the end of a periodic axis
     double volume = 0;          ///< cells, over all cells of the block
     double wet_volume = 0;      ///< cells, over wet cells
-    double surface_weight = 0;  ///< sum of eps over interface cells
+    double surface_weight = 0;  ///< sum of eps over interface cells that are not full of bodies
+    double drift = 0;           ///< mass that those full of bodies gained in the last step, cells
   };
   /// What the cells of a pair do to the body, lu.
   struct Load {
@@ -111,6 +114,7 @@ class BodyMap {
   [[nodiscard]] bool is_same(const lbm::BodyFields<Real>& fields, std::size_t block) const;
   void write_block(lbm::Fluid<Real>& fluid, lbm::BlockIndex b);
   void measure_wet(const lbm::Block<Real>& block, Pair& pair) const;
+  void settle_covered(const lbm::Block<Real>& block, Pair& pair) const;
   void book_displacement(lbm::Fluid<Real>& fluid);
   void add_loads(const lbm::Fluid<Real>& fluid, std::size_t block);
   void hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& particles, std::size_t k);

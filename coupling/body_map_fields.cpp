@@ -2,6 +2,7 @@
 // sums, so that the same row gives the same numbers wherever it is inlined.
 #include "coupling/body_map_parts.h"
 #include "coupling/body_rows.h"
+#include "lbm/free_surface/covered_cells.h"
 
 namespace lahar::coupling {
 
@@ -171,8 +172,12 @@ void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
     Pair& pair = pairs_[k];
     if (written_[at]) add(spheres_[pair.body], spheres_[pair.body], pair.lowest, f);
     pair.wet_volume = pair.volume;
-    pair.surface_weight = 0;
-    if (mixed) measure_wet(block, pair);
+    pair.surface_weight = pair.drift = 0;
+  }
+  if (!mixed) return;
+  for (const std::uint32_t k : pairs_of(block_start_, at)) {
+    measure_wet(block, pairs_[k]);
+    if (block.surface) settle_covered(block, pairs_[k]);
   }
 }
 
@@ -185,23 +190,41 @@ void BodyMap<Real>::measure_wet(const Block<Real>& block, Pair& pair) const {
     for (int c = 0; c < kBlockWidth; ++c) {
       const CellType t = block.type[static_cast<std::size_t>(row + c)];
       if (lbm::is_wet(t)) pair.wet_volume += static_cast<double>(eps[c]);
-      if (t == CellType::interface) pair.surface_weight += static_cast<double>(eps[c]);
+      if (t == CellType::interface && !lbm::is_covered(block, row + c))
+        pair.surface_weight += static_cast<double>(eps[c]);
     }
   });
 }
 
-/// Adds each body's change of wet volume to the interface cells that it covers; the pool takes it where there are none.
+/// Interface cells full of bodies are filled to the top. Of several bodies the first one books it.
+template <class Real>
+void BodyMap<Real>::settle_covered(const Block<Real>& block, Pair& pair) const {
+  for_rows(spheres_[pair.body], pair.lowest, [&](int row, const lbm::Row<Real>& cover) {
+    for (int c = 0; c < kBlockWidth; ++c) {
+      const int cell = row + c;
+      if (block.type[static_cast<std::size_t>(cell)] != CellType::interface ||
+          cover[static_cast<std::size_t>(c)] <= 0 || !lbm::is_covered(block, cell))
+        continue;
+      Real& mass = block.surface->mass[cell];
+      const Real whole = Real(1) + block.surface->density[cell];
+      pair.drift += static_cast<double>(mass) - static_cast<double>(whole);
+      mass = whole;
+    }
+  });
+}
+
+/// Adds each body's change of wet volume, and what its full interface cells gained, to the other interface cells that
+/// it covers; the pool takes it where there are none.
 template <class Real>
 void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
   displaced_.assign(bodies_.size(), 0.0), change_.assign(bodies_.size(), 0.0);
   parallel_for(0, bodies_.size(), 256, [&](std::size_t k) {
     const Body& b = bodies_[k];
-    double now = 0, weight = 0;
+    double change = -b.old_wet_volume, weight = 0;
     for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
-      now += pairs_[p].wet_volume;
+      change += pairs_[p].wet_volume + pairs_[p].drift;
       weight += pairs_[p].surface_weight;
     }
-    const double change = now - b.old_wet_volume;
     if (change == 0) return;
     if (weight > std::abs(change))
       displaced_[k] = change / weight;
@@ -221,7 +244,7 @@ void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
         alignas(64) Real eps[kBlockWidth];
         cover.copy_to(eps, stdx::vector_aligned);
         for (int c = 0; c < kBlockWidth; ++c)
-          if (block.type[static_cast<std::size_t>(row + c)] == CellType::interface)
+          if (block.type[static_cast<std::size_t>(row + c)] == CellType::interface && !lbm::is_covered(block, row + c))
             block.surface->mass[row + c] = multiply_add(displaced, eps[c], block.surface->mass[row + c]);
       });
     }
@@ -245,6 +268,8 @@ template void BodyMap<float>::write_block(lbm::Fluid<float>&, lbm::BlockIndex);
 template void BodyMap<double>::write_block(lbm::Fluid<double>&, lbm::BlockIndex);
 template void BodyMap<float>::measure_wet(const lbm::Block<float>&, Pair&) const;
 template void BodyMap<double>::measure_wet(const lbm::Block<double>&, Pair&) const;
+template void BodyMap<float>::settle_covered(const lbm::Block<float>&, Pair&) const;
+template void BodyMap<double>::settle_covered(const lbm::Block<double>&, Pair&) const;
 template void BodyMap<float>::book_displacement(lbm::Fluid<float>&);
 template void BodyMap<double>::book_displacement(lbm::Fluid<double>&);
 template std::size_t BodyMap<float>::written_blocks() const;

@@ -59,13 +59,21 @@ enum class Held {
   law,       ///< B by the law for both
 };
 
+/// The law in the number type of the rows.
 template <class Real>
-lbm::Row<Real> held_share(const lbm::Row<Real>& share, const Real* resistance, const lbm::CoverageLaw& law) {
-  return lbm::Row<Real>([&](auto c) {
-    return static_cast<Real>(static_cast<double>(static_cast<Real>(share[c])) *
-                             lbm::coverage_weight(static_cast<double>(resistance[c]), law));
-  });
-}
+struct RowLaw {
+  lbm::Row<Real> alpha, beta, gamma, cap, largest;
+
+  explicit RowLaw(const lbm::CoverageLaw& law)
+      : alpha(static_cast<Real>(law.alpha)),
+        beta(static_cast<Real>(law.beta)),
+        gamma(static_cast<Real>(law.gamma)),
+        cap(static_cast<Real>(law.cap)),
+        largest(static_cast<Real>(law.largest)) {}
+  [[gnu::always_inline]] lbm::Row<Real> weight(const lbm::Row<Real>& resistance) const {
+    return lbm::coverage_weight(resistance, alpha, beta, gamma, cap, largest);
+  }
+};
 
 /// Sums of a body over a block, all of it wet or by `wet` (1 or 0 for each cell); s is its middle.
 template <class Real, Held kHeld, bool kMixed, class Body, class Load>
@@ -74,6 +82,7 @@ template <class Real, Held kHeld, bool kMixed, class Body, class Load>
                                 Load& load) {
   using Row = lbm::Row<Real>;
   RowSums<Real> sums;
+  const RowLaw<Real> rows_law(law);
   for_rows_near(
       body, lowest, reach_of(body), [&](int y, int z) __attribute__((always_inline)) {
         const RowCover<Real> cover =
@@ -88,7 +97,7 @@ template <class Real, Held kHeld, bool kMixed, class Body, class Load>
         if constexpr (kHeld == Held::weight)
           held = share * stdx::min(Row(f.resistance + row, stdx::vector_aligned), Row(Real(1)));
         else
-          held = held_share<Real>(share, f.resistance + row, law);
+          held = share * rows_law.weight(Row(f.resistance + row, stdx::vector_aligned));
         Row inside = held;
         if constexpr (kHeld == Held::fraction) inside = cover.fraction;
         if constexpr (kMixed) {
@@ -134,6 +143,21 @@ void BodyMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) 
   }
 }
 
+namespace {
+
+/// Inertia of the liquid in a body's place that the body gets back, at most what the exchange holds: a body of a cell
+/// or two holds less than its volume, and what it got back beyond that would drive itself. With other weightings than
+/// wall_distance a light body gets back no more than a share of its own, and none has its spin driven by more than its
+/// own inertia (docs/decisions/0034).
+constexpr double kShareOfOwn = 0.7;
+
+double liquid_given_back(double inside, double held, double own, lbm::BodyWeighting weighting) {
+  const double most = weighting == lbm::BodyWeighting::wall_distance ? held : std::min(held, kShareOfOwn * own);
+  return std::min(inside, most);
+}
+
+}  // namespace
+
 /// The exchange also accelerates the liquid that stands in the body's place; that part is no load on the body (Feng &
 /// Michaelides 2009; Uhlmann 2005). The weight of that liquid is carried by the fluid: the body's buoyancy.
 template <class Real>
@@ -153,11 +177,16 @@ void BodyMap<Real>::hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& par
   const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
   const dem::ParticleIndex i = b.particle;
   const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
-  Vec3 force = sum.force + sum.inside * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
-  Vec3 torque = sum.torque + sum.inside_inertia * units.time_step * units.time_step * b.spin_up;
+  const double given_back =
+      liquid_given_back(sum.inside, sum.held, particles.mass[i] / to_kg, fluid.options().weighting);
+  Vec3 force = sum.force + given_back * units.acceleration_to_lu(1.0) * b.acceleration - wet * gravity;
+  const double spun = std::min({sum.inside_inertia, sum.held_inertia, particles.inertia[i] / to_kg_m2});
+  Vec3 torque = sum.torque + spun * units.time_step * units.time_step * b.spin_up;
   force *= units.force_to_si(1.0), torque *= units.torque_to_si(1.0);
   follow(felt_force_[i], force, followed_share(particles.mass[i], to_kg * sum.held), sum.held > 0);
-  follow(felt_torque_[i], torque, followed_share(particles.inertia[i], to_kg_m2 * sum.held_inertia), sum.held > 0);
+  // About any axis the liquid held has at most 3/2 of the mean over axes.
+  follow(felt_torque_[i], torque, followed_share(particles.inertia[i], 1.5 * to_kg_m2 * sum.held_inertia),
+         sum.held > 0);
   particles.external_force.add(i, felt_force_[i]);
   particles.external_torque.add(i, felt_torque_[i]);
 }

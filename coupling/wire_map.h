@@ -12,8 +12,13 @@
 #include "coupling/resolved_wires.h"
 #include "coupling/wire_piece.h"
 #include "lbm/fluid.h"
+#include "lbm/free_surface/covered_cells.h"
 
 namespace lahar::coupling {
+
+/// Resistance at most of a cell in which there are wires alone. They hold it, but do not cover it: only spheres keep
+/// books of what covered cells hold.
+inline constexpr double kWireResistance = 0.1 * lbm::kCoveredResistance;
 
 template <class Real>
 class WireMap {

@@ -40,8 +40,10 @@ template <bool kByDistance, class Real>
         add_to_row(f.coverage + row, cover.coverage);
         if constexpr (kByDistance) {
           const Row<Real> sum(f.resistance + row, stdx::vector_aligned);
-          joined_resistance<Row<Real>>(sum, cover.coverage, lbm::number<Row<Real>>(kGapResistance))
-              .copy_to(f.resistance + row, stdx::vector_aligned);
+          Row<Real> joined = joined_resistance<Row<Real>>(sum, cover.coverage, lbm::number<Row<Real>>(kGapResistance));
+          stdx::where(sum < static_cast<Real>(lbm::kCoveredResistance), joined) =
+              stdx::min(joined, lbm::number<Row<Real>>(kWireResistance));
+          joined.copy_to(f.resistance + row, stdx::vector_aligned);
         } else {
           add_to_row(f.resistance + row, cover.coverage);
         }

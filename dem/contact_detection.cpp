@@ -78,7 +78,8 @@ void ContactDetection::refresh(const Particles& particles, const RateShare& shar
 void ContactDetection::set_move_limits(const Particles& particles, const RateShare& share) {
   move_limit2_.resize(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    const double limit = 0.5 * narrow_share_ * neighbours_.skin(particles, i);
+    const double narrow = share.paired(i) ? narrow_share_ : 1.0;  // others are listed with walls only, in `rebuild`
+    const double limit = 0.5 * narrow * neighbours_.skin(particles, i);
     move_limit2_[i] = share.listed(i) ? limit * limit : std::numeric_limits<double>::infinity();
   }
 }

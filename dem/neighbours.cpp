@@ -77,7 +77,7 @@ void NeighbourList::build(const Particles& particles, const PairSet& excluded, c
     rows.clear();
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t before = rows.size();
-      if (particles.state[i] != ParticleState::removed && share.listed(i)) search(particles, excluded, share, i, rows);
+      if (particles.state[i] != ParticleState::removed && share.paired(i)) search(particles, excluded, share, i, rows);
       std::sort(rows.begin() + static_cast<std::ptrdiff_t>(before), rows.end());
       offset_[i + 1] = static_cast<std::uint32_t>(rows.size() - before);
     }
@@ -110,7 +110,7 @@ void NeighbourList::sort_into_levels(const Particles& particles, const RateShare
   for (auto& level : levels_)
     level.particles.clear(), level.largest_reach = 0, level.only_slow = share.rate == Rate::fast;
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.state[i] == ParticleState::removed || !share.listed(i)) continue;
+    if (particles.state[i] == ParticleState::removed || !share.paired(i)) continue;
     const double reach = particles.radius[i] + 0.5 * skin(particles, i);
     const int exponent = std::ilogb(reach);
     auto level = std::find_if(levels_.begin(), levels_.end(), [&](const Level& l) { return l.exponent >= exponent; });

@@ -26,6 +26,8 @@ Solids::Solids(Particles particles, Bonds bonds, Materials materials, Walls wall
       section_bonds_(&timers_.section("bonds")) {
   require(options.long_step >= 1, "a long step has at least one sub-step");
   set_time_step(options.time_step);
+  if (options.wire_contacts == WireContacts::capsules)
+    wires_.emplace(materials_, options.contact_law, options.neighbours);
   if (!contact_forces_.rolls()) return;
   contacts_.remember_rolling();
   slow_contacts_.remember_rolling();
@@ -68,9 +70,10 @@ void Solids::substep(bool first, bool last) {
 void Solids::detect() {
   const ScopedTimer timer(*section_detect_);
   const bool bonds_broke = note_broken_bonds();
-  if (!contacts_.outdated(particles_) && !bonds_broke) return;
+  if (wires_) detect_wires(bonds_broke);
+  if (!contacts_.outdated(particles_) && (!bonds_broke || wires_)) return;
   check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
-  if (!bonds_broke && !contacts_.neighbours().outdated(particles_))
+  if ((!bonds_broke || wires_) && !contacts_.neighbours().outdated(particles_))
     return contacts_.refresh(particles_, share(Rate::fast));
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
@@ -84,6 +87,7 @@ bool Solids::note_broken_bonds() {
   for (std::size_t b = 0; b < bonds_.size(); ++b) {
     if (bonds_.intact[b] == known_intact_[b]) continue;
     known_intact_[b] = bonds_.intact[b];
+    if (wires_) continue;  // see detect_wires
     const ParticleIndex i = bonds_.i[b], j = bonds_.j[b];
     const Vec3 arm = particles_.position[j] - particles_.position[i] -
                      0.5 * options_.time_step * (particles_.velocity[j] - particles_.velocity[i]);
@@ -94,11 +98,47 @@ bool Solids::note_broken_bonds() {
   return true;
 }
 
+/// Where a bond broke, a wire became two, or its bead a plain one: what its contacts hold changes at once. The
+/// difference comes from what the bond held.
+void Solids::detect_wires(bool bonds_broke) {
+  if (!bonds_broke) {
+    if (!wires_->outdated(particles_)) return wires_->narrow(particles_);
+    check_motion(particles_, options_.watchdog, step_count_);
+    return wires_->relist(particles_);
+  }
+  check_motion(particles_, options_.watchdog, step_count_);
+  // It happens between the last step and this one: energies are those half-way.
+  const Vec3Field now = particles_.position;
+  for (std::size_t i = 0; i < particles_.size(); ++i)
+    particles_.position.add(i, -0.5 * options_.time_step * particles_.velocity[i]);
+  const double before = wires_->normal_energy(particles_);
+  const Vec3Field half_way = std::exchange(particles_.position, now);
+  const std::vector<std::uint8_t> covered = wires_->chains().covered();
+  wires_->rebuild(particles_, bonds_);
+  bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
+  contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
+  particles_.position = half_way;
+  double after = wires_->normal_energy(particles_);
+  const ContactSlots& pairs = contacts_.pairs();
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const ParticleIndex i = pairs.owner[k], j = pairs.partner[k];
+    if (covered[i] == 0 && covered[j] == 0) continue;
+    const double distance = (particles_.position[j] - particles_.position[i]).norm();
+    after += normal_energy(i, j, particles_.radius[i] + particles_.radius[j] - distance, particles_, materials_,
+                           options_.contact_law);
+  }
+  particles_.position = now;
+  bonds_.breakage_loss += before - after;
+  known_breakage_ = bonds_.breakage_loss;
+}
+
 /// Spheres, walls, gravity and external forces, then bonds. Velocities are those of mid-step.
 void Solids::evaluate_forces(double dt) {
   {
     const ScopedTimer timer(*section_contact_);
+    if (wires_) wires_->evaluate(particles_, dt);  // needs the forces of the step before
     contact_forces_.compute(particles_, contacts_, walls_, options_.gravity, dt, share(Rate::fast));
+    if (wires_) wires_->add_forces(particles_);
   }
   const ScopedTimer timer(*section_bonds_);
   if (bonds_.size() > 0) bond_forces_.add_forces(bonds_, particles_, dt);
@@ -124,6 +164,7 @@ void Solids::build_all() {
   check_motion(particles_, options_.watchdog, step_count_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   find_slow();
+  if (wires_) wires_->rebuild(particles_, bonds_);
   contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
   if (two_rates()) slow_contacts_.rebuild(particles_, walls_, bonded_, share(Rate::slow));
   applied_force_ = particles_.external_force;
@@ -169,9 +210,11 @@ void Solids::take_external_forces() {
 void Solids::remove(ParticleIndex i) {
   const double springs = normal_energy_of(i, particles_, materials_, walls_, contacts_, options_.contact_law);
   const double slow_springs = normal_energy_of(i, particles_, materials_, walls_, slow_contacts_, options_.contact_law);
+  const double wire_springs = wires_ && prepared_ ? wires_->normal_energy_of(i, particles_) : 0.0;
+  if (wires_) wires_->take_out(wire_springs);
   contact_forces_.take_out(springs);
   slow_forces_.take_out(slow_springs);
-  removed_energy_ += motion_energy(particles_, i, options_.gravity) + springs + slow_springs;
+  removed_energy_ += motion_energy(particles_, i, options_.gravity) + springs + slow_springs + wire_springs;
   particles_.remove(i);
 }
 
@@ -190,6 +233,7 @@ EnergyLedger Solids::ledger() const {
   EnergyLedger ledger = motion_energy(particles_, options_.gravity);
   ContactEnergy c = contact_forces_.energy();
   c += slow_forces_.energy();
+  if (wires_) c += wires_->energy();
   ledger.elastic_normal = c.elastic_normal;
   ledger.elastic_tangential = c.elastic_tangential;
   ledger.elastic_rolling = c.elastic_rolling;

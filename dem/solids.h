@@ -1,6 +1,7 @@
 #pragma once
 // The ordered particle step: grains, rings and cables together.
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/geometry.h"
@@ -14,6 +15,7 @@
 #include "dem/particles.h"
 #include "dem/rates.h"
 #include "dem/watchdog.h"
+#include "dem/wire_forces.h"
 #include "dem/worst_overlap.h"
 
 namespace lahar::dem {
@@ -25,6 +27,7 @@ struct SolidsOptions {
   /// one rate for all. See docs/decisions/0024.
   int long_step = 1;
   ContactLawChoice contact_law = HertzMindlin{};
+  WireContacts wire_contacts = WireContacts::beads;
   NeighbourOptions neighbours;
   WatchdogOptions watchdog;
 };
@@ -67,6 +70,8 @@ class Solids {
   [[nodiscard]] BondEnergy bond_energy() const { return bond_forces_.energy(bonds_); }
   [[nodiscard]] const ContactDetection& contacts() const { return contacts_; }  ///< all, or those of a sub-step
   [[nodiscard]] const ContactDetection& slow_contacts() const { return slow_contacts_; }
+  /// Contacts of smooth wires; none with WireContacts::beads.
+  [[nodiscard]] const std::optional<WireForces>& wires() const { return wires_; }
   [[nodiscard]] WorstOverlap worst_overlap() const;
   /// Force of all particles on a wall in the last step, N.
   [[nodiscard]] Vec3 force_on_wall(std::uint32_t wall) const;
@@ -82,7 +87,9 @@ class Solids {
 
  private:
   [[nodiscard]] bool two_rates() const { return !slow_.empty(); }
-  [[nodiscard]] RateShare share(Rate rate) const { return {two_rates() ? rate : Rate::all, slow_.data()}; }
+  [[nodiscard]] RateShare share(Rate rate) const {
+    return {two_rates() ? rate : Rate::all, slow_.data(), wires_ ? wires_->chains().covered().data() : nullptr};
+  }
   void find_slow();
   void long_step(int substeps);
   void kick_slow(double dt);
@@ -91,6 +98,7 @@ class Solids {
   void evaluate_slow(double dt, const MeanMotion* mean);
   void substep(bool first, bool last);
   void detect();
+  void detect_wires(bool bonds_broke);
   void evaluate_forces(double dt);
   void prepare();
   void build_all();
@@ -107,6 +115,7 @@ class Solids {
   ContactDetection contacts_;
   ContactForces contact_forces_;
   BondForces bond_forces_;
+  std::optional<WireForces> wires_;
   PairSet bonded_;
   // Of two rates. particles.force then holds what acts in sub-steps, and for slow particles slow_force_ the rest.
   std::vector<std::uint8_t> slow_;  // per particle; empty with one rate

@@ -89,10 +89,13 @@ void Solids::evaluate_slow(double dt, const MeanMotion* mean) {
 }
 
 WorstOverlap Solids::worst_overlap() const {
-  const WorstOverlap fast = dem::worst_overlap(particles_, contacts_, walls_);
-  if (!two_rates()) return fast;
-  const WorstOverlap slow = dem::worst_overlap(particles_, slow_contacts_, walls_);
-  return slow.ratio > fast.ratio ? slow : fast;
+  WorstOverlap worst = dem::worst_overlap(particles_, contacts_, walls_);
+  const auto consider = [&worst](const WorstOverlap& other) {
+    if (other.ratio > worst.ratio) worst = other;
+  };
+  if (two_rates()) consider(dem::worst_overlap(particles_, slow_contacts_, walls_));
+  if (wires_) consider(wires_->worst_overlap());
+  return worst;
 }
 
 Vec3 Solids::force_on_wall(std::uint32_t wall) const {

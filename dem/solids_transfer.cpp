@@ -158,6 +158,13 @@ struct Contacts {
   void transfer(Archive& archive) { contacts.transfer(archive, particles, walls, share); }
 };
 
+struct Wires {
+  WireForces& wires;
+  const Particles& particles;
+  const Bonds& bonds;
+  void transfer(Archive& archive) { wires.transfer(archive, particles, bonds); }
+};
+
 }  // namespace
 
 void Solids::transfer(Archive& archive) {
@@ -183,6 +190,10 @@ void Solids::transfer(Archive& archive) {
     known_particles_ = particles_.size();
     known_bonds_ = bonds_.size();
     find_slow();
+  }
+  if (wires_ && prepared_) {
+    Wires wires{*wires_, particles_, bonds_};
+    archive.part("wires", wires);
   }
   Contacts contacts{contacts_, particles_, walls_.all().size(), share(Rate::fast)};
   archive.part("contacts", contacts);

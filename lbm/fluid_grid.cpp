@@ -107,6 +107,41 @@ void FluidGrid<Real>::cut_geometry(BlockIndex b) {
   list_row_links(fresh.walls, types, domain_.placement());
 }
 
+namespace {
+
+/// A link into the edge where a no-slip wall meets another one hits both of them there, and liquid may cross neither.
+/// The push of a moving wall over its diagonal links is the liquid that it carries along from cell to cell; over the
+/// link into the edge it would carry that through the other wall, u/6 a step in at one end and out at the other, which
+/// takes as much from the circulation that the wall drives: an error of first order in the cell (docs/decisions/0038).
+/// So such a link is the wall's that moves less along it; among walls at rest nothing changes.
+void give_corner_links(const Domain& domain, const Vec3i& place, std::array<int, D3Q19::q>& wall_of) {
+  const auto& walls = domain.walls().all();
+  const auto link = [](int x, int y, int z) {
+    for (std::size_t i = 0; i < D3Q19::q; ++i)
+      if (D3Q19::c[i][0] == x && D3Q19::c[i][1] == y && D3Q19::c[i][2] == z) return i;
+    return std::size_t{0};
+  };
+  for (std::size_t i = 1; i < D3Q19::q; ++i) {
+    const auto* c = D3Q19::c[i];
+    if (wall_of[i] < 0 || std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]) < 2) continue;
+    const Vec3 way(c[0], c[1], c[2]), hit = domain.centre(place) + 0.5 * domain.cell_size() * way;
+    const auto pace = [&](int wall) {
+      return std::abs(walls[static_cast<std::size_t>(wall)].surface_velocity(hit).dot(way));
+    };
+    const int sides[3] = {wall_of[link(c[0], 0, 0)], wall_of[link(0, c[1], 0)], wall_of[link(0, 0, c[2])]};
+    int meeting[2] = {-1, -1}, n = 0;
+    for (int a = 0; a < 3; ++a)
+      if (c[a] != 0) meeting[n++] = sides[a];
+    if (meeting[0] < 0 || meeting[1] < 0 || meeting[0] == meeting[1]) continue;
+    for (const int wall : meeting)
+      if (walls[static_cast<std::size_t>(wall)].slip != WallSlip::wall_model &&
+          walls[static_cast<std::size_t>(wall_of[i])].slip == WallSlip::no_slip && pace(wall) < pace(wall_of[i]))
+        wall_of[i] = wall;
+  }
+}
+
+}  // namespace
+
 template <class Real>
 void FluidGrid<Real>::add_wall_links(Block<Real>& fresh, int cell, const Vec3i& place,
                                      const std::array<CellType, 1000>& types) {
@@ -121,6 +156,7 @@ void FluidGrid<Real>::add_wall_links(Block<Real>& fresh, int cell, const Vec3i& 
         solid ? domain_.walls().nearest(domain_.centre(place + Vec3i(c[0], c[1], c[2]))).wall : -1;
   }
   wall_of[0] = -1;
+  give_corner_links(domain_, place, wall_of);
   for (int wall = 0; wall < static_cast<int>(domain_.walls().all().size()); ++wall) {
     const auto links = std::count(wall_of.begin(), wall_of.end(), wall);
     if (links == 0) continue;

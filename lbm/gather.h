@@ -61,9 +61,10 @@ class ShiftedVelocity {
   /// null if nothing is stored. The pointers are shifted so that the cell n + (CX, CY, CZ) lies at n, whichever block
   /// holds it.
   ShiftedVelocity(const std::array<Block<Real>*, 27>& around, int slot, Real* nowhere) {
-    for (int kz = 0; kz < 2; ++kz)
-      for (int ky = 0; ky < 2; ++ky)
-        for (int kx = 0; kx < 2; ++kx) {
+    // Only what load and store look up: along an axis without an offset nothing lies beyond.
+    for (int kz = 0; kz <= (CZ != 0); ++kz)
+      for (int ky = 0; ky <= (CY != 0); ++ky)
+        for (int kx = 0; kx <= CX; ++kx) {
           const Block<Real>* block = around[static_cast<std::size_t>(neighbour_slot(kx * CX, ky * CY, kz * CZ))];
           const int shift = cell_index(0, CY, CZ) - kBlockWidth * cell_index(0, ky * CY, kz * CZ);
           from_[kz][ky][kx] = shifted<const Real>(block ? block->f(slot) : kRest<Real>, shift);

@@ -58,6 +58,7 @@ void describe(V& v, RockfallContact& part) {
   v.value("poisson_ratio", s.poisson_ratio, {scene::between(0, 0.5)}, "Of rings and cables.");
   v.value("friction", s.friction, {scene::non_negative()}, "Between all.");
   v.value("restitution", s.restitution, {scene::above_up_to(0, 1)}, "Between all.");
+  v.value("capsules", s.capsules, {}, "Wires touch as smooth round wires instead of bead by bead.");
 }
 
 template <class V>

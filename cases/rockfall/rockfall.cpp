@@ -121,6 +121,7 @@ struct SettledNet::Parts {
     dem::SolidsOptions options;
     options.gravity = Vec3(0, 0, -kGravity);
     options.time_step = time_step;
+    if (r.capsules) options.wire_contacts = dem::WireContacts::capsules;
     options.watchdog.speed_limit = 20 * r.impact_speed();
     return {particles, bonds, materials_of(r), Walls{}, options};
   }

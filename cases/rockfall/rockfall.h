@@ -30,6 +30,7 @@ struct Rockfall {
   double poisson_ratio = 0.3;
   double friction = 0.1;        ///< between all
   double restitution = 0.5;     ///< between all; not in the paper: with 0.1 the ledger takes steps below 1e-6 s
+  bool capsules = false;        ///< wires touch as smooth wires instead of bead by bead
   double ball_diameter = 0.82;  ///< m
   double ball_mass = 825;       ///< kg
   double ball_modulus = 30e9;   ///< Pa

@@ -178,6 +178,7 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   dem::SolidsOptions options;
   options.gravity = scene.gravity.vector();
   options.contact_law = contact_law_of(scene.solids);
+  if (scene.solids.wire_contacts == scene::WireContacts::capsules) options.wire_contacts = dem::WireContacts::capsules;
   options.watchdog.speed_limit = 200;  // m/s: nothing in a debris flow is that fast
   options.watchdog.overlap_limit = 1;  // beyond it a bead has gone through
   options.watchdog.interval = 20;

@@ -60,6 +60,9 @@ constexpr auto names_of(Collision) {
 constexpr auto names_of(ContactLaw) {
   return NameTable<ContactLaw, 2>{{{"hertz_mindlin", ContactLaw::hertz_mindlin}, {"linear", ContactLaw::linear}}};
 }
+constexpr auto names_of(WireContacts) {
+  return NameTable<WireContacts, 2>{{{"beads", WireContacts::beads}, {"capsules", WireContacts::capsules}}};
+}
 constexpr auto names_of(SizeWeighting) {
   return NameTable<SizeWeighting, 2>{{{"mass", SizeWeighting::mass}, {"number", SizeWeighting::number}}};
 }

@@ -19,6 +19,7 @@ enum class WallShape { plane, box, cylinder, sphere, mesh, heightmap };
 enum class RegionShape { box, cylinder, sphere, mesh };
 enum class Collision { central_moments, bgk, trt };
 enum class ContactLaw { hertz_mindlin, linear };
+enum class WireContacts { beads, capsules };
 enum class BodyWeighting { solid_fraction, noble_torczynski, seepage, wall_distance };
 enum class SolidOperator { faded, equilibrium_difference, bounce_back, holdych };
 enum class WallPlacement { half_way, interpolated };
@@ -169,6 +170,7 @@ struct Solids {
   double contact_modulus_scale = 1;
   double bond_stiffness_scale = 1;
   double bond_damping_ratio = 0.02;
+  WireContacts wire_contacts = WireContacts::beads;
   ContactLaw contact_law = ContactLaw::hertz_mindlin;
   double normal_stiffness = 0, tangential_stiffness = 0;  ///< N/m, of the linear law; tangential 0 = 2/7 of normal
   bool operator==(const Solids&) const = default;

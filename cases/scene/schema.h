@@ -221,6 +221,9 @@ void describe(V& v, Solids& s) {
           "Factor on every Young's modulus in contacts: softer contacts allow longer time steps.");
   v.value("bond_stiffness_scale", s.bond_stiffness_scale, {above_up_to(0, 1)}, "Factor on every bond stiffness.");
   v.value("bond_damping_ratio", s.bond_damping_ratio, {between(0, 1)}, "Damping of the bonds, as a share of critical.");
+  v.value("wire_contacts", s.wire_contacts, {},
+          "How rings and cables touch each other and grains: bead by bead, or as smooth round wires along the beads. "
+          "With walls they touch bead by bead.");
   v.value("contact_law", s.contact_law, {},
           "Law of contacts: Hertz and Mindlin from the materials, or linear springs and dashpots of one stiffness for "
           "all.");

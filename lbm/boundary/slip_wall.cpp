@@ -1,5 +1,6 @@
 #include "lbm/boundary/slip_wall.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -61,9 +62,10 @@ const MirrorLink& mirror_link(int i, int axis) {
 template <class Real>
 void exchange_over_mirrors(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
   Block<Real>& block = grid.block(b);
-  if (!block.surface || block.walls.rows.empty()) return;
+  const auto& rows = block.walls.rows;
+  if (!block.surface || std::none_of(rows.begin(), rows.end(), [](const RowLink& r) { return r.mirrored != 0; }))
+    return;
   const MirroredLinks mirrored(block.walls);
-  if (!mirrored.any()) return;
   const auto& directions = block.walls.directions;
   for (const WallCell& wall : block.walls.cells) {
     if (block.type[wall.cell] != CellType::interface) continue;

@@ -6,42 +6,16 @@
 #include "core/parallel.h"
 #include "lbm/cell_moments.h"
 #include "lbm/equilibrium.h"
+#include "lbm/free_surface/surface_exchange.h"
+#include "lbm/free_surface/touching.h"
 
 namespace lahar::lbm {
 
 namespace {
 
-constexpr double kThreshold = 0.01;  ///< beyond full or empty before a cell converts: damps flicker
-constexpr double kThinFill = 0.1;    ///< liquid share under which a draining cell with no liquid neighbour is given up
-constexpr double kPoolDose = 0.02;   ///< largest payment of the pool to one cell in a step
+constexpr double kPoolDose = 0.02;        ///< largest payment of the pool to one cell in a step
 constexpr std::uint64_t kVoidsEvery = 8;  ///< steps between looks for voids that are cut off from the gas
 constexpr double kPoolIdle = 1e-5;        ///< a smaller pool waits: payments would drown in rounding
-
-/// Whether a neighbour of a cell is of a kind.
-template <class Real, class Kind>
-bool touches(const FluidGrid<Real>& grid, CellPlace place, const Kind& kind) {
-  const auto& around = grid.around(place.block);
-  for (int i = 1; i < D3Q19::q; ++i) {
-    const Block<Real>* block = around[kNeighbours.slot[i][place.cell]];
-    if (kind(block ? block->type[kNeighbours.cell[i][place.cell]] : CellType::gas)) return true;
-  }
-  return false;
-}
-
-template <class Real>
-bool touches_gas(const FluidGrid<Real>& grid, CellPlace place) {
-  return touches(grid, place, [](CellType t) { return t == CellType::gas || t == CellType::sink; });
-}
-
-template <class Real>
-bool touches_liquid(const FluidGrid<Real>& grid, CellPlace place) {
-  return touches(grid, place, [](CellType t) { return t == CellType::liquid; });
-}
-
-template <class Real>
-Real body_share(const Block<Real>& block, int cell) {
-  return block.body ? block.body->solid_fraction[cell] : Real(0);
-}
 
 /// A void that is cut off from the gas: an interface cell that is not full although none of its neighbours is gas. No
 /// link tells them the gas pressure any more, so that they would stand half empty in water under any pressure. They
@@ -73,77 +47,25 @@ void close_void(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   }
 }
 
-enum class Verdict { stay, fill, empty };
-
-/// A thin cell that gains liquid is the front of a drop or sheet on its way: it is kept. Not so at bodies, whose motion
-/// changes the cells' liquid too: films that were kept there held a sinking sphere back at the surface.
-template <class Real>
-Verdict judge(const FluidGrid<Real>& grid, CellPlace place, Real mass, Real rho, bool at_rim, bool draining) {
-  const Real eps = body_share(grid.block(place.block), place.cell), room = std::max(Real(0), Real(1) - eps);
-  const Real liquid = mass - eps;
-  if (liquid < Real(-kThreshold)) return Verdict::empty;
-  if (!at_rim && mass > Real(1 + kThreshold) * rho) return Verdict::fill;
-  const bool thin = (draining || eps > 0) && liquid<Real(kThinFill) * room, thick = mass> Real(1 - kThinFill) * rho;
-  if (!thin && !thick) return Verdict::stay;
-  if (thick && !at_rim && !touches_gas(grid, place)) return Verdict::fill;
-  if (thin && !touches_liquid(grid, place)) return Verdict::empty;
-  return Verdict::stay;
-}
-
-template <class Real>
-void flag_drop(FluidGrid<Real>& grid, CellPlace place, Parity parity, std::uint64_t round,
-               std::vector<Drop<Real>>& drops) {
-  const CellMoments<Real> m = outgoing_moments(grid, place, parity);
-  const int i = drop_direction(m.u, round);
-  if (i != 0 && is_free_to_move(grid, place, i))
-    drops.push_back({static_cast<std::uint16_t>(place.cell), static_cast<std::uint8_t>(i), m});
-}
-
 }  // namespace
 
 template <class Real>
-double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round, double speed,
-                        Flagged<Real>& flagged) {
-  const bool moving = drops_may_move(speed, round);
-  Block<Real>& block = grid.block(b);
-  SurfaceFields<Real>& surface = *block.surface;
-  double left = 0;
-  for (int k = 0; k < surface.count; ++k) {
-    const auto cell = surface.cells[static_cast<std::size_t>(k)];
-    const Real rho = Real(1) + surface.density[cell];
-    Real& mass = surface.mass[cell];
-    if (block.at_rim[cell] && mass > rho) {
-      left += static_cast<double>(mass) - static_cast<double>(rho);
-      mass = rho;
-    }
-    const Real fill = std::clamp(mass / rho, Real(0), Real(1));
-    const bool draining = fill <= surface.fill_level[cell];
-    surface.fill_level[cell] = fill;
-    const Verdict v = judge(grid, {b, cell}, mass, rho, block.at_rim[cell], draining);
-    if (v == Verdict::fill) flagged.filled.push_back(cell);
-    if (v == Verdict::empty) flagged.emptied.push_back(cell);
-    if (moving && v == Verdict::stay && surface.alone[cell]) flag_drop(grid, {b, cell}, parity, round, flagged.drops);
-  }
-  return left;
-}
-
-template <class Real>
-void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes,
-                               LiquidAccount& account) {
-  ++round_;
-  flag(grid, parity, notes, account);
+void CellConversion<Real>::run(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
+  for (const double left : left_) account.outflow += left;
   fill_cells(grid, parity);
   empty_cells(grid, parity);
   move_drops(grid, parity, account);
   distribute(grid, account);
   pay_pool(grid, account);
   if (round_ % kVoidsEvery == 0) close_voids(grid, parity);
-  relist_touched(grid);
+  relist_touched(grid, parity);
 }
 
 template <class Real>
-void CellConversion<Real>::relist_touched(FluidGrid<Real>& grid) {
+void CellConversion<Real>::relist_touched(FluidGrid<Real>& grid, Parity parity) {
   parallel_for(0, touched_.size(), 8, [&](std::size_t k) { grid.list_cells(touched_[k]); });
+  for (const BlockIndex b : new_surfaces_) note_densities(grid, b, parity);
+  new_surfaces_.clear();
   for (const BlockIndex b : touched_) {
     grid.release_unused_surface(b);
     fresh_[static_cast<std::size_t>(b)].clear();
@@ -174,25 +96,25 @@ template <class Real>
 void CellConversion<Real>::wet(FluidGrid<Real>& grid, CellPlace place, Parity parity,
                                const CellMoments<Real>& moments) {
   set_interface(grid, place, parity, moments, Real(0));
-  relist_touched(grid);
+  relist_touched(grid, parity);
 }
 
 template <class Real>
-void CellConversion<Real>::flag(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes,
-                                LiquidAccount& account) {
+void CellConversion<Real>::begin(const FluidGrid<Real>& grid) {
+  ++round_;
   for (const BlockIndex b : with_surface_) flagged_[static_cast<std::size_t>(b)].clear();  // also if the block is gone
   flagged_.resize(grid.topology().capacity());
-  with_surface_.clear(), places_.clear();
-  const auto& active = grid.active();
-  for (std::size_t k = 0; k < active.size(); ++k)
-    if (grid.has_surface(active[k])) with_surface_.push_back(active[k]), places_.push_back(k);
-  left_.resize(with_surface_.size());
-  parallel_for(0, with_surface_.size(), 16, [&](std::size_t k) {
-    const BlockIndex b = with_surface_[k];
-    left_[k] = flag_conversions(grid, b, parity, round_, std::sqrt(notes[places_[k]].speed_square),
-                                flagged_[static_cast<std::size_t>(b)]);
-  });
-  for (const double left : left_) account.outflow += left;
+  with_surface_.clear();
+  for (const BlockIndex b : grid.active())
+    if (grid.has_surface(b)) with_surface_.push_back(b);
+  left_.assign(grid.active().size(), 0);
+}
+
+template <class Real>
+void CellConversion<Real>::flag(FluidGrid<Real>& grid, std::size_t k, Parity parity, const SweepNote& note) {
+  const BlockIndex b = grid.active()[k];
+  left_[k] =
+      flag_conversions(grid, b, parity, round_, std::sqrt(note.speed_square), flagged_[static_cast<std::size_t>(b)]);
 }
 
 template <class Real>
@@ -279,11 +201,18 @@ void CellConversion<Real>::set_interface(FluidGrid<Real>& grid, CellPlace place,
   settle_interface(grid, place, parity, mean, liquid);
 }
 
+/// The fields of a block's surface; the coming exchange looks at densities that no sweep has written into new ones.
+template <class Real>
+SurfaceFields<Real>& CellConversion<Real>::require_surface(FluidGrid<Real>& grid, BlockIndex b) {
+  if (!grid.block(b).surface) new_surfaces_.push_back(b);
+  return grid.require_surface(b);
+}
+
 /// Type and place in the blocks.
 template <class Real>
 void CellConversion<Real>::open_interface(FluidGrid<Real>& grid, CellPlace place) {
   grid.require_neighbours(place);
-  grid.require_surface(place.block);
+  require_surface(grid, place.block);
   grid.block(place.block).type[static_cast<std::size_t>(place.cell)] = CellType::interface;
   touch(place.block);
   fresh_[static_cast<std::size_t>(place.block)].push_back(static_cast<std::uint16_t>(place.cell));
@@ -331,26 +260,38 @@ void CellConversion<Real>::empty_cells(FluidGrid<Real>& grid, Parity parity) {
     }
 }
 
-/// Spray moves on by a cell; through an open face it leaves.
+/// Spray moves on by a cell; through an open face it leaves. Whether a drop is free to move is settled for all before
+/// the first one moves: neighbours that move together do not stand in each other's way. Of two that meet in one cell
+/// the later one waits.
 template <class Real>
 void CellConversion<Real>::move_drops(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account) {
   for (const BlockIndex b : with_surface_)
-    for (const Drop<Real>& drop : flagged_[static_cast<std::size_t>(b)].drops) {
+    std::erase_if(flagged_[static_cast<std::size_t>(b)].drops, [&](const Drop<Real>& drop) {
       const CellPlace place{b, drop.cell};
-      Block<Real>& block = grid.block(place.block);
-      if (block.type[drop.cell] != CellType::interface || !is_free_to_move(grid, place, drop.direction)) continue;
-      const CellPlace next = grid.neighbour(place, drop.direction);
-      const Real liquid = block.surface->mass[drop.cell] - body_share(block, drop.cell);
-      if (grid.type(next) == CellType::sink)
-        account.outflow += static_cast<double>(liquid);
-      else
-        set_interface(grid, next, parity, drop.moments, liquid);
-      block.type[drop.cell] = CellType::gas;
-      block.surface->fill_level[drop.cell] = Real(0);
-      block.surface->mass[drop.cell] = 0;
-      touch(place.block);
-      ++account.drop_moves;
-    }
+      return grid.type(place) != CellType::interface || !is_free_to_move(grid, place, drop.direction);
+    });
+  for (const BlockIndex b : with_surface_)
+    for (const Drop<Real>& drop : flagged_[static_cast<std::size_t>(b)].drops)
+      move_drop(grid, {b, drop.cell}, drop, parity, account);
+}
+
+template <class Real>
+void CellConversion<Real>::move_drop(FluidGrid<Real>& grid, CellPlace place, const Drop<Real>& drop, Parity parity,
+                                     LiquidAccount& account) {
+  const CellPlace next = grid.neighbour(place, drop.direction);
+  const CellType there = grid.type(next);
+  if (there == CellType::interface) return;
+  Block<Real>& block = grid.block(place.block);
+  const Real liquid = block.surface->mass[drop.cell] - body_share(block, drop.cell);
+  if (there == CellType::sink)
+    account.outflow += static_cast<double>(liquid);
+  else
+    set_interface(grid, next, parity, drop.moments, liquid);
+  block.type[drop.cell] = CellType::gas;
+  block.surface->fill_level[drop.cell] = Real(0);
+  block.surface->mass[drop.cell] = 0;
+  touch(place.block);
+  ++account.drop_moves;
 }
 
 /// A liquid cell next to new gas becomes a full interface cell.
@@ -358,7 +299,7 @@ template <class Real>
 void CellConversion<Real>::expose_liquid(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   const auto m = outgoing_moments(grid, place, parity);
   Block<Real>& block = grid.block(place.block);
-  SurfaceFields<Real>& surface = grid.require_surface(place.block);
+  SurfaceFields<Real>& surface = require_surface(grid, place.block);
   const auto cell = static_cast<std::size_t>(place.cell);
   block.type[cell] = CellType::interface;
   surface.mass[cell] = Real(1) + m.drho;
@@ -368,26 +309,58 @@ void CellConversion<Real>::expose_liquid(FluidGrid<Real>& grid, CellPlace place,
   touch(place.block);
 }
 
+namespace {
+
+/// Liquid of an interface cell, none if it owes.
+template <class Real>
+Real liquid_of(const FluidGrid<Real>& grid, CellPlace place) {
+  const Block<Real>& block = grid.block(place.block);
+  return std::max(Real(0), block.surface->mass[place.cell] - body_share(block, place.cell));
+}
+
+}  // namespace
+
+/// What a cell was left over goes to its interface neighbours in equal parts. What it owes they pay in proportion to
+/// the liquid that they have, and not beyond it: a debt in equal parts would fall on cells that are as good as empty
+/// and make them owe more than a cell may before it is given up. What they cannot pay liquid neighbours do, or the
+/// pool.
 template <class Real>
 void CellConversion<Real>::distribute(FluidGrid<Real>& grid, LiquidAccount& account) {
   for (const Excess& e : excess_) {
     CellPlace interfaces[D3Q19::q], liquids[D3Q19::q];
     int n_interface = 0, n_liquid = 0;
+    Real means = 0;
     for (int i = 1; i < D3Q19::q; ++i) {
       const CellPlace next = grid.neighbour(e.place, i);
       const CellType t = grid.type(next);
-      if (t == CellType::interface) interfaces[n_interface++] = next;
+      if (t == CellType::interface) interfaces[n_interface++] = next, means += liquid_of(grid, next);
       if (t == CellType::liquid) liquids[n_liquid++] = next;
     }
-    if (n_interface > 0) {
+    Real rest = e.mass;
+    if (rest >= 0 && n_interface > 0) {
       for (int k = 0; k < n_interface; ++k)
         grid.block(interfaces[k].block).surface->mass[interfaces[k].cell] += e.mass / static_cast<Real>(n_interface);
-    } else if (n_liquid > 0) {
+      continue;
+    }
+    if (rest < 0 && means > 0) {
+      const Real share = std::min(Real(1), -rest / means);
+      for (int k = 0; k < n_interface; ++k) {
+        Real& mass = grid.block(interfaces[k].block).surface->mass[interfaces[k].cell];
+        const Real before = mass;
+        mass -= share * liquid_of(grid, interfaces[k]);
+        rest += before - mass;
+      }
+      if (share < 1) {  // what is left is rounding: it stays with one of them
+        grid.block(interfaces[0].block).surface->mass[interfaces[0].cell] += rest;
+        continue;
+      }
+    }
+    if (n_liquid > 0) {
       for (int k = 0; k < n_liquid; ++k)
-        grid.block(liquids[k].block).f(0)[liquids[k].cell] += e.mass / static_cast<Real>(n_liquid);
+        grid.block(liquids[k].block).f(0)[liquids[k].cell] += rest / static_cast<Real>(n_liquid);
     } else {
-      account.pool += static_cast<double>(e.mass);
-      account.pooled_total += std::abs(static_cast<double>(e.mass));
+      account.pool += static_cast<double>(rest);
+      account.pooled_total += std::abs(static_cast<double>(rest));
     }
   }
 }
@@ -403,7 +376,8 @@ void CellConversion<Real>::pay_pool(FluidGrid<Real>& grid, LiquidAccount& accoun
     for (int c = 0; c < surface->count && std::abs(account.pool) > kPoolIdle; ++c) {
       const auto cell = surface->cells[static_cast<std::size_t>(c)];
       if (grid.block(active[pool_cursor_]).type[cell] != CellType::interface) continue;
-      const auto dose = static_cast<Real>(std::clamp(account.pool, -kPoolDose, kPoolDose));
+      const double has = static_cast<double>(liquid_of(grid, {active[pool_cursor_], cell}));
+      const auto dose = static_cast<Real>(std::clamp(account.pool, -std::min(kPoolDose, has), kPoolDose));
       const Real before = surface->mass[cell];
       surface->mass[cell] += dose;
       account.pool -= static_cast<double>(surface->mass[cell]) - static_cast<double>(before);
@@ -411,9 +385,6 @@ void CellConversion<Real>::pay_pool(FluidGrid<Real>& grid, LiquidAccount& accoun
   }
 }
 
-template double flag_conversions<float>(FluidGrid<float>&, BlockIndex, Parity, std::uint64_t, double, Flagged<float>&);
-template double flag_conversions<double>(FluidGrid<double>&, BlockIndex, Parity, std::uint64_t, double,
-                                         Flagged<double>&);
 template class CellConversion<float>;
 template class CellConversion<double>;
 

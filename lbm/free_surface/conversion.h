@@ -9,7 +9,7 @@
 // (drops.h).
 #include "lbm/boundary/wall_balance.h"
 #include "lbm/fluid_grid.h"
-#include "lbm/free_surface/drops.h"
+#include "lbm/free_surface/cell_flags.h"
 #include "lbm/sweep.h"
 
 namespace lahar::lbm {
@@ -39,27 +39,17 @@ struct LiquidAccount {
   }
 };
 
-/// What is to become of the interface cells of one block.
-template <class Real>
-struct Flagged {
-  std::vector<std::uint16_t> filled, emptied;
-  std::vector<Drop<Real>> drops;
-  void clear() { filled.clear(), emptied.clear(), drops.clear(); }
-};
-
-/// Flags one block's interface cells and sets their fill levels from their new mass; returns what left at the rim.
-/// `round` is any count of the steps; no cell of the block is faster than `speed`, lu.
-template <class Real>
-double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round, double speed,
-                        Flagged<Real>& flagged);
-
-/// The whole conversion after a sweep. `parity` is that of the coming step. Deterministic whatever the thread count:
-/// cells are judged in parallel, changed in the order of blocks and cells.
+/// The whole conversion after a sweep: begin before it, flag for every swept block with a surface, then run. `parity`
+/// is that of the coming step. Deterministic whatever the thread count: cells are judged in parallel, changed in the
+/// order of blocks and cells.
 template <class Real>
 class CellConversion {
  public:
-  /// `notes` are those of the sweep, by place in the list of active blocks.
-  void run(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes, LiquidAccount& account);
+  void begin(const FluidGrid<Real>& grid);
+  /// Judges the cells of a block as soon as it has been swept, while its numbers are in the cache; for several blocks
+  /// at once. `k` is its place in the list of active blocks, `note` that of its sweep.
+  void flag(FluidGrid<Real>& grid, std::size_t k, Parity parity, const SweepNote& note);
+  void run(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
   /// Makes a gas cell an interface cell without liquid, in the equilibrium of given moments; before a step.
   void wet(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments);
   /// State of a checkpoint: what outlives a step.
@@ -73,18 +63,19 @@ class CellConversion {
     CellPlace place;
     Real mass;
   };
-  void relist_touched(FluidGrid<Real>& grid);
-  void flag(FluidGrid<Real>& grid, Parity parity, const std::vector<SweepNote>& notes, LiquidAccount& account);
+  void relist_touched(FluidGrid<Real>& grid, Parity parity);
   void fill_cells(FluidGrid<Real>& grid, Parity parity);
   void wet_neighbours(FluidGrid<Real>& grid, CellPlace place);
   [[nodiscard]] CellMoments<Real> mean_around(FluidGrid<Real>& grid, CellPlace place, Parity parity) const;
   void set_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m, Real liquid);
+  SurfaceFields<Real>& require_surface(FluidGrid<Real>& grid, BlockIndex b);
   void open_interface(FluidGrid<Real>& grid, CellPlace place);
   void settle_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m,
                         Real liquid) const;
   void empty_cells(FluidGrid<Real>& grid, Parity parity);
   void expose_liquid(FluidGrid<Real>& grid, CellPlace place, Parity parity);
   void move_drops(FluidGrid<Real>& grid, Parity parity, LiquidAccount& account);
+  void move_drop(FluidGrid<Real>& grid, CellPlace place, const Drop<Real>& drop, Parity parity, LiquidAccount& account);
   void distribute(FluidGrid<Real>& grid, LiquidAccount& account);
   void close_voids(FluidGrid<Real>& grid, Parity parity);
   void pay_pool(FluidGrid<Real>& grid, LiquidAccount& account);
@@ -94,13 +85,13 @@ class CellConversion {
   std::vector<Flagged<Real>> flagged_;  // by block index
   std::uint64_t round_ = 0;
   std::vector<BlockIndex> with_surface_;           // when cells were flagged
-  std::vector<std::size_t> places_;                // of them in the list of active blocks
-  std::vector<double> left_;                       // by place in with_surface_
-  std::vector<std::vector<std::uint16_t>> voids_;  // same
+  std::vector<double> left_;                       // by place in the list of active blocks
+  std::vector<std::vector<std::uint16_t>> voids_;  // by place in with_surface_
   std::vector<CellPlace> opened_;                  // gas cells that become interface beside filled ones
   std::vector<Excess> excess_;
   std::vector<std::vector<std::uint16_t>> fresh_;  // new interface cells of this step, by block index
   std::vector<BlockIndex> touched_;
+  std::vector<BlockIndex> new_surfaces_;
   std::vector<std::uint8_t> is_touched_;
   std::size_t pool_cursor_ = 0;
 };

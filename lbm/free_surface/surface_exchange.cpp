@@ -7,6 +7,7 @@
 #include "lbm/collision/stress_limit.h"
 #include "lbm/equilibrium.h"
 #include "lbm/free_surface/curvature.h"
+#include "lbm/free_surface/look_around.h"
 #include "lbm/free_surface/surface_gradient.h"
 #include "lbm/free_surface/surface_plane.h"
 #include "lbm/free_surface/surroundings.h"
@@ -193,6 +194,22 @@ void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
     if (surface.rows >> row & 1) exchange.run(row);
 }
 
+template <class Real>
+void note_densities(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
+  Block<Real>& block = grid.block(b);
+  for (int row = 0; row < 64; ++row) {
+    if (!(block.wet_rows >> row & 1)) continue;
+    const Row<Real> drho = outgoing_density(grid.around(b), kBlockWidth * row, parity);
+    for (int x = 0; x < kBlockWidth; ++x) {
+      const int cell = kBlockWidth * row + x;
+      if (block.type[static_cast<std::size_t>(cell)] == CellType::liquid)
+        block.surface->density[cell] = drho[static_cast<std::size_t>(x)];
+    }
+  }
+}
+
+template void note_densities<float>(FluidGrid<float>&, BlockIndex, Parity);
+template void note_densities<double>(FluidGrid<double>&, BlockIndex, Parity);
 template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, const SurfacePhysics<float>&);
 template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, const SurfacePhysics<double>&);
 

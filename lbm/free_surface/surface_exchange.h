@@ -36,6 +36,11 @@ struct SurfacePhysics {
 template <class Real>
 void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SurfacePhysics<Real>& physics);
 
+/// Notes the density of the liquid cells of a block that has just got its surface fields, from what they send out: the
+/// coming exchange looks at it before a sweep has written any.
+template <class Real>
+void note_densities(FluidGrid<Real>& grid, BlockIndex b, Parity parity);
+
 extern template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, const SurfacePhysics<float>&);
 extern template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, const SurfacePhysics<double>&);
 

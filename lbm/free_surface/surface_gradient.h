@@ -5,6 +5,7 @@
 
 #include "lbm/free_surface/surroundings.h"
 #include "lbm/number.h"
+#include "lbm/velocity_set.h"
 
 namespace lahar::lbm {
 

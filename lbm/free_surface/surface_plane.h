@@ -78,7 +78,7 @@ template <class V, class Mask>
   const V sum = m1 + m2 + m3;
   const auto inclined = wanted && sum > real(0);
   m1 /= sum, m2 /= sum, m3 /= sum;
-  const auto sort = [](V& low, V& high) {
+  const auto sort = [](V & low, V & high) __attribute__((always_inline)) {
     const V least = min(low, high);
     high = max(low, high), low = least;
   };

@@ -99,7 +99,8 @@ INSTANTIATE_TEST_SUITE_P(SolidsContact, QuickEntry,
                                          "solids.incline_35", "solids.rolling_incline", "solids.restitution",
                                          "solids.hard_h15", "solids.hard_h16", "solids.hard_h9", "solids.cantilever",
                                          "solids.catenary", "solids.column_collapse", "solids.energy_ledger",
-                                         "solids.post", "solids.two_spans", "solids.hexagonal_mesh"),
+                                         "solids.post", "solids.two_spans", "solids.hexagonal_mesh",
+                                         "solids.wire_sliding"),
                          [](const auto& param) { return std::string(param.param).substr(7); });
 
 INSTANTIATE_TEST_SUITE_P(Bodies, QuickEntry,

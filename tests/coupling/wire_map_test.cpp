@@ -112,7 +112,7 @@ TEST(WireMap, PiecesFitTogether) {
             distance, segment_distance(p, c.particles.position[c.bonds.i[b]], c.particles.position[c.bonds.j[b]]));
       if (distance > 1.8) return;
       ++inside;
-      least = std::min({least, f.solid_fraction[n], f.resistance[n] / kInteriorResistance});
+      least = std::min({least, f.solid_fraction[n], f.resistance[n] / kWireResistance});
     });
     EXPECT_GT(inside, 800);
     EXPECT_DOUBLE_EQ(most, 1);

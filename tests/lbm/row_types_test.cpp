@@ -13,14 +13,16 @@ TEST(RowTypes, AreThoseOfTheCells) {
   Block<float> block;
   for (CellType& type : block.type) type = static_cast<CellType>(any(random));
   for (int row = 0; row < 64; ++row) {
-    unsigned wet = 0, interface = 0;
+    unsigned wet = 0, interface = 0, empty = 0;
     for (int x = 0; x < kBlockWidth; ++x) {
       const CellType type = block.type[static_cast<std::size_t>(kBlockWidth * row + x)];
       wet |= static_cast<unsigned>(is_wet(type)) << x;
       interface |= static_cast<unsigned>(type == CellType::interface) << x;
+      empty |= static_cast<unsigned>(type == CellType::gas || type == CellType::sink) << x;
     }
     EXPECT_EQ(wet_cells(block, row), wet) << row;
     EXPECT_EQ(interface_cells(block, row), interface) << row;
+    EXPECT_EQ(empty_cells(types_of_row(block, row)), empty) << row;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lbm/free_surface/look_around.h"
 #include "tests/lbm/flows.h"
 
 namespace lahar::lbm {

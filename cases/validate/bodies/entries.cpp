@@ -17,7 +17,7 @@ std::vector<Entry> bodies_entries() {
       {"bodies.screen", "Blevins 1984, round wire screens (screen_net.csv), trusted to 20 %", screen},
       {"bodies.ring_net_drag", "Blevins 1984 at the net's solidity (screen_net.csv), trusted to 20 %", ring_net_drag},
       {"bodies.archimedes", "volume of the sphere; ledger", archimedes},
-      {"bodies.floating_sphere", "floating_sphere.csv: 3 x^2 - 2 x^3 = s; added mass 0.5 (approximate)",
+      {"bodies.floating_sphere", "floating_sphere.csv: 3 x^2 - 2 x^3 = s; heave by linear potential flow",
        floating_sphere},
       {"bodies.hard_h5", hard, hard_h5},
       {"bodies.hard_h7", hard, hard_h7},

@@ -18,6 +18,7 @@ Entry post();
 Entry restitution();
 Entry rolling_incline();
 Entry two_spans();
+Entry wire_sliding();
 
 std::vector<Entry> solids_entries();
 

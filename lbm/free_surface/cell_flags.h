@@ -1,0 +1,30 @@
+#pragma once
+// Which interface cells are to convert, judged for one block by itself (rules: conversion.h).
+#include <cstdint>
+#include <vector>
+
+#include "lbm/fluid_grid.h"
+#include "lbm/free_surface/drops.h"
+
+namespace lahar::lbm {
+
+/// What is to become of the interface cells of one block.
+template <class Real>
+struct Flagged {
+  std::vector<std::uint16_t> filled, emptied;
+  std::vector<Drop<Real>> drops;
+  void clear() { filled.clear(), emptied.clear(), drops.clear(); }
+};
+
+/// Flags one block's interface cells and sets their fill levels from their new mass; returns what left at the rim.
+/// `round` is any count of the steps; no cell of the block is faster than `speed`, lu.
+template <class Real>
+double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std::uint64_t round, double speed,
+                        Flagged<Real>& flagged);
+
+extern template double flag_conversions<float>(FluidGrid<float>&, BlockIndex, Parity, std::uint64_t, double,
+                                               Flagged<float>&);
+extern template double flag_conversions<double>(FluidGrid<double>&, BlockIndex, Parity, std::uint64_t, double,
+                                                Flagged<double>&);
+
+}  // namespace lahar::lbm

@@ -1,0 +1,190 @@
+#pragma once
+// Fills what the interface cells of a block see (surroundings.h), a row of cells at a time.
+#include <experimental/simd>
+
+#include "lbm/fluid_grid.h"
+#include "lbm/free_surface/surroundings.h"
+#include "lbm/gather.h"
+#include "lbm/row_types.h"
+
+namespace lahar::lbm {
+
+/// Velocity (CX, CY, CZ) seen ahead of the row that starts with cell `first`: the numbers at n + (CX, CY, CZ). A
+/// missing block reads as rest at density 1.
+template <int CX, int CY, int CZ, class Real>
+[[gnu::always_inline]] inline Row<Real> row_ahead(const std::array<Block<Real>*, 27>& around, int velocity, int first) {
+  using Numbers = typename RowsOf<Real, 1>::type;
+  const auto p = cell_position(first);
+  const int y = p[1] + CY, z = p[2] + CZ, there = cell_index(0, y & 7, z & 7);
+  const auto slot = static_cast<std::size_t>(neighbour_slot(0, y >> 3, z >> 3));
+  const auto load = [&](const Block<Real>* block) __attribute__((always_inline)) {
+    Numbers v;
+    std::memcpy(&v, block ? block->f(velocity) + there : kRest<Real>, sizeof(v));
+    return v;
+  };
+  Numbers v = load(around[slot]);
+  if constexpr (CX == 1) v = __builtin_shufflevector(v, load(around[slot + 9]), 1, 2, 3, 4, 5, 6, 7, 8);
+  return Row<Real>(reinterpret_cast<const Real*>(&v), stdx::vector_aligned);
+}
+
+/// rho - 1 after the last collision in the row that starts with cell `first` of a block with these neighbours.
+template <class Real>
+Row<Real> outgoing_density(const std::array<Block<Real>*, 27>& around, int first, Parity parity) {
+  Row<Real> drho(around[13]->f(0) + first, stdx::element_aligned);
+  for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+    drho += row_ahead<CX, CY, CZ>(around, parity.home(D3Q19::forward(P)), first) +
+            Row<Real>(around[13]->f(parity.away(D3Q19::forward(P))) + first, stdx::element_aligned);
+  });
+  return drho;
+}
+
+/// What a missing block holds.
+alignas(64) inline constexpr CellType kNoCells[kBlockCells] = {};
+
+template <class Real>
+class LookAround {
+ public:
+  LookAround(FluidGrid<Real>& grid, BlockIndex b, Parity parity) : grid_(grid), index_(b), parity_(parity) {}
+
+  /// `rows` (bit y + 8 z) hold interface cells.
+  void run(std::uint64_t rows, Surroundings<Real>& s) {
+    const auto needed = rows_around(rows);
+    const unsigned columns = columns_of(rows);
+    const std::array<bool, 3> sides{(columns & 0x03U) != 0, true, (columns & 0xC0U) != 0};
+    for (int bz = -1; bz <= 1; ++bz)
+      for (int by = -1; by <= 1; ++by) see_rows(s, by, bz, needed, sides);
+  }
+
+ private:
+  /// A row and two cells to either side, in a vector of sixteen.
+  using Sixteen = typename RowsOf<Real, 2>::type;
+
+  /// A block that is looked into.
+  struct View {
+    const CellType* type = kNoCells;  ///< gas where there is no block
+    const Real *fill_level = kRest<Real>, *density = kRest<Real>;
+    BlockIndex plain = kNoBlock;  ///< the block where it keeps no density
+    std::uint64_t wet_rows = 0;   ///< of a plain block whose density is asked for
+  };
+
+  /// Columns x of the interface cells, as bits.
+  unsigned columns_of(std::uint64_t rows) const {
+    unsigned columns = 0;
+    for (; rows != 0; rows &= rows - 1) columns |= interface_cells(grid_.block(index_), std::countr_zero(rows));
+    return columns;
+  }
+
+  /// The rows in the blocks at (-1..1, by, bz). Densities on a side that no interface cell looks at may be missing.
+  void see_rows(Surroundings<Real>& s, int by, int bz, const std::array<std::uint32_t, 12>& needed,
+                const std::array<bool, 3>& sides) const {
+    constexpr int first[3] = {-2, 0, 8}, end[3] = {0, 8, 10};
+    const std::uint32_t band = (1U << (end[by + 1] + 2)) - (1U << (first[by + 1] + 2));
+    std::array<View, 3> views;
+    bool known = false;
+    for (int z = first[bz + 1]; z < end[bz + 1]; ++z) {
+      std::uint32_t rows = needed[static_cast<std::size_t>(z + 2)] & band;
+      if (rows == 0) continue;
+      if (!known)
+        for (int bx = -1; bx <= 1; ++bx) {
+          const auto k = static_cast<std::size_t>(bx + 1);
+          views[k] = view(neighbour_slot(bx, by, bz), sides[k]);
+        }
+      known = true;
+      for (; rows != 0; rows &= rows - 1) see_row(s, std::countr_zero(rows) - 2, z, views);
+    }
+  }
+
+  View view(int slot, bool asked) const {
+    const Block<Real>* block = grid_.around(index_)[static_cast<std::size_t>(slot)];
+    View v;
+    if (!block) return v;
+    v.type = block->type.data();
+    if (block->surface) {
+      v.fill_level = block->surface->fill_level;
+      v.density = block->surface->density;
+    } else if (asked) {
+      v.plain = grid_.topology().neighbours(index_)[static_cast<std::size_t>(slot)];
+      v.wet_rows = block->wet_rows;
+    }
+    return v;
+  }
+
+  [[gnu::always_inline]] void see_row(Surroundings<Real>& s, int y, int z, const std::array<View, 3>& views) const {
+    const int first = cell_index(0, y & 7, z & 7);
+    std::uint64_t types[3];
+    for (std::size_t k = 0; k < 3; ++k) std::memcpy(&types[k], views[k].type + first, sizeof(types[k]));
+    const Types seen{types[0] >> 48 | types[1] << 16, types[1] >> 48 | types[2] << 16};
+    const int place = Surroundings<Real>::at(-2, y, z);
+    const auto put = [&](Real * field, const Sixteen& values) __attribute__((always_inline)) {
+      std::memcpy(field + place, &values, sizeof(values));
+    };
+    const Sixteen zero = {}, one = zero + 1, half = zero + Real(0.5);
+    if (seen.all(CellType::gas)) {
+      put(s.full, zero), put(s.half, zero), put(s.empty, one), put(s.wet, zero), put(s.density, zero);
+      return;
+    }
+    alignas(64) Real buffer[3][kBlockWidth];
+    const Sixteen density = join(densities(views[0], first, buffer[0]), densities(views[1], first, buffer[1]),
+                                 densities(views[2], first, buffer[2]));
+    if (seen.all(CellType::liquid)) {
+      put(s.full, one), put(s.half, zero), put(s.empty, zero), put(s.wet, one), put(s.density, density);
+      return;
+    }
+    const auto wet = chosen(seen.wet()), interface = chosen(seen.interface()), empty = chosen(seen.empty());
+    const Sixteen fill = join(views[0].fill_level + first, views[1].fill_level + first, views[2].fill_level + first);
+    put(s.full, interface ? half * fill : (wet ? one : zero));
+    put(s.half, interface ? half : zero);
+    put(s.empty, empty ? one : zero);
+    put(s.wet, wet ? one : zero);
+    put(s.density, wet ? density : zero);
+  }
+
+  /// The sweep keeps no density of blocks without a surface: it is computed into `buffer` where cells are wet.
+  [[gnu::always_inline]] const Real* densities(const View& v, int first, Real* buffer) const {
+    if (v.plain == kNoBlock) return v.density + first;
+    if (!(v.wet_rows >> (first / kBlockWidth) & 1)) return kRest<Real>;
+    outgoing_density(grid_.around(v.plain), first, parity_).copy_to(buffer, stdx::vector_aligned);
+    return buffer;
+  }
+
+  /// The last two numbers of a row, a row, the first two of another, and four that are of no use.
+  [[gnu::always_inline]] static Sixteen join(const Real* left, const Real* here, const Real* right) {
+    using Eight = typename RowsOf<Real, 1>::type;
+    const auto load = [](const Real* p) __attribute__((always_inline)) {
+      Eight v;
+      std::memcpy(&v, p, sizeof(v));
+      return v;
+    };
+    const Eight a = load(left), b = load(here), c = load(right);
+    const Sixteen ab = __builtin_shufflevector(a, b, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0, 0, 0, 0, 0, 0);
+    const Sixteen cc = __builtin_shufflevector(c, c, 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7);
+    return __builtin_shufflevector(ab, cc, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 17, 18, 19, 20, 21);
+  }
+
+  /// Lanes by bits.
+  [[gnu::always_inline]] static auto chosen(unsigned bits) {
+    using Word = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+    using Words [[gnu::vector_size(2 * kBlockWidth * sizeof(Word))]] = Word;
+    constexpr Words lanes = {1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
+                             1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
+    return (lanes & static_cast<Word>(bits)) != 0;
+  }
+
+  /// The types of a row and two cells to either side, one to a byte; more in the upper half of the second word.
+  struct Types {
+    std::uint64_t first, second;
+    bool all(CellType t) const {
+      const std::uint64_t eight = 0x0101010101010101U * static_cast<std::uint64_t>(t);
+      return first == eight && static_cast<std::uint32_t>(second) == static_cast<std::uint32_t>(eight);
+    }
+    unsigned wet() const { return wet_cells(first) | wet_cells(second) << 8; }
+    unsigned interface() const { return interface_cells(first) | interface_cells(second) << 8; }
+    unsigned empty() const { return empty_cells(first) | empty_cells(second) << 8; }
+  };
+
+  FluidGrid<Real>& grid_;
+  const BlockIndex index_;
+  const Parity parity_;
+};
+
+}  // namespace lahar::lbm
