@@ -20,7 +20,12 @@ std::vector<Entry> bodies_entries() {
       {"bodies.floating_sphere", "floating_sphere.csv: 3 x^2 - 2 x^3 = s; heave by linear potential flow",
        floating_sphere},
       {"bodies.hard_h5", hard, hard_h5},
+      {"bodies.hard_h6_ring", hard, hard_h6_ring},
       {"bodies.hard_h7", hard, hard_h7},
+      {"bodies.hard_h8_sphere", hard, hard_h8_sphere},
+      {"bodies.hard_h8_cavity",
+       "hard_cases.csv; Truscott, Epps & Belden 2014, Duclaux et al. 2007 for the time and depth of the neck",
+       hard_h8_cavity},
       {"bodies.hard_h10", hard, hard_h10},
       {"bodies.hard_h17", hard, hard_h17},
   };

@@ -11,7 +11,10 @@ std::vector<Row> ring_net_drag(const Context& context);
 std::vector<Row> archimedes(const Context& context);
 std::vector<Row> floating_sphere(const Context& context);
 std::vector<Row> hard_h5(const Context& context);
+std::vector<Row> hard_h6_ring(const Context& context);
 std::vector<Row> hard_h7(const Context& context);
+std::vector<Row> hard_h8_cavity(const Context& context);
+std::vector<Row> hard_h8_sphere(const Context& context);
 std::vector<Row> hard_h10(const Context& context);
 std::vector<Row> hard_h17(const Context& context);
 
