@@ -28,6 +28,7 @@ std::vector<Entry> bodies_entries() {
        hard_h8_cavity},
       {"bodies.hard_h10", hard, hard_h10},
       {"bodies.hard_h17", hard, hard_h17},
+      {"bodies.momentum_audit", "conservation of momentum", momentum_audit},
   };
 }
 

@@ -17,5 +17,6 @@ std::vector<Row> hard_h8_cavity(const Context& context);
 std::vector<Row> hard_h8_sphere(const Context& context);
 std::vector<Row> hard_h10(const Context& context);
 std::vector<Row> hard_h17(const Context& context);
+std::vector<Row> momentum_audit(const Context& context);
 
 }  // namespace lahar::validate
