@@ -4,11 +4,12 @@
 
 namespace lahar::lbm {
 
-/// The liquid next to eight interface cells: means over the liquid neighbours of each, 0 in other lanes.
+/// The liquid next to eight interface cells: means over the liquid neighbours of each, 0 without any.
 template <class Real>
 struct ShearRow {
   alignas(64) Real stress[6][kBlockWidth];  ///< sigma: xx, yy, zz, xy, xz, yz, lu
   alignas(64) Real way[3][kBlockWidth];     ///< to where that stress is, from the cell's centre
+  alignas(64) Real rate[kBlockWidth];       ///< least rate at which it relaxes
 };
 
 }  // namespace lahar::lbm

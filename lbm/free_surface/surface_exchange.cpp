@@ -118,8 +118,9 @@ class RowExchange {
     const auto from = [](const Real* p) __attribute__((always_inline)) { return V(p, stdx::element_aligned); };
     const Symmetric<V> stress{from(shear.stress[0]), from(shear.stress[1]), from(shear.stress[2]),
                               from(shear.stress[3]), from(shear.stress[4]), from(shear.stress[5])};
-    const SurfaceTraction<V> t = surface_traction<V>(stress, {from(shear.way[0]), from(shear.way[1]), from(shear.way[2])},
-                                                     {s.x, s.y, s.z}, s.depth, weight_);
+    const SurfaceTraction<V> t =
+        surface_traction<V>(stress, {from(shear.way[0]), from(shear.way[1]), from(shear.way[2])}, from(shear.rate),
+                            {s.x, s.y, s.z}, s.depth, weight_);
     const Rows rows = Rows::at(kBlockWidth * row, 1);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       constexpr int step = Surroundings<Real>::step(CX, CY, CZ);

@@ -18,6 +18,7 @@ struct StressAround {
   static constexpr int pitch_y = 16, pitch_z = 10 * pitch_y, size = 10 * pitch_z;
   alignas(64) Real liquid[size];   ///< 1 in liquid
   alignas(64) Real stress[6][size];
+  alignas(64) Real rate[size];  ///< at which it relaxes; 2 in other cells
 
   static constexpr int at(int x, int y, int z) { return x + 1 + pitch_y * (y + 1) + pitch_z * (z + 1); }
   static constexpr int step(int cx, int cy, int cz) { return cx + cy * pitch_y + cz * pitch_z; }
@@ -68,16 +69,16 @@ class ShearMeasure {
       const auto slot = static_cast<std::size_t>(neighbour_slot(bx, y >> 3, z >> 3));
       const Block<Real>* block = grid_.around(index_)[slot];
       const int first = cell_index(0, y & 7, z & 7);
-      V liquid(0), stress[6] = {V(0), V(0), V(0), V(0), V(0), V(0)};
+      V liquid(0), rate(2), stress[6] = {V(0), V(0), V(0), V(0), V(0), V(0)};
       if (block && sides_[static_cast<std::size_t>(bx + 1)] && sees_liquid(*block, first, bx, liquid))
-        stress_of_row(grid_.around(grid_.topology().neighbours(index_)[slot]), first, liquid, stress);
+        stress_of_row(grid_.around(grid_.topology().neighbours(index_)[slot]), first, liquid, stress, rate);
       const auto put = [&](Real* field, const V& values) __attribute__((always_inline)) {
         if (bx == 0)
           values.copy_to(field + place, stdx::element_aligned);
         else
           field[place + (bx < 0 ? -1 : 8)] = values[bx < 0 ? 7 : 0];
       };
-      put(around_.liquid, liquid);
+      put(around_.liquid, liquid), put(around_.rate, rate);
       for (std::size_t k = 0; k < 6; ++k) put(around_.stress[k], stress[k]);
     }
   }
@@ -95,8 +96,9 @@ class ShearMeasure {
     return any;
   }
 
-  /// sigma from what comes into the cells of a row, 0 where they are no liquid.
-  void stress_of_row(const std::array<Block<Real>*, 27>& around, int first, const V& liquid, V (&stress)[6]) const {
+  /// sigma and its rate from what comes into the liquid cells of a row; other lanes stay as they are.
+  void stress_of_row(const std::array<Block<Real>*, 27>& around, int first, const V& liquid, V (&stress)[6],
+                     V& rate) const {
     const Block<Real>& block = *around[13];
     V f[D3Q19::q];
     f[0] = V(block.f(0) + first, stdx::element_aligned);
@@ -106,12 +108,13 @@ class ShearMeasure {
     });
     const Moments<V> m = moments(f);
     const Symmetric<V> s = lbm::stress(f, m);
-    V rate;
+    V omega;
     if constexpr (Viscosity<V>::constant)
-      rate = viscosity_.rate();
+      omega = viscosity_.rate();
     else
-      rate = viscosity_.rate(s, m.inverse_density);
-    const V share = (number<V>(0.5) * rate - V(1)) * limited_stress_share(s, m.inverse_density, limit_);
+      omega = viscosity_.rate(s, m.inverse_density);
+    stdx::where(liquid > V(0), rate) = omega;
+    const V share = (number<V>(0.5) * omega - V(1)) * limited_stress_share(s, m.inverse_density, limit_);
     const V* const parts[6] = {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz};
     for (int k = 0; k < 6; ++k) stdx::where(liquid > V(0), stress[k]) = share * *parts[k];
   }
@@ -119,12 +122,13 @@ class ShearMeasure {
   /// Means over the liquid neighbours of the cells of a row, with the weights of the lattice.
   void average(int row, ShearRow<Real>& out) const {
     const int place = StressAround<Real>::at(0, row & 7, row >> 3);
-    V weights(Real(1e-9)), way[3] = {V(0), V(0), V(0)}, sum[6] = {V(0), V(0), V(0), V(0), V(0), V(0)};
+    V weights(Real(1e-9)), rate(2), way[3] = {V(0), V(0), V(0)}, sum[6] = {V(0), V(0), V(0), V(0), V(0), V(0)};
     const auto add = [&]<int I>() __attribute__((always_inline)) {
       constexpr const int* c = D3Q19::c[I];
       constexpr int step = StressAround<Real>::step(D3Q19::c[I][0], D3Q19::c[I][1], D3Q19::c[I][2]);
       const V w = number<V>(D3Q19::w(I)), there = w * V(around_.liquid + place + step, stdx::element_aligned);
       weights += there;
+      rate = stdx::min(rate, V(around_.rate + place + step, stdx::element_aligned));
       for (int k = 0; k < 3; ++k)
         if (c[k] != 0) way[k] += number<V>(c[k]) * there;
       for (int k = 0; k < 6; ++k) sum[k] += w * V(around_.stress[k] + place + step, stdx::element_aligned);
@@ -133,6 +137,7 @@ class ShearMeasure {
       (add.template operator()<static_cast<int>(I) + 1>(), ...);
     }
     (std::make_index_sequence<D3Q19::q - 1>{});
+    rate.copy_to(out.rate, stdx::element_aligned);
     const V inverse = V(1) / weights;
     for (int k = 0; k < 3; ++k) V(way[k] * inverse).copy_to(out.way[k], stdx::element_aligned);
     for (int k = 0; k < 6; ++k) V(sum[k] * inverse).copy_to(out.stress[k], stdx::element_aligned);

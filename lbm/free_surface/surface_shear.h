@@ -11,9 +11,13 @@
 // depths under the surface, negative outside, and the missing population gets
 //   -9 w_i c_i c_i : (n t + t n) = -18 w_i (c_i . n) (c_i . t(middle)).
 // Normal and in-plane stresses stay as the rule has them. The stress inside is the mean over the liquid neighbours of
-// the cell, from what is about to collide there: it is exact for any flow law and relaxes at the fluid's own rate, so
-// that its way back into the surface cell is stable at any tau. It lies at least half a cell deep: nothing is divided
-// by a small number. Without liquid neighbours (spray, films of one cell) t is 0: the plain rule (docs/decisions/0042).
+// the cell, from what is about to collide there: exact for any flow law, at least half a cell deep, so that nothing is
+// divided by a small number. Without liquid neighbours (spray, films of one cell) t is 0: the plain rule.
+//
+// The ratio of depths is bounded by 2, which it has where a cell is all but empty over a level liquid, and by 4/tau:
+// what the surface cell gets of the stress comes back to it through the stress. By the eigenvalues of a layer of 8
+// cells that is stable up to a ratio of 10 or more for tau from 0.5 to 1, 2.9 at tau = 2, 1.15 at 4, 0.32 at 18.5
+// (docs/decisions/0042).
 #include <algorithm>
 #include <experimental/simd>
 #include <vector>
@@ -53,6 +57,7 @@ struct SurfaceTraction {
   V inside[3];      ///< t(inside), lu
   V depth;          ///< of the cells' centres
   V inverse_depth;  ///< 1 / depth(inside)
+  V largest;        ///< bound on the ratio of depths
 
   /// What a missing population gets that would come from the gas along -c, or along c from the other side (`sign` -1).
   template <int CX, int CY, int CZ>
@@ -61,17 +66,15 @@ struct SurfaceTraction {
     const V down = cx * normal[0] + cy * normal[1] + cz * normal[2];
     const V along = cx * inside[0] + cy * inside[1] + cz * inside[2];
     const V lever = (depth + number<V>(0.5 * sign) * down) * inverse_depth;
-    const V bounded = stdx::min(stdx::max(lever, number<V>(-kLargestLever)), number<V>(1));
+    const V bounded = stdx::min(stdx::max(lever, V(-largest)), V(stdx::min(largest, V(1))));
     return number<V>(-18 * weight) * bounded * down * along;
   }
-
-  static constexpr double kLargestLever = 2;  ///< that of a cell that is all but empty over a level liquid
 };
 
-/// From the stress inside, the gradient of pressure `a` and a . (centre - surface) (surface_exchange.h). The normal is
+/// From the stress inside, its place and its relaxation rate, the gradient of pressure `a` and a . (centre - surface) (surface_exchange.h). The normal is
 /// that of a: t fades where a is less than a tenth of gravity and turns with the noise (free fall). `gravity`: lu.
 template <class V>
-[[gnu::always_inline]] inline SurfaceTraction<V> surface_traction(const Symmetric<V>& s, const V (&way)[3],
+[[gnu::always_inline]] inline SurfaceTraction<V> surface_traction(const Symmetric<V>& s, const V (&way)[3], const V& rate,
                                                                   const V (&a)[3], const V& depth, const V& gravity) {
   const V size = stdx::max(V(stdx::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2])), number<V>(1e-18));
   const V inverse = V(1) / size, fade = stdx::min(V(number<V>(10) * size / gravity), V(1));
@@ -85,6 +88,7 @@ template <class V>
   t.depth = depth * inverse;
   const V there = t.depth + way[0] * n[0] + way[1] * n[1] + way[2] * n[2];
   t.inverse_depth = V(1) / stdx::max(there, number<V>(0.5));
+  t.largest = stdx::min(number<V>(2), V(number<V>(4) * rate));
   return t;
 }
 
