@@ -192,8 +192,8 @@ void Fluid<Real>::exchange() {
   const auto& g = parameters_.gravity;
   const double tension = units_.surface_tension_to_lu(options_.surface_tension);
   const double largest = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) + kCapillaryGradient * tension;
-  const SurfacePhysics<Real> physics{Real(0), static_cast<Real>(kLargestGradient * largest),
-                                     static_cast<Real>(tension), static_cast<Real>(largest)};
+  const SurfacePhysics<Real> physics{Real(0), static_cast<Real>(kLargestGradient * largest), static_cast<Real>(tension),
+                                     static_cast<Real>(largest)};
   const auto& active = grid_.active();
   const bool viscous = largest > 0 && feels_surface_shear(parameters_);
   if (viscous) measure_surface_shear();

@@ -16,7 +16,7 @@ namespace {
 template <class Real>
 struct StressAround {
   static constexpr int pitch_y = 16, pitch_z = 10 * pitch_y, size = 10 * pitch_z;
-  alignas(64) Real liquid[size];   ///< 1 in liquid
+  alignas(64) Real liquid[size];  ///< 1 in liquid
   alignas(64) Real stress[6][size];
   alignas(64) Real rate[size];  ///< at which it relaxes; 2 in other cells
 
@@ -44,8 +44,8 @@ class ShearMeasure {
         index_(b),
         parity_(p.parity),
         viscosity_(Viscosity<V>::of(p)),
-        limit_(static_cast<Real>(p.rheology.law == FlowLaw::newtonian ? stress_limit(p.tau)
-                                                                       : stress_limit(p.rheology))) {}
+        limit_(
+            static_cast<Real>(p.rheology.law == FlowLaw::newtonian ? stress_limit(p.tau) : stress_limit(p.rheology))) {}
 
   void run(std::vector<ShearRow<Real>>& out) {
     const SurfaceFields<Real>& surface = *grid_.block(index_).surface;
@@ -72,7 +72,7 @@ class ShearMeasure {
       V liquid(0), rate(2), stress[6] = {V(0), V(0), V(0), V(0), V(0), V(0)};
       if (block && sides_[static_cast<std::size_t>(bx + 1)] && sees_liquid(*block, first, bx, liquid))
         stress_of_row(grid_.around(grid_.topology().neighbours(index_)[slot]), first, liquid, stress, rate);
-      const auto put = [&](Real* field, const V& values) __attribute__((always_inline)) {
+      const auto put = [&](Real * field, const V& values) __attribute__((always_inline)) {
         if (bx == 0)
           values.copy_to(field + place, stdx::element_aligned);
         else

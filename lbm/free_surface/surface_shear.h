@@ -71,11 +71,13 @@ struct SurfaceTraction {
   }
 };
 
-/// From the stress inside, its place and its relaxation rate, the gradient of pressure `a` and a . (centre - surface) (surface_exchange.h). The normal is
-/// that of a: t fades where a is less than a tenth of gravity and turns with the noise (free fall). `gravity`: lu.
+/// From the stress inside, its place and its relaxation rate, the gradient of pressure `a` and a . (centre - surface)
+/// (surface_exchange.h). The normal is that of a: t fades where a is less than a tenth of gravity and turns with the
+/// noise (free fall). `gravity`: lu.
 template <class V>
-[[gnu::always_inline]] inline SurfaceTraction<V> surface_traction(const Symmetric<V>& s, const V (&way)[3], const V& rate,
-                                                                  const V (&a)[3], const V& depth, const V& gravity) {
+[[gnu::always_inline]] inline SurfaceTraction<V> surface_traction(const Symmetric<V>& s, const V (&way)[3],
+                                                                  const V& rate, const V (&a)[3], const V& depth,
+                                                                  const V& gravity) {
   const V size = stdx::max(V(stdx::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2])), number<V>(1e-18));
   const V inverse = V(1) / size, fade = stdx::min(V(number<V>(10) * size / gravity), V(1));
   SurfaceTraction<V> t;

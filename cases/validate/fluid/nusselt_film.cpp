@@ -94,6 +94,9 @@ std::vector<Row> nusselt_film(const Context& context) {
     for (const double height : {8.5, 8.1})
       for (const Row& r : ask<Real>(Film{.height = height}, height > 8.3 ? "8.5 cells: " : "8.1 cells: ", 0.02))
         rows.push_back(r);
+    // Its surface in steps: better than 13.6 % with the stress half a link outside, not of second order.
+    for (const Row& r : ask<Real>(TiltedFilm{}, "8.3 cells, plane at 35 degrees to the lattice: ", 0.05))
+      rows.push_back(r);
     return rows;
   });
 }
