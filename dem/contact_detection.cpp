@@ -23,14 +23,14 @@ void carry_row(const ContactSlots& old, ContactSlots& fresh, std::size_t i) {
     while (a < old.offset[i + 1] && old.partner[a] < fresh.partner[b]) ++a;
     if (a == old.offset[i + 1]) return;
     if (old.partner[a] != fresh.partner[b] || !old.touching[a]) continue;
-    fresh.history[b] = old.history[a];
+    fresh.history.set(b, old.history[a]);
     if (fresh.rolls) fresh.rolling[b] = old.rolling[a];
     fresh.touching[b] = 1;
   }
 }
 
 void carry_histories(const ContactSlots& old, ContactSlots& fresh) {
-  fresh.history.assign(fresh.size(), ContactHistory{});
+  fresh.history.clear(fresh.size());
   fresh.touching.assign(fresh.size(), 0);
   fresh.rolling.assign(fresh.rolls ? fresh.size() : 0, Triple{});
   if (old.offset.empty()) return;
@@ -140,32 +140,34 @@ void ContactDetection::list_pairs(std::size_t n) {
 }
 
 void ContactDetection::list_parties(std::size_t n) {
-  const std::size_t slots = pairs_.size();
+  const std::size_t slots = pairs_.size(), chunks = (n + kContactChunk - 1) / kContactChunk;
   ContactParties& t = parties_;
-  place_.assign(n, 0);  // how many slots a particle feels, then its place
-  for (std::size_t k = 0; k < slots; ++k) ++place_[pairs_.owner[k]], ++place_[pairs_.partner[k]];
+  place_.assign(n, 0);  // whether a particle is in a slot, then its place
+  t.first_partner.assign(chunks + 1, 0);
+  for (std::size_t k = 0; k < slots; ++k) {
+    place_[pairs_.owner[k]] = place_[pairs_.partner[k]] = 1;
+    ++t.first_partner[pairs_.partner[k] / kContactChunk + 1];
+  }
   t.particle.clear();
-  t.offset.clear();
-  std::uint32_t sum = 0;
+  t.first_place.clear();
   for (std::size_t i = 0; i < n; ++i) {
+    if (i % kContactChunk == 0) t.first_place.push_back(static_cast<std::uint32_t>(t.particle.size()));
     if (place_[i] == 0) continue;
-    t.offset.push_back(sum);
-    sum += place_[i];
     place_[i] = static_cast<std::uint32_t>(t.particle.size());
     t.particle.push_back(static_cast<ParticleIndex>(i));
   }
-  t.offset.push_back(sum);
-  t.feels.resize(sum);
+  t.first_place.push_back(static_cast<std::uint32_t>(t.particle.size()));
+  for (std::size_t c = 0; c < chunks; ++c) t.first_partner[c + 1] += t.first_partner[c];
   t.owner.resize(slots);
   t.partner.resize(slots);
+  t.as_partner.resize(slots);
+  std::vector<std::uint32_t>& next = chunk_next_;
+  next.assign(t.first_partner.begin(), t.first_partner.end());
   for (std::size_t k = 0; k < slots; ++k) {
     t.owner[k] = place_[pairs_.owner[k]];
     t.partner[k] = place_[pairs_.partner[k]];
-    t.feels[t.offset[t.owner[k]]++] = static_cast<std::uint32_t>(2 * k);
+    t.as_partner[next[pairs_.partner[k] / kContactChunk]++] = {static_cast<std::uint32_t>(k), t.partner[k]};
   }
-  for (std::size_t k = 0; k < slots; ++k) t.feels[t.offset[t.partner[k]]++] = static_cast<std::uint32_t>(2 * k + 1);
-  for (std::size_t p = t.particle.size(); p > 0; --p) t.offset[p] = t.offset[p - 1];  // filling moved each to the next
-  t.offset[0] = 0;
 }
 
 void ContactDetection::list_walls(const Particles& particles, const Walls& walls, const RateShare& share) {
@@ -201,7 +203,7 @@ void ContactDetection::restore(const std::vector<StoredContact>& contacts) {
     const auto found = std::find(row, row_end, c.partner);
     require(found != row_end, "restored contact between particles that are not near each other");
     const auto k = static_cast<std::size_t>(found - slots.partner.begin());
-    slots.history[k] = c.history;
+    slots.history.set(k, c.history);
     if (slots.rolls) slots.rolling[k] = c.rolling;
     slots.touching[k] = 1;
   }

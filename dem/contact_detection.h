@@ -11,13 +11,30 @@
 
 namespace lahar::dem {
 
+/// What the contacts of all slots remember, one array per number, so that eight slots are read and written at once.
+struct SlotHistories {
+  std::vector<double> x, y, z;  ///< m, tangential displacement
+  std::vector<double> stiffness, normal_force;
+
+  void clear(std::size_t slots) {
+    for (auto* a : {&x, &y, &z, &stiffness, &normal_force}) a->assign(slots, 0.0);
+  }
+  [[nodiscard]] ContactHistory operator[](std::size_t k) const {
+    return {{x[k], y[k], z[k]}, stiffness[k], normal_force[k]};
+  }
+  void set(std::size_t k, const ContactHistory& h) {
+    x[k] = h.tangential_displacement.x, y[k] = h.tangential_displacement.y, z[k] = h.tangential_displacement.z;
+    stiffness[k] = h.tangential_stiffness, normal_force[k] = h.normal_force;
+  }
+};
+
 /// Possible contacts in CSR form: row i holds partners (a particle or a wall) in ascending order; a contact's memory
 /// lies in its slot.
 struct ContactSlots {
   std::vector<std::uint32_t> offset;   ///< per particle
   std::vector<std::uint32_t> owner;    ///< per slot: the particle of its row
   std::vector<std::uint32_t> partner;  ///< per slot
-  std::vector<ContactHistory> history;
+  SlotHistories history;
   std::vector<std::uint8_t> touching;  ///< 1 where history is in use
   bool rolls = false;                  ///< whether `rolling` is kept
   std::vector<Triple> rolling;         ///< rad, elastic rotation of rolling resistance; empty unless `rolls`
@@ -36,12 +53,19 @@ struct StoredContact {
   Triple rolling{};
 };
 
-/// The particles that are in any pair slot, and which slots each of them feels. A place is a position in `particle`.
+/// Particles that one thread takes at a time; fixed, so that sums do not depend on the number of threads.
+inline constexpr std::size_t kContactChunk = 128;
+
+/// The particles that are in any pair slot. A place is a position in `particle`.
 struct ContactParties {
-  std::vector<ParticleIndex> particle;  ///< per place, ascending
-  std::vector<std::uint32_t> offset;    ///< per place, CSR
-  std::vector<std::uint32_t> feels;     ///< 2 x slot as owner, 2 x slot + 1 as partner: owned ones first, ascending
+  struct Partner {
+    std::uint32_t slot, place;
+  };
+  std::vector<ParticleIndex> particle;        ///< per place, ascending
   std::vector<std::uint32_t> owner, partner;  ///< per slot: places of its two particles
+  std::vector<std::uint32_t> first_place;     ///< per chunk of particles, and the number of places at the end
+  std::vector<std::uint32_t> first_partner;   ///< per chunk of particles, into `as_partner`, and its size at the end
+  std::vector<Partner> as_partner;            ///< all slots by the chunk of their partner, ascending in it
 };
 
 /// Slots for all pairs that may touch before the next rebuild. Histories are keyed on the pair, so that they outlive a
@@ -100,7 +124,7 @@ class ContactDetection {
   ContactParties parties_;
   std::vector<Reach> reach_;  // during refresh
   std::vector<std::vector<std::uint32_t>> chunk_rows_;
-  std::vector<std::uint32_t> place_;
+  std::vector<std::uint32_t> place_, chunk_next_;  // during refresh
   Vec3Field listed_at_;
   std::vector<double> move_limit2_;
   double narrow_share_ = 0.1;  // of the skin

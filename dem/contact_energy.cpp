@@ -1,7 +1,5 @@
 #include "dem/contact_energy.h"
 
-#include <algorithm>
-
 namespace lahar::dem {
 
 namespace {
@@ -36,15 +34,13 @@ double normal_energy_of(ParticleIndex i, const Particles& p, const Materials& ma
   };
   const ContactSlots &pairs = contacts.pairs(), &wall = contacts.wall_contacts();
   if (i + 1 >= pairs.offset.size()) return 0;  // joined after the last step: in no contact yet
+  for (std::uint32_t k = pairs.offset[i]; k < pairs.offset[i + 1]; ++k)
+    if (pairs.touching[k]) add(pairs.partner[k]);
   const ContactParties& parties = contacts.parties();
-  const auto found = std::lower_bound(parties.particle.begin(), parties.particle.end(), i);
-  if (found != parties.particle.end() && *found == i) {
-    const auto place = static_cast<std::size_t>(found - parties.particle.begin());
-    for (std::uint32_t n = parties.offset[place]; n < parties.offset[place + 1]; ++n) {
-      const std::uint32_t k = parties.feels[n] / 2;
-      const bool as_partner = parties.feels[n] % 2 != 0;
-      if (pairs.touching[k]) add(as_partner ? pairs.owner[k] : pairs.partner[k]);
-    }
+  const std::size_t chunk = i / kContactChunk;
+  for (std::uint32_t n = parties.first_partner[chunk]; n < parties.first_partner[chunk + 1]; ++n) {
+    const std::uint32_t k = parties.as_partner[n].slot;
+    if (pairs.partner[k] == i && pairs.touching[k]) add(pairs.owner[k]);
   }
   for (std::uint32_t k = wall.offset[i]; k < wall.offset[i + 1]; ++k) {
     if (!wall.touching[k]) continue;

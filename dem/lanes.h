@@ -39,6 +39,14 @@ class LineField {
 inline Line load_line(const double* p) { return *reinterpret_cast<const Line*>(p); }
 inline void store_line(double* p, const Line& l) { *reinterpret_cast<Line*>(p) = l; }
 
+/// The same at any address of doubles.
+inline Line load_eight(const double* p) {
+  Line l;
+  __builtin_memcpy(&l, p, sizeof l);
+  return l;
+}
+inline void store_eight(double* p, const Line& l) { __builtin_memcpy(p, &l, sizeof l); }
+
 /// Turns eight lines (one per item) into eight lines (one per quantity), and back.
 inline void transpose(std::array<Line, kLine>& m) {
   std::array<Line, kLine> a, b;

@@ -16,6 +16,7 @@
 #include "dem/rates.h"
 #include "dem/watchdog.h"
 #include "dem/wire_forces.h"
+#include "dem/worst_overlap.h"
 
 namespace lahar::dem {
 
@@ -71,7 +72,7 @@ class Solids {
   [[nodiscard]] const ContactDetection& slow_contacts() const { return slow_contacts_; }
   /// Contacts of smooth wires; none with WireContacts::beads.
   [[nodiscard]] const std::optional<WireForces>& wires() const { return wires_; }
-  [[nodiscard]] const WorstOverlap& worst_overlap() const;
+  [[nodiscard]] WorstOverlap worst_overlap() const;
   /// Force of all particles on a wall in the last step, N.
   [[nodiscard]] Vec3 force_on_wall(std::uint32_t wall) const;
   /// Its moment about the origin of the coordinates, N m.

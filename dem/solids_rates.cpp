@@ -88,10 +88,14 @@ void Solids::evaluate_slow(double dt, const MeanMotion* mean) {
   std::swap(particles_.torque, slow_torque_);
 }
 
-const WorstOverlap& Solids::worst_overlap() const {
-  const WorstOverlap &fast = contact_forces_.worst_overlap(), &slow = slow_forces_.worst_overlap();
-  const WorstOverlap& plain = slow.ratio > fast.ratio ? slow : fast;
-  return wires_ && wires_->worst_overlap().ratio > plain.ratio ? wires_->worst_overlap() : plain;
+WorstOverlap Solids::worst_overlap() const {
+  WorstOverlap worst = dem::worst_overlap(particles_, contacts_, walls_);
+  const auto consider = [&worst](const WorstOverlap& other) {
+    if (other.ratio > worst.ratio) worst = other;
+  };
+  if (two_rates()) consider(dem::worst_overlap(particles_, slow_contacts_, walls_));
+  if (wires_) consider(wires_->worst_overlap());
+  return worst;
 }
 
 Vec3 Solids::force_on_wall(std::uint32_t wall) const {

@@ -81,7 +81,7 @@ void ContactSlots::transfer(Archive& archive, std::size_t particles, std::size_t
   if (!rows || std::any_of(partner.begin(), partner.end(), [&](std::uint32_t j) { return j >= partners; }))
     archive.refuse("offset", "is no list of contacts");
   if (archive.loading()) {
-    touching.assign(size(), 0), history.assign(size(), {}), rolling.assign(rolls ? size() : 0, Triple{});
+    touching.assign(size(), 0), history.clear(size()), rolling.assign(rolls ? size() : 0, Triple{});
     owner.resize(size());
     for (std::size_t i = 0; i + 1 < offset.size(); ++i)
       std::fill(owner.begin() + offset[i], owner.begin() + offset[i + 1], static_cast<std::uint32_t>(i));
@@ -91,9 +91,9 @@ void ContactSlots::transfer(Archive& archive, std::size_t particles, std::size_t
   for (std::size_t k = 0; k < size(); ++k)
     if (touching[k]) used.push_back(k);
   archive.pieces<double>("history", used.size(), 5, [&](std::size_t k, double* stored) {
-    ContactHistory& h = history[used[k]];
-    double* const own[] = {&h.tangential_displacement.x, &h.tangential_displacement.y, &h.tangential_displacement.z,
-                           &h.tangential_stiffness, &h.normal_force};
+    const std::size_t slot = used[k];
+    double* const own[] = {&history.x[slot], &history.y[slot], &history.z[slot], &history.stiffness[slot],
+                           &history.normal_force[slot]};
     for (std::size_t a = 0; a < 5; ++a) {
       if (archive.loading())
         *own[a] = stored[a];

@@ -8,9 +8,9 @@
 
 #include "core/check.h"
 #include "dem/bonds.h"
-#include "dem/contact_forces.h"
 #include "dem/particles.h"
 #include "dem/time_step.h"
+#include "dem/worst_overlap.h"
 
 namespace lahar::dem {
 

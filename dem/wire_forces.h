@@ -7,6 +7,7 @@
 #include "dem/wire_chains.h"
 #include "dem/wire_contact.h"
 #include "dem/wire_detection.h"
+#include "dem/worst_overlap.h"
 
 namespace lahar::dem {
 

@@ -244,6 +244,12 @@ void check_uses(const Scene& scene, Findings& findings) {
     findings.mistake("coupling.solid_operator",
                      "coupling.solid_operator turns populations, which is for a constant viscosity alone, expected "
                      "fluid.smagorinsky = 0 and a Newtonian fluid, or another solid operator");
+  if (scene.coupling.enabled && scene.coupling.solid_operator == SolidOperator::holdych &&
+      scene.coupling.body_weighting == BodyWeighting::wall_distance && findings.sound({"coupling"}))
+    findings.mistake(
+        "coupling.solid_operator",
+        "coupling.solid_operator = \"holdych\" turns the flow round by 2 B, which is stable for B up to 1, and "
+        "wall_distance has B up to 2; expected another body_weighting or another solid operator");
   if (!scene.fluid.enabled && !scene.has_solids() && findings.sound({"fluid", "grains", "barrier"}))
     findings.mistake("scene", "the scene is empty, expected a fluid, grains or a barrier");
   check_section(scene, findings);

@@ -1,7 +1,9 @@
 #pragma once
 // What a contact law sees and what it answers. Geometry and loops live elsewhere: a law is a pure function of these.
+// Everything is a template over the number type: a double, or a line of eight of them (lanes.h).
 #include <concepts>
 
+#include "dem/lanes.h"
 #include "dem/triple.h"
 
 namespace lahar::dem {
@@ -10,42 +12,53 @@ namespace lahar::dem {
 ///
 /// Positions are those at the end of a time step. Displacements over the step need the velocity at its middle, dampers
 /// the velocity at its end, so both are given: mixing them up turns springs into (negative) dampers of order dt.
-struct ContactState {
-  double overlap = 0;                  ///< m, > 0 in contact
-  double closing_speed = 0;            ///< m/s at the end of the step if all forces stayed; > 0 while the overlap grows
-  Triple normal_ij{1, 0, 0};           ///< unit, from i to j
-  Triple tangential_velocity{};        ///< m/s at mid-step, surface of i relative to j, normal to normal_ij
-  Triple tangential_velocity_end{};    ///< the same at the end of the step
-  double twist_rate = 0;               ///< rad/s, mean spin of the two bodies about normal_ij
-  double effective_radius = 0;         ///< m, 1/R* = 1/Ri + 1/Rj
-  double effective_mass = 0;           ///< kg, 1/m* = 1/mi + 1/mj
-  double effective_modulus = 0;        ///< Pa, E*
-  double effective_shear_modulus = 0;  ///< Pa, G*
-  double friction = 0;                 ///< Coulomb coefficient
-  double damping_ratio = 0;            ///< of critical, see damping.h
+template <class V>
+struct ContactStateOf {
+  V overlap{};                                 ///< m, > 0 in contact
+  V closing_speed{};                           ///< m/s at the end of the step if all forces stayed; > 0: overlap grows
+  TripleOf<V> normal_ij{V{} + 1.0, V{}, V{}};  ///< unit, from i to j
+  TripleOf<V> tangential_velocity{};           ///< m/s at mid-step, surface of i relative to j, normal to normal_ij
+  TripleOf<V> tangential_velocity_end{};       ///< the same at the end of the step
+  V twist_rate{};                              ///< rad/s, mean spin of the two bodies about normal_ij
+  V effective_radius{};                        ///< m, 1/R* = 1/Ri + 1/Rj
+  V effective_mass{};                          ///< kg, 1/m* = 1/mi + 1/mj
+  V effective_modulus{};                       ///< Pa, E*
+  V effective_shear_modulus{};                 ///< Pa, G*
+  V friction{};                                ///< Coulomb coefficient
+  V damping_ratio{};                           ///< of critical, see damping.h
 };
+using ContactState = ContactStateOf<double>;
 
 /// What a contact remembers. All zero when a contact begins.
-struct ContactHistory {
-  Triple tangential_displacement{};  ///< m, elastic part, of i relative to j
-  double tangential_stiffness = 0;   ///< N/m, of the step before
-  double normal_force = 0;           ///< N, of the step before
+template <class V>
+struct ContactHistoryOf {
+  TripleOf<V> tangential_displacement{};  ///< m, elastic part, of i relative to j
+  V tangential_stiffness{};               ///< N/m, of the step before
+  V normal_force{};                       ///< N, of the step before
 };
+using ContactHistory = ContactHistoryOf<double>;
 
 /// Answer of a law, and its share of the energy ledger.
-struct ContactForce {
-  double normal = 0;              ///< N, >= 0, pushes i along -normal_ij
-  Triple tangential{};            ///< N, on i
-  double elastic_normal = 0;      ///< J, stored now
-  double elastic_tangential = 0;  ///< J, stored now
-  double damping_work = 0;        ///< J, dissipated by dampers in this step, >= 0
-  double friction_work = 0;       ///< J, dissipated by slip in this step, >= 0
+template <class V>
+struct ContactForceOf {
+  V normal{};                ///< N, >= 0, pushes i along -normal_ij
+  TripleOf<V> tangential{};  ///< N, on i
+  V elastic_normal{};        ///< J, stored now
+  V elastic_tangential{};    ///< J, stored now
+  V damping_work{};          ///< J, dissipated by dampers in this step, >= 0
+  V friction_work{};         ///< J, dissipated by slip in this step, >= 0
+};
+using ContactForce = ContactForceOf<double>;
+
+/// A contact law of one number type: state and history in, force out; the history is advanced by one time step `dt`
+/// (s).
+template <class L, class V>
+concept ContactLawOf = requires(const L& law, const ContactStateOf<V>& state, ContactHistoryOf<V>& history, double dt) {
+  { law(state, history, dt) } -> std::same_as<ContactForceOf<V>>;
 };
 
-/// A contact law: state and history in, force out; the history is advanced by one time step `dt` (s).
+/// A contact law: of one contact, and of eight side by side.
 template <class L>
-concept ContactLaw = requires(const L& law, const ContactState& state, ContactHistory& history, double dt) {
-  { law(state, history, dt) } -> std::same_as<ContactForce>;
-};
+concept ContactLaw = ContactLawOf<L, double> && ContactLawOf<L, Line>;
 
 }  // namespace lahar::dem

@@ -1,7 +1,5 @@
 #pragma once
 // Hertz's normal and Mindlin's tangential contact of elastic spheres, damped.
-#include <cmath>
-
 #include "dem/contact/contact_state.h"
 #include "dem/contact/normal_damper.h"
 #include "dem/contact/tangential_spring.h"
@@ -13,19 +11,21 @@ namespace lahar::dem {
 /// sqrt(S m*) with S_n = 2 E* sqrt(R* overlap), S_t = k_t (Tsuji et al. 1992, Powder Technol. 71:239): the restitution
 /// does not depend on the impact speed.
 struct HertzMindlin {
-  ContactForce operator()(const ContactState& s, ContactHistory& history, double dt) const {
+  template <class V>
+  [[gnu::always_inline]] ContactForceOf<V> operator()(const ContactStateOf<V>& s, ContactHistoryOf<V>& history,
+                                                      double dt) const {
     constexpr double two_sqrt_5_6 = 1.8257418583505537;
-    const double contact_radius = std::sqrt(s.effective_radius * s.overlap);
-    const double slope = 2 * s.effective_modulus * contact_radius;
-    const double elastic = 2.0 / 3.0 * slope * s.overlap;
-    const double damper = two_sqrt_5_6 * s.damping_ratio;
+    const V contact_radius = root(s.effective_radius * s.overlap);
+    const V slope = 2 * s.effective_modulus * contact_radius;
+    const V elastic = 2.0 / 3.0 * slope * s.overlap;
+    const V damper = two_sqrt_5_6 * s.damping_ratio;
 
-    ContactForce f;
-    set_normal_force(s, elastic, damper * std::sqrt(slope * s.effective_mass), dt, history, f);
+    ContactForceOf<V> f;
+    set_normal_force<V>(s, elastic, damper * root(slope * s.effective_mass), dt, history, f);
     f.elastic_normal = 0.4 * elastic * s.overlap;
 
-    const double shear = 8 * s.effective_shear_modulus * contact_radius;
-    add_tangential_spring(s, shear, damper * std::sqrt(shear * s.effective_mass), dt, history, f);
+    const V shear = 8 * s.effective_shear_modulus * contact_radius;
+    add_tangential_spring<V>(s, shear, damper * root(shear * s.effective_mass), dt, history, f);
     return f;
   }
 };

@@ -1,7 +1,5 @@
 #pragma once
 // Linear spring and dashpot (Cundall & Strack 1979, Geotechnique 29:47): one stiffness for all sizes and materials.
-#include <cmath>
-
 #include "dem/contact/contact_state.h"
 #include "dem/contact/normal_damper.h"
 #include "dem/contact/tangential_spring.h"
@@ -13,16 +11,18 @@ struct LinearSpringDashpot {
   double normal_stiffness = 1e6;      ///< N/m, > 0
   double tangential_stiffness = 3e5;  ///< N/m, > 0; 2/7 of the normal one gives both modes the same period
 
-  ContactForce operator()(const ContactState& s, ContactHistory& history, double dt) const {
-    const double elastic = normal_stiffness * s.overlap;
-    const double damper = 2 * s.damping_ratio;
+  template <class V>
+  [[gnu::always_inline]] ContactForceOf<V> operator()(const ContactStateOf<V>& s, ContactHistoryOf<V>& history,
+                                                      double dt) const {
+    const V elastic = normal_stiffness * s.overlap;
+    const V damper = 2 * s.damping_ratio;
 
-    ContactForce f;
-    set_normal_force(s, elastic, damper * std::sqrt(normal_stiffness * s.effective_mass), dt, history, f);
+    ContactForceOf<V> f;
+    set_normal_force<V>(s, elastic, damper * root(V(normal_stiffness * s.effective_mass)), dt, history, f);
     f.elastic_normal = 0.5 * elastic * s.overlap;
 
-    add_tangential_spring(s, tangential_stiffness, damper * std::sqrt(tangential_stiffness * s.effective_mass), dt,
-                          history, f);
+    add_tangential_spring<V>(s, V{} + tangential_stiffness, damper * root(V(tangential_stiffness * s.effective_mass)),
+                             dt, history, f);
     return f;
   }
 };

@@ -1,8 +1,7 @@
 #pragma once
 // The normal part that all laws share: an elastic force and a damper, never attractive.
-#include <algorithm>
-
 #include "dem/contact/contact_state.h"
+#include "dem/fast_math.h"
 
 namespace lahar::dem {
 
@@ -13,12 +12,13 @@ namespace lahar::dem {
 /// forces of the step before; the change of this contact's own force since then is put in here, solved for the damper
 /// (trapezoidal rule). So a contact on its own is stable however strong its damper, and the work that is booked is what
 /// the kick takes, c v^2 dt, never negative.
-inline void set_normal_force(const ContactState& s, double elastic, double damping, double dt, ContactHistory& history,
-                             ContactForce& f) {
-  const double per_force = s.effective_mass > 0 ? 0.5 * dt / s.effective_mass : 0.0;  // change of the closing speed
-  const double without = s.closing_speed + per_force * history.normal_force;
-  const double closing = (without - per_force * elastic) / (1 + per_force * damping);
-  f.normal = std::max(0.0, elastic + damping * closing);
+template <class V>
+[[gnu::always_inline]] inline void set_normal_force(const ContactStateOf<V>& s, const V& elastic, const V& damping,
+                                                    double dt, ContactHistoryOf<V>& history, ContactForceOf<V>& f) {
+  const V per_force = choose(s.effective_mass > 0, 0.5 * dt / s.effective_mass, V{});  // change of the closing speed
+  const V without = s.closing_speed + per_force * history.normal_force;
+  const V closing = (without - per_force * elastic) / (1 + per_force * damping);
+  f.normal = larger(elastic + damping * closing, V{});
   f.damping_work = (f.normal - elastic) * (without - per_force * f.normal) * dt;
   history.normal_force = f.normal;
 }

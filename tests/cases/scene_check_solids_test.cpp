@@ -52,6 +52,13 @@ INSTANTIATE_TEST_SUITE_P(
             "barrier.bonds.dissipator_force_limit_N",
             "does not rise"},
         Rejection{{"fluid.enabled=false"}, "coupling.enabled", "without a fluid"},
+        Rejection{
+            {"coupling.solid_operator='holdych'", "coupling.body_weighting='wall_distance'", "fluid.smagorinsky=0"},
+            "coupling.solid_operator",
+            "another body_weighting"},
+        Rejection{{"coupling.solid_operator='bounce_back'", "fluid.smagorinsky=0.1"},
+                  "coupling.solid_operator",
+                  "a constant viscosity alone"},
         Rejection{{"domain.periodic_axes=['y']"}, "domain.periodic_axes", "expected fluid alone"},
         Rejection{{"measure.outflow_distance_m=2"}, "measure.outflow_distance_m", "leads to x = 6.1"}));
 

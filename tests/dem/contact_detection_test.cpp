@@ -46,26 +46,34 @@ TEST(ContactDetection, restoring_a_contact_between_strangers_is_refused) {
   EXPECT_THROW(contacts.restore({{0, 1, false, mark(1)}}), std::logic_error);
 }
 
-TEST(ContactDetection, parties_feel_every_slot_once_as_owner_and_once_as_partner) {
-  const Particles p = testing::random_cloud(20, 0.04, 300, 0.004, {0.3, 0.3, 0.3}, 1, 11);
+TEST(ContactDetection, every_slot_is_listed_once_with_the_chunk_of_its_partner) {
+  const Particles p = testing::random_cloud(20, 0.04, 600, 0.004, {0.3, 0.3, 0.3}, 1, 11);
   ContactDetection contacts(NeighbourOptions{2, 0});
   contacts.rebuild(p, {}, {});
   const ContactParties& t = contacts.parties();
   const ContactSlots& slots = contacts.pairs();
-  std::size_t seen = 0;
-  for (std::size_t place = 0; place < t.particle.size(); ++place)
-    for (auto n = t.offset[place]; n < t.offset[place + 1]; ++n, ++seen) {
-      const std::uint32_t slot = t.feels[n] / 2;
-      const bool as_partner = t.feels[n] % 2 == 1;
-      EXPECT_EQ(as_partner ? slots.partner[slot] : slots.owner[slot], t.particle[place]);
-      EXPECT_EQ(as_partner ? t.partner[slot] : t.owner[slot], place);
-      if (n > t.offset[place]) {  // owned slots first, ascending
-        const auto key = [](std::uint32_t feels) { return std::pair(feels % 2, feels); };
-        EXPECT_LT(key(t.feels[n - 1]), key(t.feels[n]));
+  const std::size_t chunks = (p.size() + kContactChunk - 1) / kContactChunk;
+  ASSERT_EQ(t.first_partner.size(), chunks + 1);
+  ASSERT_EQ(t.first_place.size(), chunks + 1);
+  EXPECT_EQ(t.first_place[chunks], t.particle.size());
+  std::vector<int> seen(slots.size(), 0);
+  for (std::size_t c = 0; c < chunks; ++c) {
+    for (auto place = t.first_place[c]; place < t.first_place[c + 1]; ++place)
+      EXPECT_EQ(t.particle[place] / kContactChunk, c);
+    for (auto n = t.first_partner[c]; n < t.first_partner[c + 1]; ++n) {
+      const auto [slot, place] = t.as_partner[n];
+      ++seen[slot];
+      EXPECT_EQ(place, t.partner[slot]);
+      EXPECT_EQ(slots.partner[slot], t.particle[place]);
+      EXPECT_EQ(slots.owner[slot], t.particle[t.owner[slot]]);
+      EXPECT_EQ(slots.partner[slot] / kContactChunk, c);
+      if (n > t.first_partner[c]) {
+        EXPECT_LT(t.as_partner[n - 1].slot, slot);
       }
     }
-  EXPECT_EQ(seen, 2 * slots.size());
-  EXPECT_GT(seen, 200u);
+  }
+  EXPECT_TRUE(std::all_of(seen.begin(), seen.end(), [](int times) { return times == 1; }));
+  EXPECT_GT(seen.size(), 200u);
 }
 
 TEST(ContactDetection, slots_hold_every_pair_within_the_narrow_skin_while_they_last) {

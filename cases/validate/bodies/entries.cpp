@@ -23,6 +23,7 @@ std::vector<Entry> bodies_entries() {
       {"bodies.hard_h7", hard, hard_h7},
       {"bodies.hard_h10", hard, hard_h10},
       {"bodies.hard_h17", hard, hard_h17},
+      {"bodies.momentum_audit", "conservation of momentum", momentum_audit},
   };
 }
 

@@ -14,5 +14,6 @@ std::vector<Row> hard_h5(const Context& context);
 std::vector<Row> hard_h7(const Context& context);
 std::vector<Row> hard_h10(const Context& context);
 std::vector<Row> hard_h17(const Context& context);
+std::vector<Row> momentum_audit(const Context& context);
 
 }  // namespace lahar::validate

@@ -1,0 +1,42 @@
+#pragma once
+// Energies of contacts: what they hold now and what they have lost.
+#include "core/archive.h"
+
+namespace lahar::dem {
+
+/// Energies of all contacts, J. Stored parts are those of the last evaluation, the others sums since the start.
+struct ContactEnergy {
+  double elastic_normal = 0, elastic_tangential = 0, elastic_rolling = 0;
+  double damping = 0;                                 ///< dissipated by dampers
+  double friction = 0;                                ///< dissipated by slip
+  double rolling = 0;                                 ///< dissipated by rolling on against its resistance
+  double wall_work = 0;                               ///< done on particles by walls that move
+  double damping_of_step = 0, wall_work_of_step = 0;  ///< shares of the last evaluation in `damping` and `wall_work`
+
+  ContactEnergy& operator+=(const ContactEnergy& o) {
+    elastic_normal += o.elastic_normal, elastic_tangential += o.elastic_tangential,
+        elastic_rolling += o.elastic_rolling;
+    damping += o.damping, friction += o.friction, rolling += o.rolling, wall_work += o.wall_work;
+    damping_of_step += o.damping_of_step, wall_work_of_step += o.wall_work_of_step;
+    return *this;
+  }
+  void transfer(Archive& archive) {
+    archive.value("elastic_normal", elastic_normal);
+    archive.value("elastic_tangential", elastic_tangential);
+    archive.value("elastic_rolling", elastic_rolling);
+    archive.value("damping", damping);
+    archive.value("friction", friction);
+    archive.value("rolling", rolling);
+    archive.value("wall_work", wall_work);
+    archive.value("damping_of_step", damping_of_step);
+    archive.value("wall_work_of_step", wall_work_of_step);
+  }
+};
+
+/// The same of one step and one chunk of particles, J.
+struct ContactTally {
+  double elastic_normal = 0, elastic_tangential = 0, elastic_rolling = 0;
+  double damping = 0, friction = 0, rolling = 0, wall_work = 0;
+};
+
+}  // namespace lahar::dem
