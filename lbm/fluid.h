@@ -181,9 +181,9 @@ class Fluid {
   Survey survey_;                // of the last sweep
   std::int64_t looked_at_ = -1;  // steps at the last look of the control
   double cell_updates_ = 0;
-  std::size_t limited_cells_ = 0;  // most cells whose speed was limited in a step
+  std::size_t limited_cells_ = 0;                   // most cells whose speed was limited in a step
   std::vector<std::vector<ShearRow<Real>>> shear_;  // by place in active(); surface_shear.h
-  std::vector<SweepNote> notes_;   // of the last sweep, by place in the list of active blocks
+  std::vector<SweepNote> notes_;                    // of the last sweep, by place in the list of active blocks
   Timers timers_;
   std::vector<std::uint8_t> needed_;
   std::vector<WallLoad> wall_loads_;

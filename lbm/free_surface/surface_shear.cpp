@@ -7,6 +7,7 @@
 #include "lbm/collision/stress_limit.h"
 #include "lbm/free_surface/look_around.h"
 #include "lbm/rheology/herschel_bulkley.h"
+#include "lbm/row_types.h"
 
 namespace lahar::lbm {
 
@@ -85,15 +86,13 @@ class ShearMeasure {
 
   /// Marks the liquid of a row that no body touches; whether a cell that is asked for holds any.
   static bool sees_liquid(const Block<Real>& block, int first, int bx, V& liquid) {
-    bool any = false;
-    for (int x = bx < 0 ? 7 : 0; x < (bx > 0 ? 1 : 8); ++x) {
-      const int cell = first + x;
-      if (block.type[static_cast<std::size_t>(cell)] != CellType::liquid) continue;
-      if (block.body && block.body->coverage[cell] > 0) continue;
-      liquid[static_cast<std::size_t>(x)] = Real(1);
-      any = true;
-    }
-    return any;
+    const std::uint64_t types = types_of_row(block, first / kBlockWidth);
+    unsigned cells = wet_cells(types) & ~interface_cells(types) & (bx < 0 ? 0x80U : bx > 0 ? 0x01U : 0xFFU);
+    if (block.body)
+      for (int x = 0; x < kBlockWidth; ++x)
+        if (block.body->coverage[first + x] > 0) cells &= ~(1U << x);
+    liquid = V([cells](auto x) { return static_cast<Real>(cells >> x & 1U); });
+    return cells != 0;
   }
 
   /// sigma and its rate from what comes into the liquid cells of a row; other lanes stay as they are.
