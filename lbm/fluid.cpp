@@ -12,6 +12,7 @@
 #include "lbm/boundary/wall_reflection.h"
 #include "lbm/collision/cell_state.h"
 #include "lbm/free_surface/surface_exchange.h"
+#include "lbm/free_surface/surface_shear.h"
 #include "lbm/rescale.h"
 #include "lbm/row_types.h"
 
@@ -191,13 +192,24 @@ void Fluid<Real>::exchange() {
   const auto& g = parameters_.gravity;
   const double tension = units_.surface_tension_to_lu(options_.surface_tension);
   const double largest = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) + kCapillaryGradient * tension;
-  const SurfacePhysics<Real> physics{Real(0), static_cast<Real>(kLargestGradient * largest),
-                                     static_cast<Real>(tension)};
+  const SurfacePhysics<Real> physics{Real(0), static_cast<Real>(kLargestGradient * largest), static_cast<Real>(tension),
+                                     static_cast<Real>(largest)};
   const auto& active = grid_.active();
+  const bool viscous = largest > 0 && feels_surface_shear(parameters_);
+  if (viscous) measure_surface_shear();
   parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
     if (!grid_.has_surface(active[k])) return;
     exchange_over_mirrors(grid_, active[k], parameters_.parity);
-    exchange_surface(grid_, active[k], parameters_.parity, physics);
+    exchange_surface(grid_, active[k], parameters_.parity, physics, viscous ? shear_[k].data() : nullptr);
+  });
+}
+
+template <class Real>
+void Fluid<Real>::measure_surface_shear() {
+  const auto& active = grid_.active();
+  shear_.resize(std::max(shear_.size(), active.size()));
+  parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
+    if (grid_.has_surface(active[k])) measure_shear(grid_, active[k], parameters_, shear_[k]);
   });
 }
 

@@ -13,6 +13,7 @@
 #include "lbm/fluid_snapshot.h"
 #include "lbm/free_surface/conversion.h"
 #include "lbm/free_surface/inflow.h"
+#include "lbm/free_surface/shear_row.h"
 #include "lbm/sweep.h"
 #include "lbm/time_step_control.h"
 
@@ -151,6 +152,7 @@ class Fluid {
   void sweep();
   void feed();
   void exchange();
+  void measure_surface_shear();
   void reflect();
   void book_wall_loads();
   void stretch_kicks(double ratio);
@@ -179,8 +181,9 @@ class Fluid {
   Survey survey_;                // of the last sweep
   std::int64_t looked_at_ = -1;  // steps at the last look of the control
   double cell_updates_ = 0;
-  std::size_t limited_cells_ = 0;  // most cells whose speed was limited in a step
-  std::vector<SweepNote> notes_;   // of the last sweep, by place in the list of active blocks
+  std::size_t limited_cells_ = 0;                   // most cells whose speed was limited in a step
+  std::vector<std::vector<ShearRow<Real>>> shear_;  // by place in active(); surface_shear.h
+  std::vector<SweepNote> notes_;                    // of the last sweep, by place in the list of active blocks
   Timers timers_;
   std::vector<std::uint8_t> needed_;
   std::vector<WallLoad> wall_loads_;

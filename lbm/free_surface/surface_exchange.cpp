@@ -10,6 +10,7 @@
 #include "lbm/free_surface/look_around.h"
 #include "lbm/free_surface/surface_gradient.h"
 #include "lbm/free_surface/surface_plane.h"
+#include "lbm/free_surface/surface_shear.h"
 #include "lbm/free_surface/surroundings.h"
 #include "lbm/gather.h"
 
@@ -36,6 +37,7 @@ class RowExchange {
         away_ahead_(around, parity, nowhere_),
         gas_drho_(physics.gas_drho),
         largest_gradient_(physics.largest_gradient),
+        weight_(physics.weight),
         capillary_(capillary) {
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
       home_[pair] = block_.f(parity.home(D3Q19::forward(pair)));
@@ -43,7 +45,8 @@ class RowExchange {
     }
   }
 
-  void run(int row) {
+  /// `shear` is null where the viscous stress does not count.
+  void run(int row, const ShearRow<Real>* shear) {
     load(row);
     const V fill(block_.surface->fill_level + 8 * row, stdx::element_aligned);
     const int place = Surroundings<Real>::at(0, row & 7, row >> 3);
@@ -59,7 +62,10 @@ class RowExchange {
     });
     note(row, interface, gain, empty, fullest);
     const auto open = interface && empty > V(0);
-    if (stdx::any_of(open)) rebuild_from_gas(row, place, open);
+    if (stdx::none_of(open)) return;
+    const SurfacePressure pressure = surface_pressure(row, place, open);
+    rebuild_from_gas(row, place, open, pressure);
+    if (shear) add_shear(row, place, open && empty < V(kExposedSides), pressure, *shear);
   }
 
  private:
@@ -87,9 +93,8 @@ class RowExchange {
 
   /// Populations that would come from the gas, in the cells `open` to it.
   template <class Mask>
-  void rebuild_from_gas(int row, int place, const Mask& open) {
+  void rebuild_from_gas(int row, int place, const Mask& open, const SurfacePressure& s) {
     const Velocity u = outgoing_velocity(row);
-    const SurfacePressure s = surface_pressure(row, place, open);
     const Rows rows = Rows::at(kBlockWidth * row, 1);
     const V gas = capillary_ ? V(gas_drho_ + V(capillary_ + 8 * row, stdx::element_aligned)) : gas_drho_;
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
@@ -104,6 +109,29 @@ class RowExchange {
         away_ahead_.template pair<P>().store_chosen(rows, even(s.depth + half_way) - outgoing_a_[P], from_ahead);
       if (stdx::any_of(from_behind))
         store_some(home_[P] + rows.n, V(even(s.depth - half_way) - outgoing_b_[P]), from_behind);
+    });
+  }
+
+  /// What the shear stress adds to these populations in the cells `chosen`, so that it vanishes on the surface.
+  template <class Mask>
+  void add_shear(int row, int place, const Mask& chosen, const SurfacePressure& s, const ShearRow<Real>& shear) {
+    const auto from = [](const Real* p) __attribute__((always_inline)) { return V(p, stdx::element_aligned); };
+    const Symmetric<V> stress{from(shear.stress[0]), from(shear.stress[1]), from(shear.stress[2]),
+                              from(shear.stress[3]), from(shear.stress[4]), from(shear.stress[5])};
+    const SurfaceTraction<V> t =
+        surface_traction<V>(stress, {from(shear.way[0]), from(shear.way[1]), from(shear.way[2])}, from(shear.rate),
+                            {s.x, s.y, s.z}, s.depth, weight_);
+    const Rows rows = Rows::at(kBlockWidth * row, 1);
+    for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+      constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
+      constexpr double w = D3Q19::w(D3Q19::forward(P));
+      const auto from_ahead = chosen && see(near_.empty, place + step) > V(0);
+      const auto from_behind = chosen && see(near_.empty, place - step) > V(0);
+      const auto& ahead = away_ahead_.template pair<P>();
+      if (stdx::any_of(from_ahead))
+        ahead.store_chosen(rows, V(ahead.template load<V>(rows) + t.template missing<CX, CY, CZ>(w, 1)), from_ahead);
+      if (stdx::any_of(from_behind))
+        store_some(home_[P] + rows.n, V(from(home_[P] + rows.n) + t.template missing<CX, CY, CZ>(w, -1)), from_behind);
     });
   }
 
@@ -159,6 +187,7 @@ class RowExchange {
   const AwayPopulations<Real> home_ahead_, away_ahead_;
   const V gas_drho_;
   const Real largest_gradient_;
+  const V weight_;
   const Real* const capillary_;  ///< rho - 1 by surface tension, per cell; null without
   V incoming_a_[D3Q19::pairs], outgoing_b_[D3Q19::pairs], outgoing_a_[D3Q19::pairs], incoming_b_[D3Q19::pairs];
 };
@@ -179,7 +208,8 @@ void capillary_densities(const FluidGrid<Real>& grid, BlockIndex b, Real surface
 }  // namespace
 
 template <class Real>
-void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SurfacePhysics<Real>& physics) {
+void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SurfacePhysics<Real>& physics,
+                      const ShearRow<Real>* shear) {
   Block<Real>& block = grid.block(b);
   if (!block.surface) return;
   SurfaceFields<Real>& surface = *block.surface;
@@ -191,7 +221,7 @@ void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
   if (tense) capillary_densities(grid, b, physics.surface_tension, capillary);
   RowExchange<Real> exchange(grid.around(b), near, parity, physics, tense ? capillary : nullptr);
   for (int row = 0; row < 64; ++row)
-    if (surface.rows >> row & 1) exchange.run(row);
+    if (surface.rows >> row & 1) exchange.run(row, shear ? shear++ : nullptr);
 }
 
 template <class Real>
@@ -210,7 +240,9 @@ void note_densities(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
 
 template void note_densities<float>(FluidGrid<float>&, BlockIndex, Parity);
 template void note_densities<double>(FluidGrid<double>&, BlockIndex, Parity);
-template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, const SurfacePhysics<float>&);
-template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, const SurfacePhysics<double>&);
+template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, const SurfacePhysics<float>&,
+                                      const ShearRow<float>*);
+template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, const SurfacePhysics<double>&,
+                                       const ShearRow<double>*);
 
 }  // namespace lahar::lbm

@@ -17,8 +17,11 @@
 // second order in the place of the surface, exact for water at rest at any angle to the lattice, and the plain rule in
 // free fall, where a = 0 (docs/decisions/0007).
 //
+// The rule also makes the shear stress vanish half a link out; surface_shear.h puts that right where it counts.
+//
 // With surface tension the pressure on the surface is that of the gas plus sigma times the curvature (curvature.h).
 #include "lbm/fluid_grid.h"
+#include "lbm/free_surface/shear_row.h"
 
 namespace lahar::lbm {
 
@@ -28,20 +31,25 @@ struct SurfacePhysics {
   Real gas_drho = 0;          ///< rho - 1 at the pressure of the gas
   Real largest_gradient = 0;  ///< of |a|: beyond it densities are sound and splash, no weight of liquid; 0: plain rule
   Real surface_tension = 0;   ///< sigma over the density; 0 is off
+  Real weight = 0;            ///< what |a| is compared with where the surface has no clear normal (surface_shear.h)
 };
 
 /// Treats the interface cells of one block; marks those that are exposed to gas on half of their sides, whose
 /// relaxation rate is bounded (collision/stress_limit.h). Writes mass and rates of this block and locations that
-/// belong to its cells alone.
+/// belong to its cells alone. `shear` are the block's rows of measure_shear, null where the viscous stress at the
+/// surface does not count.
 template <class Real>
-void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SurfacePhysics<Real>& physics);
+void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SurfacePhysics<Real>& physics,
+                      const ShearRow<Real>* shear);
 
 /// Notes the density of the liquid cells of a block that has just got its surface fields, from what they send out: the
 /// coming exchange looks at it before a sweep has written any.
 template <class Real>
 void note_densities(FluidGrid<Real>& grid, BlockIndex b, Parity parity);
 
-extern template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, const SurfacePhysics<float>&);
-extern template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, const SurfacePhysics<double>&);
+extern template void exchange_surface<float>(FluidGrid<float>&, BlockIndex, Parity, const SurfacePhysics<float>&,
+                                             const ShearRow<float>*);
+extern template void exchange_surface<double>(FluidGrid<double>&, BlockIndex, Parity, const SurfacePhysics<double>&,
+                                              const ShearRow<double>*);
 
 }  // namespace lahar::lbm

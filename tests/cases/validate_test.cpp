@@ -105,7 +105,9 @@ INSTANTIATE_TEST_SUITE_P(SolidsContact, QuickEntry,
 
 INSTANTIATE_TEST_SUITE_P(Bodies, QuickEntry,
                          testing::Values("bodies.wire", "bodies.resolved_wire", "bodies.screen", "bodies.ring_net_drag",
-                                         "bodies.archimedes", "bodies.hard_h7", "bodies.hard_h10", "bodies.hard_h17"),
+                                         "bodies.archimedes", "bodies.hard_h6_ring", "bodies.hard_h7",
+                                         "bodies.hard_h8_sphere", "bodies.hard_h8_cavity", "bodies.hard_h10",
+                                         "bodies.hard_h17"),
                          [](const auto& param) { return std::string(param.param).substr(7); });
 
 }  // namespace

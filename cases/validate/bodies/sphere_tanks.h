@@ -21,7 +21,9 @@ struct SphereTank {
   double smagorinsky = 0.1;
   int substeps = 10;
   double youngs_modulus = 1;
-  Immersion immersion;  ///< but for its collision operator, which is the default one
+  Immersion immersion;                        ///< but for its collision operator, which is the default one
+  std::vector<Wall> walls = {};               ///< that the water alone meets
+  std::vector<lbm::LiquidRegion> water = {};  ///< in place of all that lies below the depth
 };
 
 template <class Real>
@@ -30,6 +32,7 @@ std::unique_ptr<coupling::CoupledStep<Real>> make_tank(const SphereTank& t) {
   fluid.smagorinsky = t.smagorinsky;
   fluid.weighting = t.immersion.weighting;
   fluid.solid_operator = t.immersion.solid_operator;
+  for (const Wall& wall : t.walls) fluid.domain.walls.add(wall);
   dem::ParticleSpec sphere;
   sphere.position = t.place;
   sphere.velocity = t.velocity;
@@ -52,7 +55,8 @@ std::unique_ptr<coupling::CoupledStep<Real>> make_tank(const SphereTank& t) {
   auto step = std::make_unique<coupling::CoupledStep<Real>>(
       fluid, dem::Solids(std::move(particles), dem::Bonds{}, std::move(materials), std::move(walls), options),
       coupling);
-  step->fill({{Vec3::Zero(), Vec3(t.cells.x(), t.cells.y(), t.depth)}});
+  const lbm::LiquidRegion all{Vec3::Zero(), Vec3(t.cells.x(), t.cells.y(), t.depth)};
+  step->fill(t.water.empty() ? std::vector{all} : t.water);
   return step;
 }
 

@@ -38,23 +38,6 @@ void add_wire(const HeldWire& wire, double diameter, dem::Particles& particles, 
   if (ring) bonds.add({first + static_cast<dem::ParticleIndex>(pieces) - 1, first, 0}, particles);
 }
 
-dem::Solids held_wires(const WireStream& stream) {
-  dem::Particles particles;
-  dem::Bonds bonds;
-  dem::BondSort sort;
-  sort.axial.stiffness = {1e-6, 1e-6, 1e-6};
-  sort.bond_radius = stream.diameter / 2;
-  bonds.add_sort(sort);
-  for (const HeldWire& wire : stream.wires) add_wire(wire, stream.diameter, particles, bonds);
-  dem::Materials materials;
-  materials.add({"wire", 1e-6, 0.3});
-  dem::SolidsOptions options;
-  options.gravity = Vec3::Zero();
-  options.time_step = 1;
-  options.watchdog.overlap_limit = 10;  // wires may cross
-  return {std::move(particles), std::move(bonds), std::move(materials), Walls{}, options};
-}
-
 lbm::FluidOptions stream_options(const WireStream& s) {
   lbm::FluidOptions o;
   o.domain.upper = s.cells.cast<double>();
@@ -103,7 +86,7 @@ WireLoad measure(const WireStream& s) {
   const lbm::FluidOptions options = stream_options(s);
   coupling::CouplingOptions coupling;
   if (s.resolved) coupling.resolve_wires_from = 1, coupling.radius_shift = s.radius_shift;
-  coupling::CoupledStep<Real> step(options, held_wires(s), coupling);
+  coupling::CoupledStep<Real> step(options, held_wires(s.wires, s.diameter), coupling);
   const Vec3 along = s.direction.normalized(), push = options.gravity * s.cells.cast<double>().prod();
   auto& fluid = *step.fluid();
   fluid.fill_everything([&](const Vec3&) { return Vec3(s.speed * along); }, [](const Vec3&) { return 0.0; });
@@ -142,6 +125,23 @@ WireLoad measure(const WireStream& s) {
 }
 
 }  // namespace
+
+dem::Solids held_wires(const std::vector<HeldWire>& wires, double diameter) {
+  dem::Particles particles;
+  dem::Bonds bonds;
+  dem::BondSort sort;
+  sort.axial.stiffness = {1e-6, 1e-6, 1e-6};
+  sort.bond_radius = diameter / 2;
+  bonds.add_sort(sort);
+  for (const HeldWire& wire : wires) add_wire(wire, diameter, particles, bonds);
+  dem::Materials materials;
+  materials.add({"wire", 1e-6, 0.3});
+  dem::SolidsOptions options;
+  options.gravity = Vec3::Zero();
+  options.time_step = 1;
+  options.watchdog.overlap_limit = 10;  // wires may cross
+  return {std::move(particles), std::move(bonds), std::move(materials), Walls{}, options};
+}
 
 WireLoad run_stream(const WireStream& stream, const Context& context) {
   return context.precision == Precision::float32 ? measure<float>(stream) : measure<double>(stream);

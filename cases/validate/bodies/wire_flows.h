@@ -1,12 +1,13 @@
 #pragma once
-// Wires that are held in a stream: what the entries on wires, screens and nets share. Lattice units. Everything is
-// periodic; the stream starts uniform, and a body force stands for the pressure that would keep it up. It is measured
-// before the wakes come round.
+// Wires that are held in a stream: what the entries on wires, screens, nets and rings share. Lattice units. Everything
+// is periodic; the stream starts uniform, and a body force stands for the pressure that would keep it up. It is
+// measured before the wakes come round.
 #include <array>
 #include <vector>
 
 #include "cases/validate/entry.h"
 #include "core/vector.h"
+#include "dem/solids.h"
 
 namespace lahar::validate {
 
@@ -15,6 +16,9 @@ struct HeldWire {
   Vec3 start = Vec3::Zero(), end = Vec3::Zero();  ///< the end may lie beyond a periodic face
   double ring_diameter = 0;                       ///< of the centre-line; the ring lies across x, around `start`
 };
+
+/// Wires of one diameter whose beads are held, about a diameter apart.
+dem::Solids held_wires(const std::vector<HeldWire>& wires, double diameter);
 
 struct WireStream {
   double diameter = 1;  ///< cells
