@@ -31,13 +31,13 @@ struct OutgoingStress {
   }
 };
 
+constexpr double kTakenBack = 0.8;  ///< share of the stress of its links that a slipping wall in steps takes back
+
 /// Velocity of a wall at an angle to the lattice whose links exert no stress along it: with M now a matrix, and P a
 /// vector, of the plane of the wall, v = u + P / (rho M). With v = u alone the traction is -P, (1 - tau)/3 of the
-/// shear. P is that of the viscous stress, without rho u u: a plug slides along the wall unchanged. Only a share of P is
-/// taken back: P is that of all velocities into the wall, a cell of a step has some of them, and with all of P a sheared
-/// flow in steps gains energy (docs/decisions/0043).
-constexpr double kTakenBack = 0.8;
-
+/// shear. P is that of the viscous stress, without rho u u: a plug slides along the wall unchanged. Only a share of P
+/// is taken back: P is that of all velocities into the wall, a cell of a step has some of them, and with all of P a
+/// sheared flow in steps gains energy (docs/decisions/0043).
 template <class Real>
 std::array<Real, 3> free_slip_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                        const CellMoments<Real>& m) {
@@ -119,7 +119,8 @@ std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, 
   const double own_speed = sample.velocity.norm();
   if (own_speed < 1e-12) return v;
   double law = wall_stress(own_speed, sample.distance, physics.viscosity, wall.roughness);
-  if (law > kTurbulent * physics.viscosity * own_speed / sample.distance) {
+  // Steps keep the law of the cell itself: each brakes its own cells, which the law must see.
+  if (wall.even && law > kTurbulent * physics.viscosity * own_speed / sample.distance) {
     sample = sample_above(grid, place, wall, parity, moving + half_force, sample);
     law = wall_stress(sample.velocity.norm(), sample.distance, physics.viscosity, wall.roughness);
   }

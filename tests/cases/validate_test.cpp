@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Fluid, QuickEntry,
                          testing::Values("fluid.order_taylor_green", "fluid.order_poiseuille", "fluid.order_duct",
                                          "fluid.order_couette", "fluid.taylor_green_re1600", "fluid.cavity_re1000",
                                          "fluid.determinism", "fluid.hard_h12", "fluid.hard_h19", "fluid.shear_layer",
-                                         "fluid.adaptive_time_step", "fluid.laplace_drop"),
+                                         "fluid.slipping_box", "fluid.adaptive_time_step", "fluid.laplace_drop"),
                          [](const auto& param) { return std::string(param.param).substr(6); });
 
 INSTANTIATE_TEST_SUITE_P(SolidsContact, QuickEntry,
@@ -107,7 +107,7 @@ INSTANTIATE_TEST_SUITE_P(Bodies, QuickEntry,
                          testing::Values("bodies.wire", "bodies.resolved_wire", "bodies.screen", "bodies.ring_net_drag",
                                          "bodies.archimedes", "bodies.hard_h6_ring", "bodies.hard_h7",
                                          "bodies.hard_h8_sphere", "bodies.hard_h8_cavity", "bodies.hard_h10",
-                                         "bodies.hard_h17"),
+                                         "bodies.hard_h17", "bodies.momentum_audit"),
                          [](const auto& param) { return std::string(param.param).substr(7); });
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(WallModel, LayerLosesTheStressOfTheLaw) {
           fluid.step();
           taken += wall_stress(fluid.cell_at(Vec3(4.5, 4.5, place))->velocity.x(), place, viscosity, roughness);
         }
-        EXPECT_NEAR((start - mean_speed(fluid)) * cells / taken, 1, 0.01) << cells << ' ' << slow;
+        EXPECT_NEAR((start - mean_speed(fluid)) * cells / taken, 1, 0.02) << cells << ' ' << slow;
       }
 }
 

@@ -6,9 +6,9 @@ namespace lahar::validate {
 
 std::vector<Entry> fluid_entries() {
   std::vector<Entry> entries = {
-      order_taylor_green(),  order_poiseuille(), order_duct(),      order_couette(),
-      taylor_green_re1600(), cavity_re1000(),    determinism(),     hard_h19(),
-      shear_layer(),         bingham_channel(),  log_law_channel(), hard_h12(),
+      order_taylor_green(), order_poiseuille(), order_duct(), order_couette(), taylor_green_re1600(),
+      cavity_re1000(),      determinism(),      hard_h19(),   shear_layer(),   slipping_box(),
+      bingham_channel(),    log_law_channel(),  hard_h12(),
   };
   for (Entry& e : surface_entries()) entries.push_back(std::move(e));
   return entries;

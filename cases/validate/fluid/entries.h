@@ -16,6 +16,7 @@ Entry cavity_re1000();
 Entry determinism();
 Entry hard_h19();
 Entry shear_layer();
+Entry slipping_box();
 Entry bingham_channel();
 Entry log_law_channel();
 
