@@ -240,7 +240,8 @@ template <class Real>
 void Fluid<Real>::reflect() {
   const ScopedTimer timer(timers_.section("fluid.walls"));
   const auto& active = grid_.active();
-  const WallPhysics physics{(parameters_.tau - 0.5) / 3, parameters_.gravity};
+  const WallPhysics physics{(parameters_.tau - 0.5) / 3, parameters_.gravity,
+                            parameters_.rheology.law == FlowLaw::newtonian};
   const bool measured = !wall_loads_.empty();
   if (measured) block_loads_.resize(std::max(block_loads_.size(), active.size()));
   parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {

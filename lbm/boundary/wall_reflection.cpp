@@ -2,6 +2,7 @@
 
 #include "lbm/boundary/row_reflection.h"
 #include "lbm/boundary/slip_wall.h"
+#include "lbm/boundary/surface_cells_at_walls.h"
 #include "lbm/boundary/wall_balance.h"
 #include "lbm/boundary/wall_traction.h"
 #include "lbm/cell_moments.h"
@@ -92,12 +93,10 @@ void interpolate_links(FluidGrid<Real>& grid, CellPlace place, const WallCell& w
   book_gain(block, wall, gained);
 }
 
-/// Half-way, off a wall that moves, or seems to: free slip and wall model.
+/// Half-way, off a wall that moves with v; returns the mass that the links add to the cell.
 template <class Real>
-void bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* links, const WallCell& wall, Parity parity,
-                const WallPhysics& physics) {
-  Real rho;
-  const auto v = reflection_velocity(grid, place, wall, parity, physics, rho);
+double bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* links, const WallCell& wall,
+                  Parity parity, Real rho, const std::array<Real, 3>& v) {
   const Real mean_push = wall.even ? mean_wall_push(links, wall.links, v) : Real(0);
   double gained = 0;
   for (int k = 0; k < wall.links; ++k) {
@@ -110,7 +109,30 @@ void bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* link
       *pair.incoming_a = *pair.outgoing_b - push;
     gained -= static_cast<double>(push);
   }
+  return gained;
+}
+
+/// The same off a wall that moves, or seems to: free slip and wall model.
+template <class Real>
+void bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* links, const WallCell& wall, Parity parity,
+                const WallPhysics& physics) {
+  Real rho;
+  const auto v = reflection_velocity(grid, place, wall, parity, physics, rho);
+  const double gained = bounce_off(grid, place, links, wall, parity, rho, v);
   if (!wall.even) book_gain(grid.block(place.block), wall, gained);
+}
+
+/// Interface cells at no-slip walls (surface_cells_at_walls.h). Whatever the wall does they keep their mass.
+template <class Real>
+void brake_surface_cells(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const WallPhysics& physics) {
+  const Block<Real>& block = grid.block(b);
+  for (const WallCell& wall : block.walls.cells) {
+    if (wall.slip != WallSlip::no_slip || block.type[wall.cell] != CellType::interface) continue;
+    const CellPlace place{b, wall.cell};
+    const auto m = outgoing_moments(grid, place, parity);
+    bounce_off(grid, place, block.walls.directions.data() + wall.first_link, wall, parity, Real(1) + m.drho,
+               surface_cell_wall_velocity(grid, place, wall, parity, physics, m));
+  }
 }
 
 /// What went into the wall over the links of a cell and what came back.
@@ -158,6 +180,8 @@ void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
     else
       bounce_off(grid, place, links, wall, parity, physics);
   }
+  if (block.surface && physics.newtonian && physics.viscosity < kBounceBackViscosity)
+    brake_surface_cells(grid, b, parity, physics);
   if (loads) add_loads(grid, b, parity, *loads);
 }
 

@@ -3,6 +3,8 @@
 //
 // Half-way bounce-back (Ladd 1994): f_opposite(i)(x, t+1) = f_i*(x, t) - 6 w_i rho c_i . u_wall.
 //
+// Interface cells at such a wall are braked by viscosity alone (surface_cells_at_walls.h).
+//
 // Interpolated (Bouzidi, Firdaouss & Lallemand 2001, linear), with the wall at the share q of the link:
 //   q < 1/2:   2q f_i*(x, t) + (1 - 2q) f_i*(x - c_i, t) - 6 w_i c_i . u_wall
 //   q >= 1/2:  [f_i*(x, t) + (2q - 1) f_opposite(i)*(x, t) - 6 w_i c_i . u_wall] / 2q
@@ -33,6 +35,7 @@ namespace lahar::lbm {
 struct WallPhysics {
   double viscosity = 0;
   std::array<double, 3> acceleration{0, 0, 0};  ///< body force per mass
+  bool newtonian = true;                        ///< the viscosity is that of the liquid at the wall
 };
 
 /// Reflects at all wall cells of one block; `parity` is that of the coming step. What the walls get is added to `loads`

@@ -79,12 +79,8 @@ constexpr int kSampledCell = 2;
 /// The law's stress over that of a laminar layer above which a layer is turbulent: y+ of 11.
 constexpr double kTurbulent = 2;
 
-/// The velocity along the wall, relative to it, half of the force taken off, in the third cell from a wall, or the last
-/// wet one before it.
-template <class Real>
-WallSample sample_above(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity, const Vec3& frame,
-                        WallSample sample) {
-  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
+/// The lattice velocity nearest to a normal.
+inline int direction_away(const Vec3& n) {
   int away = 1;
   double most = -1;
   for (int i = 1; i < D3Q19::q; ++i) {
@@ -92,6 +88,16 @@ WallSample sample_above(FluidGrid<Real>& grid, CellPlace place, const WallCell& 
     const double along = c.dot(n) / c.norm();
     if (along > most + 1e-6) most = along, away = i;
   }
+  return away;
+}
+
+/// The velocity along the wall, relative to it, half of the force taken off, in the third cell from a wall, or the last
+/// wet one before it.
+template <class Real>
+WallSample sample_above(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity, const Vec3& frame,
+                        WallSample sample) {
+  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
+  const int away = direction_away(n);
   const double step = Vec3(D3Q19::c[away][0], D3Q19::c[away][1], D3Q19::c[away][2]).dot(n);
   for (int k = 0; k < kSampledCell; ++k) {
     const CellPlace next = grid.neighbour(place, away);
@@ -104,20 +110,70 @@ WallSample sample_above(FluidGrid<Real>& grid, CellPlace place, const WallCell& 
   return sample;
 }
 
+/// What links can do to a cell along a wall: traction = rho M (v - u) . t - P (wall_reflection.h).
+struct LinkTraction {
+  double mobility = 0, carried = 0;  // M, P
+
+  template <class Real>
+  LinkTraction(const OutgoingStress<Real>& stress, const Vec3& n, const Vec3& t) {
+    for (int i = 1; i < D3Q19::q; ++i) {
+      const auto& c = D3Q19::c[i];
+      const Vec3 velocity(c[0], c[1], c[2]);
+      const double into = -velocity.dot(n), ct = velocity.dot(t);
+      if (into <= 0) continue;
+      const double weight = D3Q19::w(i) * into * ct;
+      mobility += 6 * weight * ct;
+      carried += 9 * weight * stress.along(c);
+    }
+  }
+};
+
+/// The cell's velocity along a wall, relative to it; lu.
+template <class Real>
+Vec3 slip_of(const WallCell& wall, const CellMoments<Real>& m) {
+  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
+  const Vec3 u = Vec3(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2])) -
+                 Vec3(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
+  return u - u.dot(n) * n;
+}
+
+/// Velocity of a wall whose links brake a cell by `stress`, over density, along the unit vector t, at the speed `speed`
+/// that the stress is of; lu.
+template <class Real>
+std::array<Real, 3> braking_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
+                                     const CellMoments<Real>& m, const Vec3& t, double speed, double stress) {
+  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
+  const LinkTraction links(OutgoingStress<Real>(grid, place, parity, static_cast<double>(m.drho)), n, t);
+  const double wanted =
+      slip_of(wall, m).dot(t) + (links.carried / (1 + static_cast<double>(m.drho)) - stress) / links.mobility;
+  const double bounded = std::clamp(wanted, -2 * speed, 2 * speed);  // where the cells are too coarse for any profile
+  std::array<Real, 3> v;
+  for (int k = 0; k < 3; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    v[at] = static_cast<Real>(wall.wall_velocity[at] + bounded * t[k]);
+  }
+  return v;
+}
+
+/// A wall that does not brake.
+template <class Real>
+std::array<Real, 3> own_velocity(const WallCell& wall) {
+  std::array<Real, 3> v;
+  for (std::size_t k = 0; k < 3; ++k) v[k] = static_cast<Real>(wall.wall_velocity[k]);
+  return v;
+}
+
 template <class Real>
 std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                         const WallPhysics& physics, const CellMoments<Real>& m) {
   const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
   const Vec3 moving(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
   const Vec3 half_force = 0.5 * Vec3(physics.acceleration[0], physics.acceleration[1], physics.acceleration[2]);
-  const Vec3 outgoing =
-      Vec3(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2])) - moving;
-  const Vec3 slip = outgoing - outgoing.dot(n) * n;
-  std::array<Real, 3> v{static_cast<Real>(moving.x()), static_cast<Real>(moving.y()), static_cast<Real>(moving.z())};
   // A cell cut by the wall stands for more than the sliver between its centre and the wall.
-  WallSample sample{slip - (half_force - half_force.dot(n) * n), std::max(0.5, static_cast<double>(wall.distance))};
+  WallSample sample{slip_of(wall, m) - (half_force - half_force.dot(n) * n),
+                    std::max(0.5, static_cast<double>(wall.distance))};
   const double own_speed = sample.velocity.norm();
-  if (own_speed < 1e-12) return v;
+  if (own_speed < 1e-12) return own_velocity<Real>(wall);
   double law = wall_stress(own_speed, sample.distance, physics.viscosity, wall.roughness);
   // Steps keep the law of the cell itself: each brakes its own cells, which the law must see.
   if (wall.even && law > kTurbulent * physics.viscosity * own_speed / sample.distance) {
@@ -125,23 +181,8 @@ std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, 
     law = wall_stress(sample.velocity.norm(), sample.distance, physics.viscosity, wall.roughness);
   }
   const double speed = sample.velocity.norm();
-  if (speed < 1e-12) return v;
-  const Vec3 t = sample.velocity / speed;
-  const OutgoingStress<Real> stress(grid, place, parity, static_cast<double>(m.drho));
-  double mobility = 0, carried = 0;  // M, P
-  for (int i = 1; i < D3Q19::q; ++i) {
-    const auto& c = D3Q19::c[i];
-    const double into = -(c[0] * n.x() + c[1] * n.y() + c[2] * n.z());
-    if (into <= 0) continue;
-    const double ct = c[0] * t.x() + c[1] * t.y() + c[2] * t.z(), weight = D3Q19::w(i) * into * ct;
-    mobility += 6 * weight * ct;
-    carried += 9 * weight * stress.along(c);
-  }
-  const double rho = 1 + static_cast<double>(m.drho), along = slip.dot(t);
-  const double wanted = along + (carried / rho - law) / mobility;
-  const double bounded = std::clamp(wanted, -speed, 2 * speed);  // where the cells are too coarse for any profile
-  for (int k = 0; k < 3; ++k) v[static_cast<std::size_t>(k)] += static_cast<Real>(bounded * t[k]);
-  return v;
+  if (speed < 1e-12) return own_velocity<Real>(wall);
+  return braking_velocity(grid, place, wall, parity, m, Vec3(sample.velocity / speed), speed, law);
 }
 
 }  // namespace lahar::lbm
