@@ -13,10 +13,10 @@
 // 2q), or (2q - 1)/2q: both rules then give f_i* at hydrostatic rest, as half-way does, so that liquid at rest stays at
 // rest and no wall leaks under hydrostatic pressure. Mass: wall_balance.h.
 //
-// A free-slip wall along the lattice is a mirror (slip_wall.h). One at an angle to it moves so that its links exert no
-// stress along it (wall_traction.h); a plug slides along it unchanged, steps or not. What moving and slipping walls add
-// to a cell where they are cut into steps, the sum of -6 w_i rho c_i . u_wall, is booked (wall_balance.h): without it
-// the steps would brake (docs/decisions/0013).
+// A free-slip wall along the lattice is a mirror (slip_wall.h). One at an angle to it moves so that its links exert
+// little stress along it (wall_traction.h); a plug slides along it unchanged, steps or not. What moving and slipping
+// walls add to a cell where they are cut into steps, the sum of -6 w_i rho c_i . u_wall, is booked (wall_balance.h):
+// without it the steps would brake (docs/decisions/0013).
 //
 // A wall with a wall model moves so that the traction of its links is the stress of the law (wall_model.h). Over all
 // links through an area with the normal n, along the tangent t,

@@ -31,7 +31,8 @@ struct OutgoingStress {
   }
 };
 
-constexpr double kTakenBack = 0.8;  ///< share of the stress of its links that a slipping wall in steps takes back
+/// Share of the stress of its links that a slipping wall in steps takes back.
+inline constexpr double kTakenBack = 0.8;
 
 /// Velocity of a wall at an angle to the lattice whose links exert no stress along it: with M now a matrix, and P a
 /// vector, of the plane of the wall, v = u + P / (rho M). With v = u alone the traction is -P, (1 - tau)/3 of the
@@ -74,10 +75,10 @@ struct WallSample {
 
 /// Cells from a wall cell to the one whose velocity the law takes: the eddies of the first two are not resolved (Kawai
 /// & Larsson 2012, Phys. Fluids 24, 015105).
-constexpr int kSampledCell = 2;
+inline constexpr int kSampledCell = 2;
 
 /// The law's stress over that of a laminar layer above which a layer is turbulent: y+ of 11.
-constexpr double kTurbulent = 2;
+inline constexpr double kTurbulent = 2;
 
 /// The lattice velocity nearest to a normal.
 inline int direction_away(const Vec3& n) {

@@ -2,6 +2,7 @@
 // and nothing brakes it, so it keeps its momentum along the axis of the box.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
