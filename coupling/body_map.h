@@ -57,13 +57,15 @@ class BodyMap {
   /// A body and one block that it reaches.
   struct Pair {
     lbm::BlockIndex block;
-    std::uint32_t body;         ///< index into bodies_
-    std::uint64_t birth;        ///< of the block
-    Vec3i lowest;               ///< first cell of the block as the body sees it: past the end of a periodic axis
-    double volume = 0;          ///< cells, over all cells of the block
-    double wet_volume = 0;      ///< cells, over wet cells
-    double surface_weight = 0;  ///< sum of eps over interface cells that are not full of bodies
-    double drift = 0;           ///< mass that those full of bodies gained in the last step, cells
+    std::uint32_t body;     ///< index into bodies_
+    std::uint64_t birth;    ///< of the block
+    Vec3i lowest;           ///< first cell of the block as the body sees it: past the end of a periodic axis
+    double volume = 0;      ///< cells, over all cells of the block
+    double wet_volume = 0;  ///< cells, over wet cells
+    // Sums over interface cells that are not full of bodies, of eps, of eps times what is missing to a full cell, and
+    // of eps times the liquid in the cell:
+    double surface_weight = 0, room = 0, liquid = 0;
+    double drift = 0;  ///< mass that those full of bodies gained in the last step, cells
   };
   /// What the cells of a pair do to the body, lu.
   struct Load {
@@ -135,12 +137,14 @@ class BodyMap {
   std::vector<std::uint32_t> former_body_;                 // per particle, index into former_
   std::vector<std::uint8_t> written_;                      // per block index: fields of the last update
   std::vector<Radius> radii_;                              // per particle
-  std::vector<double> old_wet_, displaced_, change_;       // per particle; per body; per body
-  std::vector<Vec3> last_velocity_;                        // per particle, m/s
-  std::vector<Vec3> last_spin_;                            // per particle, rad/s
-  std::vector<Vec3> felt_force_;                           // per particle, N: the fluid's force as the body follows it
-  std::vector<Vec3> felt_torque_;                          // per particle, N m
-  std::vector<std::uint8_t> known_;                        // per particle: last_velocity_ is set
+  std::vector<double> old_wet_;                            // per particle
+  // Per body, what it displaces: of the room or liquid of its cells, to all of them alike, to the pool.
+  std::vector<double> displaced_, alike_, change_;
+  std::vector<Vec3> last_velocity_;  // per particle, m/s
+  std::vector<Vec3> last_spin_;      // per particle, rad/s
+  std::vector<Vec3> felt_force_;     // per particle, N: the fluid's force as the body follows it
+  std::vector<Vec3> felt_torque_;    // per particle, N m
+  std::vector<std::uint8_t> known_;  // per particle: last_velocity_ is set
   double radius_shift_;
   double wet_volume_ = 0;
   bool forgotten_ = false;

@@ -3,6 +3,7 @@
 #include "coupling/body_map_parts.h"
 #include "coupling/body_rows.h"
 #include "lbm/free_surface/covered_cells.h"
+#include "lbm/free_surface/touching.h"
 
 namespace lahar::coupling {
 
@@ -172,7 +173,7 @@ void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
     Pair& pair = pairs_[k];
     if (written_[at]) add(spheres_[pair.body], spheres_[pair.body], pair.lowest, f);
     pair.wet_volume = pair.volume;
-    pair.surface_weight = pair.drift = 0;
+    pair.surface_weight = pair.room = pair.liquid = pair.drift = 0;
   }
   if (!mixed) return;
   for (const std::uint32_t k : pairs_of(block_start_, at)) {
@@ -181,17 +182,30 @@ void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
   }
 }
 
+/// What an interface cell lacks to be full, and the liquid in it; not below 0.
+template <class Real>
+Real room_of(const Block<Real>& block, int cell) {
+  return std::max(Real(0), Real(1) + block.surface->density[cell] - block.surface->mass[cell]);
+}
+template <class Real>
+Real liquid_of(const Block<Real>& block, int cell) {
+  return std::max(Real(0), block.surface->mass[cell] - lbm::body_share(block, cell));
+}
+
 template <class Real>
 void BodyMap<Real>::measure_wet(const Block<Real>& block, Pair& pair) const {
-  pair.wet_volume = pair.surface_weight = 0;
+  pair.wet_volume = pair.surface_weight = pair.room = pair.liquid = 0;
   for_rows(spheres_[pair.body], pair.lowest, [&](int row, const lbm::Row<Real>& cover) {
     alignas(64) Real eps[kBlockWidth];
     cover.copy_to(eps, stdx::vector_aligned);
     for (int c = 0; c < kBlockWidth; ++c) {
       const CellType t = block.type[static_cast<std::size_t>(row + c)];
       if (lbm::is_wet(t)) pair.wet_volume += static_cast<double>(eps[c]);
-      if (t == CellType::interface && !lbm::is_covered(block, row + c))
-        pair.surface_weight += static_cast<double>(eps[c]);
+      if (t != CellType::interface || eps[c] <= 0 || lbm::is_covered(block, row + c)) continue;
+      const auto share = static_cast<double>(eps[c]);
+      pair.surface_weight += share;
+      pair.room += share * static_cast<double>(room_of(block, row + c));
+      pair.liquid += share * static_cast<double>(liquid_of(block, row + c));
     }
   });
 }
@@ -214,19 +228,26 @@ void BodyMap<Real>::settle_covered(const Block<Real>& block, Pair& pair) const {
 }
 
 /// Adds each body's change of wet volume, and what its full interface cells gained, to the other interface cells that
-/// it covers; the pool takes it where there are none.
+/// it covers: in proportion to the room that they have, or to their liquid where it is taken, lest a cell that stands
+/// full above the surface be filled again and again (docs/decisions/0045). Where that is not enough all of them get
+/// alike; the pool takes it where there are none.
 template <class Real>
 void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
   displaced_.assign(bodies_.size(), 0.0), change_.assign(bodies_.size(), 0.0);
+  alike_.assign(bodies_.size(), 0);
   parallel_for(0, bodies_.size(), 256, [&](std::size_t k) {
     const Body& b = bodies_[k];
-    double change = -b.old_wet_volume, weight = 0;
+    double change = -b.old_wet_volume, weight = 0, room = 0, liquid = 0;
     for (std::size_t p = b.first_pair; p < b.first_pair + b.pairs; ++p) {
       change += pairs_[p].wet_volume + pairs_[p].drift;
-      weight += pairs_[p].surface_weight;
+      weight += pairs_[p].surface_weight, room += pairs_[p].room, liquid += pairs_[p].liquid;
     }
     if (change == 0) return;
-    if (weight > std::abs(change))
+    const double able = change > 0 ? room : liquid;
+    alike_[k] = able > std::abs(change) ? 0 : 1;
+    if (!alike_[k])
+      displaced_[k] = change / able;
+    else if (weight > std::abs(change))
       displaced_[k] = change / weight;
     else
       change_[k] = change;
@@ -236,18 +257,31 @@ void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
   for_each_block([&](std::size_t index) {
     Block<Real>& block = fluid.grid().block(static_cast<BlockIndex>(index));
     if (!block.surface) return;
+    alignas(64) std::array<Real, lbm::kBlockCells> gain{};  // of all bodies: each looks at what the cells had before
+    bool any = false;
     for (const std::uint32_t k : pairs_of(block_start_, index)) {
       const Pair& pair = pairs_[k];
       if (displaced_[pair.body] == 0) continue;
+      any = true;
       const auto displaced = static_cast<Real>(displaced_[pair.body]);
+      const bool alike = alike_[pair.body];
       for_rows(spheres_[pair.body], pair.lowest, [&](int row, const lbm::Row<Real>& cover) {
         alignas(64) Real eps[kBlockWidth];
         cover.copy_to(eps, stdx::vector_aligned);
-        for (int c = 0; c < kBlockWidth; ++c)
-          if (block.type[static_cast<std::size_t>(row + c)] == CellType::interface && !lbm::is_covered(block, row + c))
-            block.surface->mass[row + c] = multiply_add(displaced, eps[c], block.surface->mass[row + c]);
+        for (int c = 0; c < kBlockWidth; ++c) {
+          const int cell = row + c;
+          if (block.type[static_cast<std::size_t>(cell)] != CellType::interface || eps[c] <= 0 ||
+              lbm::is_covered(block, cell))
+            continue;
+          const Real able = alike ? Real(1) : displaced > 0 ? room_of(block, cell) : liquid_of(block, cell);
+          Real& sum = gain[static_cast<std::size_t>(cell)];
+          sum = multiply_add(displaced, eps[c] * able, sum);
+        }
       });
     }
+    if (!any) return;
+    for (std::size_t cell = 0; cell < gain.size(); ++cell)
+      if (gain[cell] != 0) block.surface->mass[cell] += gain[cell];
   });
 }
 

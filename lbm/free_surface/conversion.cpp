@@ -156,6 +156,21 @@ void CellConversion<Real>::fill_cells(FluidGrid<Real>& grid, Parity parity) {
   parallel_for(0, opened_.size(), 16, [&](std::size_t k) {
     settle_interface(grid, opened_[k], parity, mean_around(grid, opened_[k], parity), Real(0));
   });
+  for (const CellPlace place : opened_) fill_covered(grid, place);
+}
+
+/// A cell that a body covers is full or gas (covered_cells.h). The neighbours that get what it holds when it empties
+/// are those that pay for it when it opens: paid for by the body's whole waterline it would pump liquid up, each time
+/// that it opens and empties, to where it stands.
+template <class Real>
+void CellConversion<Real>::fill_covered(FluidGrid<Real>& grid, CellPlace place) {
+  Block<Real>& block = grid.block(place.block);
+  if (!is_covered(block, place.cell)) return;
+  const auto cell = static_cast<std::size_t>(place.cell);
+  const Real whole = Real(1) + block.surface->density[cell];
+  excess_.push_back({place, block.surface->mass[cell] - whole});
+  block.surface->mass[cell] = whole;
+  block.surface->fill_level[cell] = Real(1);
 }
 
 /// Gas next to a new liquid cell becomes interface; a neighbour that was about to empty stays.
@@ -328,14 +343,22 @@ template <class Real>
 void CellConversion<Real>::distribute(FluidGrid<Real>& grid, LiquidAccount& account) {
   for (const Excess& e : excess_) {
     CellPlace interfaces[D3Q19::q], liquids[D3Q19::q];
-    int n_interface = 0, n_liquid = 0;
+    int n_interface = 0, n_open = 0, n_covered = 0, n_liquid = 0;
     Real means = 0;
     for (int i = 1; i < D3Q19::q; ++i) {
       const CellPlace next = grid.neighbour(e.place, i);
       const CellType t = grid.type(next);
-      if (t == CellType::interface) interfaces[n_interface++] = next, means += liquid_of(grid, next);
       if (t == CellType::liquid) liquids[n_liquid++] = next;
+      if (t != CellType::interface) continue;
+      (is_covered(grid.block(next.block), next.cell) ? n_covered : n_open) += 1;
+      interfaces[n_interface++] = next;
     }
+    if (n_open > 0 && n_covered > 0)  // what a body covers holds no liquid of its own
+      n_interface =
+          static_cast<int>(std::remove_if(interfaces, interfaces + n_interface,
+                                          [&](const CellPlace& p) { return is_covered(grid.block(p.block), p.cell); }) -
+                           interfaces);
+    for (int k = 0; k < n_interface; ++k) means += liquid_of(grid, interfaces[k]);
     Real rest = e.mass;
     if (rest >= 0 && n_interface > 0) {
       for (int k = 0; k < n_interface; ++k)

@@ -33,20 +33,34 @@ double dry_period(double s, double radius, double gravity) {
 /// lies higher in the water is a larger share of its mass: 0.79, 0.51, 0.37 of it at high frequency.
 constexpr struct { double density, over_dry; } kHeave[] = {{0.25, 1.311}, {0.5, 1.197}, {0.75, 1.148}};
 
-/// Starts a tenth of a diameter too high and is followed for some periods.
-template <class Real>
-void float_one(std::vector<Row>& rows, double s, double over_dry, double diameter, const Context& context) {
+/// A sphere of this density in a tank whose size goes with it, at rest a tenth of a diameter too high.
+SphereTank tank_for(double s, double diameter, double viscosity) {
   const int w = static_cast<int>(4 * diameter);
   SphereTank t;
   t.cells = Vec3i(w, w, w);
   t.depth = 2 * diameter + 0.4;
   t.diameter = diameter;
   t.density = s;
-  t.viscosity = 1e-5;  // the reference has none; 1e-3 would add a boundary layer of a tenth of the mass
+  t.viscosity = viscosity;
   const double area = static_cast<double>(w) * w, volume = std::numbers::pi / 6 * std::pow(diameter, 3);
   const double level = t.depth + s * volume / area, deep = immersion(s) * diameter;
   t.place = Vec3(w / 2 + 0.2, w / 2 - 0.1, level - deep + diameter / 2 + 0.1 * diameter);
   t.depth = level;  // the sphere's place is part of the fill
+  return t;
+}
+
+/// How deep the sphere lies, diameters, for a mean height of its centre.
+template <class Real>
+double depth_at(double height, const SphereTank& t, const coupling::CoupledStep<Real>& step) {
+  const double surface = filled_volume(*step.fluid()) / (static_cast<double>(t.cells.x()) * t.cells.y());
+  return (surface - height) / t.diameter + 0.5;
+}
+
+/// Is followed for some periods of water all but without viscosity: the reference has none, and 1e-3 would add a
+/// boundary layer of a tenth of the mass.
+template <class Real>
+void float_one(std::vector<Row>& rows, double s, double over_dry, double diameter, const Context& context) {
+  const SphereTank t = tank_for(s, diameter, 1e-5);
   const double period = over_dry * dry_period(s, diameter / 2, t.gravity);
   const auto tank = make_tank<Real>(t);
   auto& step = *tank;
@@ -61,12 +75,28 @@ void float_one(std::vector<Row>& rows, double s, double over_dry, double diamete
     if (k >= steps - static_cast<int>(period)) late += height(), ++samples;
   }
   const std::string what = fmt::format("density ratio {:g}, D {:g} cells", s, diameter);
-  const double surface = filled_volume(*step.fluid()) / area;
   if (!context.quick)
-    rows.push_back(absolute_row(what + ": immersion depth, diameters", (surface - late / samples) / diameter + 0.5,
-                                immersion(s), 0.02));
+    rows.push_back(
+        absolute_row(what + ": immersion depth, diameters", depth_at(late / samples, t, step), immersion(s), 0.02));
   rows.push_back(relative_row(what + ": heave period", 2.0 * turn, period, 0.10));
   add_ledgers(rows, what, step);
+}
+
+/// Viscosity must not change how deep it lies. Heaves that it damps are gone after some periods.
+template <class Real>
+void float_in_viscous(std::vector<Row>& rows, double s, double over_dry, double viscosity, int periods) {
+  const SphereTank t = tank_for(s, 8, viscosity);
+  const double period = over_dry * dry_period(s, t.diameter / 2, t.gravity);
+  const auto tank = make_tank<Real>(t);
+  const int steps = static_cast<int>(periods * period), averaged = static_cast<int>(period);
+  double late = 0;
+  for (int k = 0; k < steps; ++k) {
+    tank->advance();
+    if (k >= steps - averaged) late += tank->solids()->particles().position.z[0] / averaged;
+  }
+  rows.push_back(
+      absolute_row(fmt::format("density ratio {:g}, viscosity {:g} lu: immersion depth, diameters", s, viscosity),
+                   depth_at(late, t, *tank), immersion(s), 0.02));
 }
 
 }  // namespace
@@ -76,6 +106,11 @@ std::vector<Row> floating_sphere(const Context& context) {
     std::vector<Row> rows;
     for (const auto& [s, over_dry] : kHeave)
       if (!context.quick || s == 0.5) float_one<Real>(rows, s, over_dry, 8, context);
+    if (context.quick)
+      float_in_viscous<Real>(rows, kHeave[0].density, kHeave[0].over_dry, 3e-3, 2);
+    else
+      for (const double viscosity : {1e-3, 3e-3, 1e-2, 3e-2})
+        for (const auto& [s, over_dry] : kHeave) float_in_viscous<Real>(rows, s, over_dry, viscosity, 5);
     return rows;
   });
 }
