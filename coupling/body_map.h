@@ -4,9 +4,9 @@
 // Liquid and bodies share the cells ("total fill": the mass of a wet cell includes the body's share). Populations of
 // wet cells carry the mixture, so that a body that moves inside the liquid pushes it by itself. A body that moves
 // between a gas cell and a wet cell is not carried by any population; its change of volume in wet cells is added to the
-// interface cells at its waterline. Cells full of bodies hold no liquid: what flows into or out of the interface cells
-// among them goes to the same place (docs/decisions/0041). So a body entering the water raises the level by its volume,
-// and
+// interface cells at its waterline, as they have room or liquid for it (docs/decisions/0045). Cells full of bodies hold
+// no liquid: what flows into or out of the interface cells among them goes to the same place (docs/decisions/0041). So
+// a body entering the water raises the level by its volume, and
 //   liquid = sum of wet masses - sum over bodies of their volume in wet cells
 // is conserved exactly (docs/coupling.md, docs/decisions/0003).
 //

@@ -51,7 +51,7 @@ SphereTank tank_for(double s, double diameter, double viscosity) {
 
 /// How deep the sphere lies, diameters, for a mean height of its centre.
 template <class Real>
-double depth_at(double height, const SphereTank& t, const coupling::CoupledStep<Real>& step) {
+double depth_at(double height, const SphereTank& t, coupling::CoupledStep<Real>& step) {
   const double surface = filled_volume(*step.fluid()) / (static_cast<double>(t.cells.x()) * t.cells.y());
   return (surface - height) / t.diameter + 0.5;
 }
