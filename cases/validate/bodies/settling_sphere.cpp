@@ -74,7 +74,7 @@ Fall fall_in(const Oil& oil, int cells_per_diameter, bool to_floor) {
     const double speed = -p.velocity.z[0];
     fall.time.push_back(step.time()), fall.speed.push_back(speed);
     fall.fastest = std::max(fall.fastest, speed);
-    if (!to_floor && (speed < kSlowedDown * fall.fastest || p.position.z[0] < 0.5 * kGap)) break;
+    if (!to_floor && speed < kSlowedDown * fall.fastest) break;
   }
   fall.audit = step.audit();
   return fall;
