@@ -138,13 +138,13 @@ class BodyMap {
   std::vector<std::uint8_t> written_;                      // per block index: fields of the last update
   std::vector<Radius> radii_;                              // per particle
   std::vector<double> old_wet_;                            // per particle
-  // Per body, what it displaces: of the room or liquid of its cells, to all of them alike, to the pool.
-  std::vector<double> displaced_, alike_, change_;
-  std::vector<Vec3> last_velocity_;  // per particle, m/s
-  std::vector<Vec3> last_spin_;      // per particle, rad/s
-  std::vector<Vec3> felt_force_;     // per particle, N: the fluid's force as the body follows it
-  std::vector<Vec3> felt_torque_;    // per particle, N m
-  std::vector<std::uint8_t> known_;  // per particle: last_velocity_ is set
+  std::vector<double> displaced_, change_;                 // per body: share for its cells; for the pool
+  std::vector<std::uint8_t> alike_;                        // per body: shares go by eps alone
+  std::vector<Vec3> last_velocity_;                        // per particle, m/s
+  std::vector<Vec3> last_spin_;                            // per particle, rad/s
+  std::vector<Vec3> felt_force_;                           // per particle, N: the fluid's force as the body follows it
+  std::vector<Vec3> felt_torque_;                          // per particle, N m
+  std::vector<std::uint8_t> known_;                        // per particle: last_velocity_ is set
   double radius_shift_;
   double wet_volume_ = 0;
   bool forgotten_ = false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/parallel.h"
 #include "lbm/cell_moments.h"
@@ -342,39 +343,38 @@ Real liquid_of(const FluidGrid<Real>& grid, CellPlace place) {
 template <class Real>
 void CellConversion<Real>::distribute(FluidGrid<Real>& grid, LiquidAccount& account) {
   for (const Excess& e : excess_) {
-    CellPlace interfaces[D3Q19::q], liquids[D3Q19::q];
-    int n_interface = 0, n_open = 0, n_covered = 0, n_liquid = 0;
-    Real means = 0;
+    CellPlace open[D3Q19::q], covered[D3Q19::q], liquids[D3Q19::q];
+    std::size_t n_open = 0, n_covered = 0;
+    int n_liquid = 0;
     for (int i = 1; i < D3Q19::q; ++i) {
       const CellPlace next = grid.neighbour(e.place, i);
       const CellType t = grid.type(next);
       if (t == CellType::liquid) liquids[n_liquid++] = next;
       if (t != CellType::interface) continue;
-      (is_covered(grid.block(next.block), next.cell) ? n_covered : n_open) += 1;
-      interfaces[n_interface++] = next;
+      if (is_covered(grid.block(next.block), next.cell))
+        covered[n_covered++] = next;
+      else
+        open[n_open++] = next;
     }
-    if (n_open > 0 && n_covered > 0)  // what a body covers holds no liquid of its own
-      n_interface =
-          static_cast<int>(std::remove_if(interfaces, interfaces + n_interface,
-                                          [&](const CellPlace& p) { return is_covered(grid.block(p.block), p.cell); }) -
-                           interfaces);
-    for (int k = 0; k < n_interface; ++k) means += liquid_of(grid, interfaces[k]);
+    // What a body covers holds no liquid of its own.
+    const std::span<const CellPlace> interfaces = n_open > 0 ? std::span(open, n_open) : std::span(covered, n_covered);
+    const auto mass_of = [&](CellPlace p) -> Real& { return grid.block(p.block).surface->mass[p.cell]; };
+    Real means = 0;
+    for (const CellPlace& p : interfaces) means += liquid_of(grid, p);
     Real rest = e.mass;
-    if (rest >= 0 && n_interface > 0) {
-      for (int k = 0; k < n_interface; ++k)
-        grid.block(interfaces[k].block).surface->mass[interfaces[k].cell] += e.mass / static_cast<Real>(n_interface);
+    if (rest >= 0 && !interfaces.empty()) {
+      for (const CellPlace& p : interfaces) mass_of(p) += e.mass / static_cast<Real>(interfaces.size());
       continue;
     }
     if (rest < 0 && means > 0) {
       const Real share = std::min(Real(1), -rest / means);
-      for (int k = 0; k < n_interface; ++k) {
-        Real& mass = grid.block(interfaces[k].block).surface->mass[interfaces[k].cell];
-        const Real before = mass;
-        mass -= share * liquid_of(grid, interfaces[k]);
-        rest += before - mass;
+      for (const CellPlace& p : interfaces) {
+        const Real before = mass_of(p);
+        mass_of(p) -= share * liquid_of(grid, p);
+        rest += before - mass_of(p);
       }
       if (share < 1) {  // what is left is rounding: it stays with one of them
-        grid.block(interfaces[0].block).surface->mass[interfaces[0].cell] += rest;
+        mass_of(interfaces.front()) += rest;
         continue;
       }
     }
