@@ -18,6 +18,13 @@ constexpr double kPoolDose = 0.02;        ///< largest payment of the pool to on
 constexpr std::uint64_t kVoidsEvery = 8;  ///< steps between looks for voids that are cut off from the gas
 constexpr double kPoolIdle = 1e-5;        ///< a smaller pool waits: payments would drown in rounding
 
+/// Liquid of an interface cell, none if it owes.
+template <class Real>
+Real liquid_of(const FluidGrid<Real>& grid, CellPlace place) {
+  const Block<Real>& block = grid.block(place.block);
+  return std::max(Real(0), block.surface->mass[place.cell] - body_share(block, place.cell));
+}
+
 /// A void that is cut off from the gas: an interface cell that is not full although none of its neighbours is gas. No
 /// link tells them the gas pressure any more, so that they would stand half empty in water under any pressure. They
 /// take liquid from their liquid neighbours as long as those are above the gas pressure: at most what would bring them
@@ -161,17 +168,32 @@ void CellConversion<Real>::fill_cells(FluidGrid<Real>& grid, Parity parity) {
 }
 
 /// A cell that a body covers is full or gas (covered_cells.h). The neighbours that get what it holds when it empties
-/// are those that pay for it when it opens: paid for by the body's whole waterline it would pump liquid up, each time
-/// that it opens and empties, to where it stands.
+/// are those that pay for it when it opens, as far as their liquid goes: paid for by the body's whole waterline it
+/// would pump liquid up, each time that it opens and empties, to where it stands (docs/decisions/0045).
 template <class Real>
-void CellConversion<Real>::fill_covered(FluidGrid<Real>& grid, CellPlace place) {
+void CellConversion<Real>::fill_covered(FluidGrid<Real>& grid, CellPlace place) const {
   Block<Real>& block = grid.block(place.block);
   if (!is_covered(block, place.cell)) return;
+  CellPlace open[D3Q19::q];
+  int n = 0;
+  Real means = 0;
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const CellPlace next = grid.neighbour(place, i);
+    if (grid.type(next) != CellType::interface || is_covered(grid.block(next.block), next.cell)) continue;
+    open[n++] = next, means += liquid_of(grid, next);
+  }
   const auto cell = static_cast<std::size_t>(place.cell);
-  const Real whole = Real(1) + block.surface->density[cell];
-  excess_.push_back({place, block.surface->mass[cell] - whole});
-  block.surface->mass[cell] = whole;
-  block.surface->fill_level[cell] = Real(1);
+  SurfaceFields<Real>& surface = *block.surface;
+  const Real whole = Real(1) + surface.density[cell], missing = whole - surface.mass[cell];
+  if (means <= 0 || missing <= 0) return;
+  const Real share = std::min(Real(1), missing / means);
+  for (int k = 0; k < n; ++k) {
+    Real& mass = grid.block(open[k].block).surface->mass[open[k].cell];
+    const Real before = mass;
+    mass -= share * liquid_of(grid, open[k]);
+    surface.mass[cell] += before - mass;
+  }
+  surface.fill_level[cell] = std::clamp(surface.mass[cell] / whole, Real(0), Real(1));
 }
 
 /// Gas next to a new liquid cell becomes interface; a neighbour that was about to empty stays.
@@ -324,17 +346,6 @@ void CellConversion<Real>::expose_liquid(FluidGrid<Real>& grid, CellPlace place,
   grid.require_neighbours(place);
   touch(place.block);
 }
-
-namespace {
-
-/// Liquid of an interface cell, none if it owes.
-template <class Real>
-Real liquid_of(const FluidGrid<Real>& grid, CellPlace place) {
-  const Block<Real>& block = grid.block(place.block);
-  return std::max(Real(0), block.surface->mass[place.cell] - body_share(block, place.cell));
-}
-
-}  // namespace
 
 /// What a cell was left over goes to its interface neighbours in equal parts. What it owes they pay in proportion to
 /// the liquid that they have, and not beyond it: a debt in equal parts would fall on cells that are as good as empty

@@ -65,7 +65,7 @@ class CellConversion {
   };
   void relist_touched(FluidGrid<Real>& grid, Parity parity);
   void fill_cells(FluidGrid<Real>& grid, Parity parity);
-  void fill_covered(FluidGrid<Real>& grid, CellPlace place);
+  void fill_covered(FluidGrid<Real>& grid, CellPlace place) const;
   void wet_neighbours(FluidGrid<Real>& grid, CellPlace place);
   [[nodiscard]] CellMoments<Real> mean_around(FluidGrid<Real>& grid, CellPlace place, Parity parity) const;
   void set_interface(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m, Real liquid);
