@@ -14,6 +14,12 @@ using lbm::kBlockWidth;
 
 namespace {
 
+/// What an interface cell lacks to be full, lu; not below 0.
+template <class Real>
+Real room_of(const Block<Real>& block, int cell) {
+  return std::max(Real(0), Real(1) + block.surface->density[cell] - block.surface->mass[cell]);
+}
+
 /// Calls visit(first cell of the row, eps) for the rows of a block that a body covers.
 template <class Body, class Visit>
 [[gnu::always_inline]] inline void for_rows(const Body& body, const Vec3i& lowest, const Visit& visit) {
@@ -182,16 +188,6 @@ void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
   }
 }
 
-/// What an interface cell lacks to be full, and the liquid in it; not below 0.
-template <class Real>
-Real room_of(const Block<Real>& block, int cell) {
-  return std::max(Real(0), Real(1) + block.surface->density[cell] - block.surface->mass[cell]);
-}
-template <class Real>
-Real liquid_of(const Block<Real>& block, int cell) {
-  return std::max(Real(0), block.surface->mass[cell] - lbm::body_share(block, cell));
-}
-
 template <class Real>
 void BodyMap<Real>::measure_wet(const Block<Real>& block, Pair& pair) const {
   pair.wet_volume = pair.surface_weight = pair.room = pair.liquid = 0;
@@ -205,7 +201,7 @@ void BodyMap<Real>::measure_wet(const Block<Real>& block, Pair& pair) const {
       const auto share = static_cast<double>(eps[c]);
       pair.surface_weight += share;
       pair.room += share * static_cast<double>(room_of(block, row + c));
-      pair.liquid += share * static_cast<double>(liquid_of(block, row + c));
+      pair.liquid += share * static_cast<double>(lbm::liquid_of(block, row + c));
     }
   });
 }
@@ -273,7 +269,7 @@ void BodyMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
           if (block.type[static_cast<std::size_t>(cell)] != CellType::interface || eps[c] <= 0 ||
               lbm::is_covered(block, cell))
             continue;
-          const Real able = alike ? Real(1) : displaced > 0 ? room_of(block, cell) : liquid_of(block, cell);
+          const Real able = alike ? Real(1) : displaced > 0 ? room_of(block, cell) : lbm::liquid_of(block, cell);
           Real& sum = gain[static_cast<std::size_t>(cell)];
           sum = multiply_add(displaced, eps[c] * able, sum);
         }

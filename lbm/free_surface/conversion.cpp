@@ -18,11 +18,20 @@ constexpr double kPoolDose = 0.02;        ///< largest payment of the pool to on
 constexpr std::uint64_t kVoidsEvery = 8;  ///< steps between looks for voids that are cut off from the gas
 constexpr double kPoolIdle = 1e-5;        ///< a smaller pool waits: payments would drown in rounding
 
-/// Liquid of an interface cell, none if it owes.
 template <class Real>
 Real liquid_of(const FluidGrid<Real>& grid, CellPlace place) {
-  const Block<Real>& block = grid.block(place.block);
-  return std::max(Real(0), block.surface->mass[place.cell] - body_share(block, place.cell));
+  return liquid_of(grid.block(place.block), place.cell);
+}
+
+/// Takes a share of the liquid of interface cells and adds it to `account`.
+template <class Real>
+void take_liquid(FluidGrid<Real>& grid, std::span<const CellPlace> cells, Real share, Real& account) {
+  for (const CellPlace& p : cells) {
+    Real& mass = grid.block(p.block).surface->mass[p.cell];
+    const Real before = mass;
+    mass -= share * liquid_of(grid, p);
+    account += before - mass;
+  }
 }
 
 /// A void that is cut off from the gas: an interface cell that is not full although none of its neighbours is gas. No
@@ -175,7 +184,7 @@ void CellConversion<Real>::fill_covered(FluidGrid<Real>& grid, CellPlace place) 
   Block<Real>& block = grid.block(place.block);
   if (!is_covered(block, place.cell)) return;
   CellPlace open[D3Q19::q];
-  int n = 0;
+  std::size_t n = 0;
   Real means = 0;
   for (int i = 1; i < D3Q19::q; ++i) {
     const CellPlace next = grid.neighbour(place, i);
@@ -186,13 +195,7 @@ void CellConversion<Real>::fill_covered(FluidGrid<Real>& grid, CellPlace place) 
   SurfaceFields<Real>& surface = *block.surface;
   const Real whole = Real(1) + surface.density[cell], missing = whole - surface.mass[cell];
   if (means <= 0 || missing <= 0) return;
-  const Real share = std::min(Real(1), missing / means);
-  for (int k = 0; k < n; ++k) {
-    Real& mass = grid.block(open[k].block).surface->mass[open[k].cell];
-    const Real before = mass;
-    mass -= share * liquid_of(grid, open[k]);
-    surface.mass[cell] += before - mass;
-  }
+  take_liquid(grid, std::span<const CellPlace>(open, n), std::min(Real(1), missing / means), surface.mass[cell]);
   surface.fill_level[cell] = std::clamp(surface.mass[cell] / whole, Real(0), Real(1));
 }
 
@@ -379,11 +382,7 @@ void CellConversion<Real>::distribute(FluidGrid<Real>& grid, LiquidAccount& acco
     }
     if (rest < 0 && means > 0) {
       const Real share = std::min(Real(1), -rest / means);
-      for (const CellPlace& p : interfaces) {
-        const Real before = mass_of(p);
-        mass_of(p) -= share * liquid_of(grid, p);
-        rest += before - mass_of(p);
-      }
+      take_liquid(grid, interfaces, share, rest);
       if (share < 1) {  // what is left is rounding: it stays with one of them
         mass_of(interfaces.front()) += rest;
         continue;

@@ -1,5 +1,7 @@
 #pragma once
 // What lies next to a cell, and what a body has of it.
+#include <algorithm>
+
 #include "lbm/fluid_grid.h"
 #include "lbm/free_surface/covered_cells.h"
 
@@ -37,6 +39,12 @@ bool touches_liquid(const FluidGrid<Real>& grid, CellPlace place) {
 template <class Real>
 Real body_share(const Block<Real>& block, int cell) {
   return block.body ? block.body->solid_fraction[cell] : Real(0);
+}
+
+/// Liquid of an interface cell, lu; none if it owes.
+template <class Real>
+Real liquid_of(const Block<Real>& block, int cell) {
+  return std::max(Real(0), block.surface->mass[cell] - body_share(block, cell));
 }
 
 }  // namespace lahar::lbm

@@ -28,8 +28,8 @@ class HardSpheres {
   /// Random places, pushed apart until none overlap.
   HardSpheres(std::size_t count, double box, double diameter, unsigned seed);
   /// Moves them at random, each as often as `sweeps`, never into another (Metropolis et al. 1953): what is left of the
-  /// pushing, pairs that almost touch beside voids, makes a pack up to a third more permeable and is not in the arrays
-  /// of the reference, which were drawn in this way.
+  /// pushing, pairs that almost touch beside voids, makes a pack up to a third more permeable than one of hard
+  /// spheres.
   void shake(int sweeps);
   [[nodiscard]] std::vector<Vec3> centres() const;
 
