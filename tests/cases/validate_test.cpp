@@ -104,10 +104,10 @@ INSTANTIATE_TEST_SUITE_P(SolidsContact, QuickEntry,
                          [](const auto& param) { return std::string(param.param).substr(7); });
 
 INSTANTIATE_TEST_SUITE_P(Bodies, QuickEntry,
-                         testing::Values("bodies.wire", "bodies.resolved_wire", "bodies.screen", "bodies.ring_net_drag",
-                                         "bodies.archimedes", "bodies.hard_h6_ring", "bodies.hard_h7",
-                                         "bodies.hard_h8_sphere", "bodies.hard_h8_cavity", "bodies.hard_h10",
-                                         "bodies.hard_h17", "bodies.momentum_audit"),
+                         testing::Values("bodies.wire", "bodies.resolved_wire", "bodies.random_pack", "bodies.screen",
+                                         "bodies.ring_net_drag", "bodies.archimedes", "bodies.hard_h6_ring",
+                                         "bodies.hard_h7", "bodies.hard_h8_sphere", "bodies.hard_h8_cavity",
+                                         "bodies.hard_h10", "bodies.hard_h17", "bodies.momentum_audit"),
                          [](const auto& param) { return std::string(param.param).substr(7); });
 
 }  // namespace

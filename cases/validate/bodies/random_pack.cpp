@@ -130,7 +130,7 @@ Flow flow_through(const Packs& pack, unsigned seed, const Immersion& immersion) 
 
 /// Speeds in lattice units for tau - 1/2 of 0.048 and, at Re 100, 0.006.
 std::vector<Packs> packs_of(const Context& context) {
-  if (context.quick) return {{0.4, 1, 0.002, 8, 24, 1}};
+  if (context.quick) return {{0.4, 1, 0.002, 8, 24, 4}};
   std::vector<Packs> packs;
   for (const double phi : {0.4, 0.5, 0.55}) {
     packs.push_back({phi, 0.1, 0.0002, 8, 48, 4});
