@@ -174,15 +174,17 @@ void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
   const auto at = static_cast<std::size_t>(index);
   const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance, mixed = is_mixed(block);
   const auto add = by_distance ? &write_body<true, Real, GridSphere<Real>> : &write_body<false, Real, GridSphere<Real>>;
+  const auto pairs = pairs_of(block_start_, at);
+  call_for(pairs);
   if (written_[at]) clear_mapping(f), f.mapped = true;
-  for (const std::uint32_t k : pairs_of(block_start_, at)) {
+  for (const std::uint32_t k : pairs) {
     Pair& pair = pairs_[k];
     if (written_[at]) add(spheres_[pair.body], spheres_[pair.body], pair.lowest, f);
     pair.wet_volume = pair.volume;
     pair.surface_weight = pair.room = pair.liquid = pair.drift = 0;
   }
   if (!mixed) return;
-  for (const std::uint32_t k : pairs_of(block_start_, at)) {
+  for (const std::uint32_t k : pairs) {
     measure_wet(block, pairs_[k]);
     if (block.surface) settle_covered(block, pairs_[k]);
   }

@@ -41,67 +41,57 @@ struct RowSums {
     held += moved, held_arm += square * moved;
   }
 
-  /// `rx`: arms along x. Adds force, torque, inside and held, and these times 2/3 of the squared arm.
+  /// `rx`: arms along x. Sets force, torque, inside and held, and these times 2/3 of the squared arm.
   template <class Load>
   [[gnu::always_inline]] void reduce(const Row& rx, Load& load) const {
     const auto sum = [](const Row& row) { return static_cast<double>(stdx::reduce(row)); };
-    load.force += Vec3(sum(force[0]), sum(force[1]), sum(force[2]));
-    load.torque += Vec3(sum(y_fz - z_fy), sum(z_fx - rx * force[2]), sum(rx * force[1] - y_fx));
-    load.inside += sum(inside), load.inside_inertia += 2.0 / 3.0 * sum(inside_arm + rx * rx * inside);
-    load.held += sum(held), load.held_inertia += 2.0 / 3.0 * sum(held_arm + rx * rx * held);
+    load.force = Vec3(sum(force[0]), sum(force[1]), sum(force[2]));
+    load.torque = Vec3(sum(y_fz - z_fy), sum(z_fx - rx * force[2]), sum(rx * force[1] - y_fx));
+    load.inside = sum(inside), load.inside_inertia = 2.0 / 3.0 * sum(inside_arm + rx * rx * inside);
+    load.held = sum(held), load.held_inertia = 2.0 / 3.0 * sum(held_arm + rx * rx * held);
   }
 };
 
-/// How much of a cell's liquid a step brings to the velocity of what covers it, and how much stands in its place.
-enum class Held {
-  fraction,  ///< wall_distance: B by the law, and eps
-  weight,    ///< B, which is the resistance itself, for both
-  law,       ///< B by the law for both
-};
-
-/// The law in the number type of the rows.
+/// What all bodies of a block look at.
 template <class Real>
-struct RowLaw {
-  lbm::Row<Real> alpha, beta, gamma, cap, largest;
-
-  explicit RowLaw(const lbm::CoverageLaw& law)
-      : alpha(static_cast<Real>(law.alpha)),
-        beta(static_cast<Real>(law.beta)),
-        gamma(static_cast<Real>(law.gamma)),
-        cap(static_cast<Real>(law.cap)),
-        largest(static_cast<Real>(law.largest)) {}
-  [[gnu::always_inline]] lbm::Row<Real> weight(const lbm::Row<Real>& resistance) const {
-    return lbm::coverage_weight(resistance, alpha, beta, gamma, cap, largest);
-  }
+struct BlockCover {
+  const lbm::BodyFields<Real>& fields;
+  const Real* wet;     ///< 1 or 0 for each cell; null where all of the block is wet
+  const Real* weight;  ///< B of each cell
 };
 
-/// Sums of a body over a block, all of it wet or by `wet` (1 or 0 for each cell); s is its middle.
-template <class Real, Held kHeld, bool kMixed, class Body, class Load>
-[[gnu::noinline]] void add_sums(const Body body, const GridSphere<Real> s, const Vec3i lowest,
-                                const lbm::BodyFields<Real>& f, const Real* wet, const lbm::CoverageLaw& law,
-                                Load& load) {
+/// B of every cell of a block: by each body anew it would be looked up some nine times in a packed bed.
+template <class Real>
+void coverage_weights(const lbm::BodyFields<Real>& f, const lbm::CoverageLaw& law, Real* weights) {
+  using Row = lbm::Row<Real>;
+  const auto row = [](double x) { return Row(static_cast<Real>(x)); };
+  const Row alpha = row(law.alpha), beta = row(law.beta), gamma = row(law.gamma), cap = row(law.cap),
+            largest = row(law.largest);
+  for (int n = 0; n < lbm::kBlockCells; n += kBlockWidth)
+    lbm::coverage_weight(Row(f.resistance + n, stdx::vector_aligned), alpha, beta, gamma, cap, largest)
+        .copy_to(weights + n, stdx::vector_aligned);
+}
+
+/// Sums of a body over a block; s is its middle. With `kByDistance` eps of the liquid stands in the body's place, else
+/// what a step brings to its velocity. `kMixed`: some cells are dry.
+template <class Real, bool kByDistance, bool kMixed, class Body, class Load>
+[[gnu::noinline]] void sum_rows(const Body body, const GridSphere<Real> s, const Vec3i lowest,
+                                const BlockCover<Real> block, Load& load) {
   using Row = lbm::Row<Real>;
   RowSums<Real> sums;
-  const RowLaw<Real> rows_law(law);
   for_rows_near(
       body, lowest, reach_of(body), [&](int y, int z) __attribute__((always_inline)) {
-        const RowCover<Real> cover =
-            cover_row<kHeld == Held::fraction>(body, lowest.x(), lowest.y() + y, lowest.z() + z);
+        const RowCover<Real> cover = cover_row<kByDistance>(body, lowest.x(), lowest.y() + y, lowest.z() + z);
         const int row = lbm::cell_index(0, y, z);
         const Real ry = static_cast<Real>(lowest.y() + y) + Real(0.5) - s.centre[1];
         const Real rz = static_cast<Real>(lowest.z() + z) + Real(0.5) - s.centre[2];
-        const Row all(f.coverage + row, stdx::vector_aligned);
+        const Row all(block.fields.coverage + row, stdx::vector_aligned);
         const Row share = cover.coverage / stdx::max(all, Row(Real(1e-30)));
-        sums.add(share, f, row, ry, rz);
-        Row held;
-        if constexpr (kHeld == Held::weight)
-          held = share * stdx::min(Row(f.resistance + row, stdx::vector_aligned), Row(Real(1)));
-        else
-          held = share * rows_law.weight(Row(f.resistance + row, stdx::vector_aligned));
-        Row inside = held;
-        if constexpr (kHeld == Held::fraction) inside = cover.fraction;
+        sums.add(share, block.fields, row, ry, rz);
+        Row held = share * Row(block.weight + row, stdx::vector_aligned), inside = held;
+        if constexpr (kByDistance) inside = cover.fraction;
         if constexpr (kMixed) {
-          const Row liquid(wet + row, stdx::vector_aligned);
+          const Row liquid(block.wet + row, stdx::vector_aligned);
           held *= liquid, inside *= liquid;
         }
         sums.hold(inside, held, ry, rz);
@@ -109,13 +99,12 @@ template <class Real, Held kHeld, bool kMixed, class Body, class Load>
   sums.reduce(static_cast<Real>(lowest.x()) + row_places<Real>() + Real(0.5) - s.centre[0], load);
 }
 
-template <class Real, Held kHeld, class Body, class Load>
-void add_sums_of(const Body& body, const GridSphere<Real>& s, const Vec3i& lowest, const lbm::BodyFields<Real>& f,
-                 const Real* wet, const lbm::CoverageLaw& law, Load& load) {
-  if (wet)
-    add_sums<Real, kHeld, true>(body, s, lowest, f, wet, law, load);
+template <class Real, bool kByDistance, class Load>
+void sum_over(const GridSphere<Real>& s, const Vec3i& lowest, const BlockCover<Real>& block, Load& load) {
+  if (block.wet)
+    sum_rows<Real, kByDistance, true>(s, s, lowest, block, load);
   else
-    add_sums<Real, kHeld, false>(body, s, lowest, f, wet, law, load);
+    sum_rows<Real, kByDistance, false>(s, s, lowest, block, load);
 }
 
 }  // namespace
@@ -123,23 +112,24 @@ void add_sums_of(const Body& body, const GridSphere<Real>& s, const Vec3i& lowes
 template <class Real>
 void BodyMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) {
   const auto pairs = pairs_of(block_start_, index);
-  for (const std::uint32_t k : pairs) loads_[k] = {};
-  if (!is_alive(fluid, pairs_[pairs.front()])) return;
+  call_for(pairs);
+  if (!is_alive(fluid, pairs_[pairs.front()])) {
+    for (const std::uint32_t k : pairs) loads_[k] = {};
+    return;
+  }
   const lbm::Block<Real>& block = fluid.grid().block(static_cast<lbm::BlockIndex>(index));
-  alignas(64) Real mask[lbm::kBlockCells];
+  alignas(64) Real mask[lbm::kBlockCells], weights[lbm::kBlockCells];
   const Real* const wet = block.wet_cells < lbm::kBlockCells ? mask : nullptr;
   for (std::size_t n = 0; wet && n < lbm::kBlockCells; ++n) mask[n] = lbm::is_wet(block.type[n]) ? Real(1) : Real(0);
-  const lbm::CoverageLaw& law = fluid.coverage_law();
-  const lbm::BodyWeighting weighting = fluid.options().weighting;
+  coverage_weights(*block.body, fluid.coverage_law(), weights);
+  const BlockCover<Real> cover{*block.body, wet, weights};
+  const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
   for (const std::uint32_t k : pairs) {
     const GridSphere<Real>& s = spheres_[pairs_[k].body];
-    const Vec3i& lowest = pairs_[k].lowest;
-    if (weighting == lbm::BodyWeighting::wall_distance)
-      add_sums_of<Real, Held::fraction>(s, s, lowest, *block.body, wet, law, loads_[k]);
-    else if (weighting == lbm::BodyWeighting::solid_fraction)
-      add_sums_of<Real, Held::weight>(s, s, lowest, *block.body, wet, law, loads_[k]);
+    if (by_distance)
+      sum_over<Real, true>(s, pairs_[k].lowest, cover, loads_[k]);
     else
-      add_sums_of<Real, Held::law>(s, s, lowest, *block.body, wet, law, loads_[k]);
+      sum_over<Real, false>(s, pairs_[k].lowest, cover, loads_[k]);
   }
 }
 

@@ -17,6 +17,17 @@ inline std::span<const std::uint32_t> BodyMap<Real>::pairs_of(const std::vector<
   return std::span(by_block_).subspan(start[block], start[block + 1] - start[block]);
 }
 
+/// Asks for the pairs of a block, which lie by body and thus apart, before they are looked at one by one.
+template <class Real>
+inline void BodyMap<Real>::call_for(std::span<const std::uint32_t> pairs) const {
+  constexpr std::size_t line = 64;
+  for (const std::uint32_t k : pairs) {
+    const auto* const first = reinterpret_cast<const char*>(&pairs_[k]);
+    __builtin_prefetch(first);
+    if constexpr (sizeof(Pair) > line) __builtin_prefetch(first + sizeof(Pair) - 1);
+  }
+}
+
 /// Calls visit(block index) for the blocks that bodies reach.
 template <class Real>
 template <class Visit>

@@ -6,6 +6,8 @@
 #include <experimental/simd>
 #include <utility>
 
+#include "core/multiply_add.h"
+
 namespace lahar::lbm {
 
 /// alpha of the plane m.x = alpha that cuts the volume V <= 1/2 off the unit cube at its origin; 0 <= m1 <= m2 <= m3,
@@ -53,21 +55,8 @@ Real depth_of_centre(const Real (&a)[3], Real fill) {
   return sum * (more ? -offset : offset);
 }
 
-/// a b + c of every lane, with one rounding where the processor can, as the compiler makes it of the lines above.
-template <class V>
-[[gnu::always_inline]] inline V fused(const V& a, const V& b, const V& c) {
-#ifdef __FP_FAST_FMA
-  alignas(64) typename V::value_type x[V::size()], y[V::size()], z[V::size()];
-  a.copy_to(x, std::experimental::vector_aligned), b.copy_to(y, std::experimental::vector_aligned);
-  c.copy_to(z, std::experimental::vector_aligned);
-  for (std::size_t k = 0; k < V::size(); ++k) x[k] = std::fma(x[k], y[k], z[k]);
-  return V(x, std::experimental::vector_aligned);
-#else
-  return a * b + c;
-#endif
-}
-
-/// The same for the wanted cells of a vector, 0 in the others. The ranges of volumes that a root or a product settles
+/// The same for the wanted cells of a vector, 0 in the others; multiply_add stands where the compiler fuses the lines
+/// above. The ranges of volumes that a root or a product settles
 /// are taken together; those that need cube roots or angles cell by cell.
 template <class V, class Mask>
 [[gnu::always_inline]] inline V depths_of_centres(const V (&a)[3], const V& fill, const Mask& wanted) {
@@ -89,8 +78,8 @@ template <class V, class Mask>
   where(m1 > real(0), v1) = m1 * m1 / max(real(6) * m2 * m3, real(1e-20));
   const V m12 = m1 + m2, v2 = v1 + (m2 - m1) / (real(2) * m3), v3 = m12 / (real(2) * m3);
   const auto edge = volume >= v1 && volume < v2, face = volume >= v2 && m3 >= m12 && volume >= v3;
-  V offset = fused(m3, volume, V(m12 / real(2)));
-  where(edge, offset) = (m1 + sqrt(fused(m1, m1, V(real(8) * m2 * m3 * (volume - v1))))) / real(2);
+  V offset = multiply_add(m3, volume, V(m12 / real(2)));
+  where(edge, offset) = (m1 + sqrt(multiply_add(m1, m1, V(real(8) * m2 * m3 * (volume - v1))))) / real(2);
   if (const auto others = inclined && !(edge || face); any_of(others))
     for (std::size_t k = 0; k < V::size(); ++k)
       if (others[k]) offset[k] = plane_offset_of_half<Real>(m1[k], m2[k], m3[k], volume[k]);
