@@ -87,12 +87,7 @@ struct CentralMoments {
                                                      const Viscosity& viscosity) {
     using std::min;
     Symmetric<V> s = stress(f, m);
-    V omega;
-    if constexpr (Viscosity::constant)
-      omega = viscosity.rate();
-    else
-      omega = viscosity.rate(s, m.inverse_density);
-    omega = min(omega, force.largest_rate);
+    const V omega = min(rate_of(viscosity, s, m.inverse_density), force.largest_rate);
     const Departure<V> after = velocity_after(m, force);
     const V share = (V(1) - force.fade) * force.stress_share * after.share, keep = (V(1) - omega) * share;
     relax_diagonal(omega, after.v, s);

@@ -22,4 +22,13 @@ struct Newtonian {
   V rate() const { return V(1) / tau; }
 };
 
+/// The rate of a cell with these second central moments, whether it depends on them or not.
+template <class Viscosity, class V>
+[[gnu::always_inline]] inline V rate_of(const Viscosity& viscosity, const Symmetric<V>& s, const V& inverse_density) {
+  if constexpr (Viscosity::constant)
+    return viscosity.rate();
+  else
+    return viscosity.rate(s, inverse_density);
+}
+
 }  // namespace lahar::lbm

@@ -58,12 +58,7 @@ struct WallPlacing {
     using std::min;
     const Symmetric<V> s = stress(f, m);
     const ThirdMoments<V> third = third_moments(f, m, s);
-    V rate;
-    if constexpr (Viscosity::constant)
-      rate = viscosity.rate();
-    else
-      rate = viscosity.rate(s, m.inverse_density);
-    rate = min(rate, force.largest_rate);
+    const V rate = min(rate_of(viscosity, s, m.inverse_density), force.largest_rate);
     const Departure<V> after = CentralMoments::collide(f, m, force, viscosity);
     const V keep = force.near_body * third.share * (V(1) - force.fade) * force.stress_share * after.share *
                    (V(1) - Trt::odd_rate(rate));

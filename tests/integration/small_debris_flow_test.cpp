@@ -6,13 +6,14 @@
 #include "cases/observers/series_reader.h"
 #include "cases/runner/run.h"
 #include "cases/scene/load.h"
+#include "tests/cases/observers_test_folder.h"
 
 namespace lahar::cases {
 namespace {
 
 TEST(SmallDebrisFlow, BooksCloseAndOutputsAreThere) {
-  const auto folder = std::filesystem::temp_directory_path() / "lahar_small_debris_flow";
-  std::filesystem::remove_all(folder);
+  const TestFolder files;
+  const auto folder = files / "out";
   const scene::Scene scene = scene::load(LAHAR_SOURCE_DIR "/tests/integration/small_debris_flow.toml");
   RunOptions options;
   options.out = folder;
@@ -35,7 +36,6 @@ TEST(SmallDebrisFlow, BooksCloseAndOutputsAreThere) {
     EXPECT_TRUE(std::filesystem::exists(folder / file)) << file;
   const Series series = read_series(folder / "series.h5");
   EXPECT_GT(series.time_s.size(), 40U);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace
