@@ -122,7 +122,7 @@ class BodyMap {
   void hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& particles, std::size_t k);
   [[nodiscard]] std::span<const std::uint32_t> pairs_of(const std::vector<std::uint32_t>& start,
                                                         std::size_t block) const;
-  void call_for(std::span<const std::uint32_t> pairs) const;
+  void prefetch(std::span<const std::uint32_t> pairs) const;
   template <class Visit>
   void for_each_block(const Visit& visit) const;
 

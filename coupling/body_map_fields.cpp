@@ -175,7 +175,7 @@ void BodyMap<Real>::write_block(lbm::Fluid<Real>& fluid, BlockIndex index) {
   const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance, mixed = is_mixed(block);
   const auto add = by_distance ? &write_body<true, Real, GridSphere<Real>> : &write_body<false, Real, GridSphere<Real>>;
   const auto pairs = pairs_of(block_start_, at);
-  call_for(pairs);
+  prefetch(pairs);
   if (written_[at]) clear_mapping(f), f.mapped = true;
   for (const std::uint32_t k : pairs) {
     Pair& pair = pairs_[k];

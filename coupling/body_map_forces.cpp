@@ -60,7 +60,7 @@ struct BlockCover {
   const Real* weight;  ///< B of each cell
 };
 
-/// B of every cell of a block: by each body anew it would be looked up some nine times in a packed bed.
+/// B of every cell of a block, once for all bodies that cover it.
 template <class Real>
 void coverage_weights(const lbm::BodyFields<Real>& f, const lbm::CoverageLaw& law, Real* weights) {
   using Row = lbm::Row<Real>;
@@ -112,7 +112,7 @@ void sum_over(const GridSphere<Real>& s, const Vec3i& lowest, const BlockCover<R
 template <class Real>
 void BodyMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) {
   const auto pairs = pairs_of(block_start_, index);
-  call_for(pairs);
+  prefetch(pairs);
   if (!is_alive(fluid, pairs_[pairs.front()])) {
     for (const std::uint32_t k : pairs) loads_[k] = {};
     return;

@@ -17,9 +17,9 @@ inline std::span<const std::uint32_t> BodyMap<Real>::pairs_of(const std::vector<
   return std::span(by_block_).subspan(start[block], start[block + 1] - start[block]);
 }
 
-/// Asks for the pairs of a block, which lie by body and thus apart, before they are looked at one by one.
+/// Prefetches the pairs of a block, which lie by body and thus apart, before they are looked at one by one.
 template <class Real>
-inline void BodyMap<Real>::call_for(std::span<const std::uint32_t> pairs) const {
+inline void BodyMap<Real>::prefetch(std::span<const std::uint32_t> pairs) const {
   constexpr std::size_t line = 64;
   for (const std::uint32_t k : pairs) {
     const auto* const first = reinterpret_cast<const char*>(&pairs_[k]);

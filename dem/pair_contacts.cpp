@@ -182,8 +182,8 @@ template <ContactLaw L>
   }
 }
 
-/// Asks for the lines of the partners in eight slots, which lie apart, while others are evaluated.
-[[gnu::always_inline]] inline void PairContacts::call_for_partners(std::size_t slot) const {
+/// Prefetches the lines of the partners in eight slots, which lie apart, while others are evaluated.
+[[gnu::always_inline]] inline void PairContacts::prefetch_partners(std::size_t slot) const {
   for (std::size_t l = 0; l < kLine; ++l) {
     const double* const lines = bodies_.data() + partner_at_[slot + l];
     for (std::size_t line = 0; line < 3; ++line) __builtin_prefetch(lines + line * kLine);
@@ -212,7 +212,7 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
                    slots.rolls ? &slots.rolling[k] : nullptr,
                    on_partner_[k]};
     const std::size_t count = std::min(kLine, end - k);
-    if (k + 3 * kLine <= end) call_for_partners(k + 2 * kLine);
+    if (k + 3 * kLine <= end) prefetch_partners(k + 2 * kLine);
     if (count == kLine) {
       evaluate_eight(law, at, materials, dt, tally);
       continue;

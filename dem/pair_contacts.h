@@ -47,7 +47,7 @@ class PairContacts {
   template <ContactLaw L>
   void evaluate_eight(const L& law, const Eight& at, const ContactMaterials& materials, double dt, ContactTally& tally);
   void gather(EightContacts& contacts, Arms& arms, const Eight& at, const ContactMaterials& materials) const;
-  void call_for_partners(std::size_t slot) const;
+  void prefetch_partners(std::size_t slot) const;
   void roll(const EightContacts& contacts, const ContactHistoryOf<Line>& history, const Line& stiffness_before,
             const Eight& at, const ContactMaterials& materials, double dt, std::array<Line, kLine>& on_owner,
             std::array<Line, kLine>& on_partner, ContactTally& tally) const;

@@ -56,8 +56,8 @@ Real depth_of_centre(const Real (&a)[3], Real fill) {
 }
 
 /// The same for the wanted cells of a vector, 0 in the others; multiply_add stands where the compiler fuses the lines
-/// above. The ranges of volumes that a root or a product settles
-/// are taken together; those that need cube roots or angles cell by cell.
+/// above. The ranges of volumes that a root or a product settles are taken together; those that need cube roots or
+/// angles cell by cell.
 template <class V, class Mask>
 [[gnu::always_inline]] inline V depths_of_centres(const V (&a)[3], const V& fill, const Mask& wanted) {
   using Real = typename V::value_type;
