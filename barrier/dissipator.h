@@ -3,7 +3,7 @@
 // of the bond's cross-section, N/m^3, and the same in shear.
 #include <limits>
 
-#include "dem/bonds.h"
+#include "dem/bonds/bonds.h"
 
 namespace lahar::barrier {
 

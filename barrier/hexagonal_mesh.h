@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/bonds.h"
+#include "dem/bonds/bonds.h"
 #include "dem/particles.h"
 
 namespace lahar::barrier {

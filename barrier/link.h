@@ -3,7 +3,7 @@
 // either end.
 #include <numbers>
 
-#include "dem/bonds.h"
+#include "dem/bonds/bonds.h"
 
 namespace lahar::barrier {
 

@@ -12,7 +12,7 @@
 #include "barrier/pattern.h"
 #include "barrier/post.h"
 #include "barrier/wire.h"
-#include "dem/bonds.h"
+#include "dem/bonds/bonds.h"
 #include "dem/particles.h"
 
 namespace lahar::barrier {

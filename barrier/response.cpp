@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/check.h"
-#include "dem/axial_law.h"
+#include "dem/bonds/axial_law.h"
 
 namespace lahar::barrier {
 

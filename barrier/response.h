@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "barrier/net.h"
-#include "dem/bond_forces.h"
+#include "dem/bonds/bond_forces.h"
 
 namespace lahar::barrier {
 

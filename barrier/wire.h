@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "barrier/polyline.h"
-#include "dem/bonds.h"
+#include "dem/bonds/bonds.h"
 #include "dem/particles.h"
 
 namespace lahar::barrier {

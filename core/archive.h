@@ -1,7 +1,7 @@
 #pragma once
 // What carries the state of a run to a checkpoint and back. Every owner of state has one function, transfer(Archive&),
 // that names its numbers once for both directions; a new number is one line there. Owners know no file format: an
-// archive is a file (cases/observers/checkpoint_file.h) or memory (core/memory_archive.h).
+// archive is a file (cases/files/checkpoint_file.h) or memory (core/memory_archive.h).
 //
 // What follows from the scene (walls, materials, options) is built from the scene again; what follows from the state
 // (lists of interface cells, who neighbours whom) is made again by the owner after loading.

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "coupling/body_fields.h"
-#include "coupling/lubrication.h"
+#include "coupling/grains/body_fields.h"
+#include "coupling/grains/lubrication.h"
 
 namespace lahar::coupling {
 

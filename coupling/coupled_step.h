@@ -5,11 +5,11 @@
 
 #include "core/step_clock.h"
 #include "coupling/audit.h"
-#include "coupling/body_map.h"
-#include "coupling/wire_drag.h"
-#include "coupling/wire_map.h"
+#include "coupling/grains/body_map.h"
+#include "coupling/wires/wire_drag.h"
+#include "coupling/wires/wire_map.h"
 #include "dem/solids.h"
-#include "lbm/fluid.h"
+#include "lbm/step/fluid.h"
 
 namespace lahar::coupling {
 

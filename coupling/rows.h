@@ -1,7 +1,7 @@
 #pragma once
 // Rows of 8 cells as SIMD vectors.
 #include "core/multiply_add.h"
-#include "lbm/gather.h"
+#include "lbm/step/gather.h"
 
 namespace lahar::coupling {
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/vector.h"
-#include "dem/bond_forces.h"
-#include "dem/contact_forces.h"
+#include "dem/bonds/bond_forces.h"
+#include "dem/contact/contact_forces.h"
 #include "dem/particles.h"
 
 namespace lahar::dem {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/check.h"
-#include "dem/contact_energy.h"
+#include "dem/contact/contact_energy.h"
 #include "dem/integrator.h"
 
 namespace lahar::dem {

@@ -6,17 +6,17 @@
 
 #include "core/geometry.h"
 #include "core/timers.h"
-#include "dem/bond_forces.h"
-#include "dem/bonds.h"
-#include "dem/contact_detection.h"
-#include "dem/contact_forces.h"
+#include "dem/bonds/bond_forces.h"
+#include "dem/bonds/bonds.h"
+#include "dem/contact/contact_detection.h"
+#include "dem/contact/contact_forces.h"
+#include "dem/contact/worst_overlap.h"
 #include "dem/energy.h"
 #include "dem/material.h"
 #include "dem/particles.h"
 #include "dem/rates.h"
 #include "dem/watchdog.h"
-#include "dem/wire_forces.h"
-#include "dem/worst_overlap.h"
+#include "dem/wires/wire_forces.h"
 
 namespace lahar::dem {
 

@@ -1,6 +1,6 @@
 #pragma once
 // Limits on the particle time step.
-#include "dem/bonds.h"
+#include "dem/bonds/bonds.h"
 #include "dem/material.h"
 #include "dem/particles.h"
 

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "core/check.h"
-#include "dem/bonds.h"
+#include "dem/bonds/bonds.h"
+#include "dem/contact/worst_overlap.h"
 #include "dem/particles.h"
 #include "dem/time_step.h"
-#include "dem/worst_overlap.h"
 
 namespace lahar::dem {
 

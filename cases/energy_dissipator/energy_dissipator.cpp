@@ -8,7 +8,7 @@
 
 #include "barrier/wire.h"
 #include "core/check.h"
-#include "dem/axial_law.h"
+#include "dem/bonds/axial_law.h"
 #include "dem/solids.h"
 #include "dem/time_step.h"
 

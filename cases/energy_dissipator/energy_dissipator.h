@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "dem/bonds.h"
+#include "dem/bonds/bonds.h"
 
 namespace lahar::cases {
 

@@ -1,7 +1,7 @@
 #include "cases/procedure/curves.h"
 
-#include "cases/observers/png_file.h"
-#include "cases/observers/series_writer.h"
+#include "cases/files/png_file.h"
+#include "cases/files/series_writer.h"
 #include "core/check.h"
 
 namespace lahar::cases {

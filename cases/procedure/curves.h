@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/observers/chart.h"
+#include "cases/pictures/chart.h"
 
 namespace lahar::cases {
 

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "cases/observers/output_file.h"
+#include "cases/files/output_file.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/output_folder.h"

@@ -10,7 +10,7 @@
 #include "barrier/threading.h"
 #include "barrier/topology.h"
 #include "core/check.h"
-#include "dem/axial_law.h"
+#include "dem/bonds/axial_law.h"
 #include "dem/solids.h"
 #include "dem/time_step.h"
 

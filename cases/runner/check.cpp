@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/assembly/memory.h"
 #include "cases/runner/warnings.h"
-#include "cases/scene/memory.h"
 #include "core/units.h"
 
 namespace lahar::cases {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/runner/estimates.h"
+#include "cases/assembly/estimates.h"
 #include "cases/scene/scene.h"
 
 namespace lahar::cases {

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <vector>
 
-#include "cases/observers/checkpoint_file.h"
-#include "cases/observers/output_file.h"
+#include "cases/files/checkpoint_file.h"
+#include "cases/files/output_file.h"
 #include "cases/runner/machine.h"
 #include "cases/scene/writer.h"
 #include "core/check.h"

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "cases/observers/picture.h"
-#include "cases/observers/png_file.h"
-#include "cases/scene/geometry.h"
+#include "cases/assembly/geometry.h"
+#include "cases/files/png_file.h"
+#include "cases/pictures/picture.h"
 
 namespace lahar::cases {
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "cases/observers/camera.h"
-#include "cases/observers/particle_writer.h"
-#include "cases/observers/vdb_writer.h"
+#include "cases/files/particle_writer.h"
+#include "cases/files/vdb_writer.h"
+#include "cases/pictures/camera.h"
 #include "cases/runner/schedule.h"
 #include "cases/scene/scene.h"
 #include "core/geometry.h"

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cases/observers/png_file.h"
-#include "cases/runner/build.h"
+#include "cases/assembly/build.h"
+#include "cases/assembly/estimates.h"
+#include "cases/files/png_file.h"
+#include "cases/observers/measurements.h"
 #include "cases/runner/checkpoint.h"
-#include "cases/runner/estimates.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
-#include "cases/runner/measurements.h"
 #include "cases/runner/outputs.h"
 #include "cases/runner/schedule.h"
 #include "core/check.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <thread>
 
-#include "cases/observers/output_file.h"
+#include "cases/files/output_file.h"
 #include "cases/runner/check.h"
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/machine.h"

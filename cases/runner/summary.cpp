@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "cases/observers/output_file.h"
+#include "cases/files/output_file.h"
 
 namespace lahar::cases {
 namespace {

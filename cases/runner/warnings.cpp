@@ -7,8 +7,8 @@
 #include <numbers>
 #include <set>
 
-#include "cases/scene/grain_sizes.h"
-#include "cases/scene/memory.h"
+#include "cases/assembly/grain_sizes.h"
+#include "cases/assembly/memory.h"
 
 namespace lahar::cases {
 namespace {

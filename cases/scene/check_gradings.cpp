@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "cases/scene/grain_sizes.h"
+#include "cases/assembly/grain_sizes.h"
 
 namespace lahar::scene {
 namespace {

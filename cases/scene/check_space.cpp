@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "cases/assembly/memory.h"
 #include "cases/scene/cross_checks.h"
-#include "cases/scene/memory.h"
 
 namespace lahar::scene {
 namespace {

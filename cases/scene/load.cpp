@@ -1,9 +1,9 @@
 #include "cases/scene/load.h"
 
+#include "cases/assembly/load_shapes.h"
+#include "cases/assembly/rigid_barrier.h"
 #include "cases/scene/cross_checks.h"
-#include "cases/scene/load_shapes.h"
 #include "cases/scene/reader.h"
-#include "cases/scene/rigid_barrier.h"
 
 namespace lahar::scene {
 namespace {

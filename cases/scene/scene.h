@@ -344,7 +344,7 @@ struct Probe {
   bool operator==(const Probe&) const = default;
 };
 
-/// A rectangle through which discharge and energy are measured; see frame_of() in cases/runner/sections.h.
+/// A rectangle through which discharge and energy are measured; see frame_of() in cases/observers/sections.h.
 struct FluxSection {
   std::string name;
   Vec3 point = Vec3::Zero(), normal = Vec3::Zero();  ///< m, centre of the rectangle; any length but zero

@@ -3,7 +3,7 @@
 
 #include <thread>
 
-#include "cases/observers/output_file.h"
+#include "cases/files/output_file.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"

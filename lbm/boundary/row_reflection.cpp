@@ -4,9 +4,9 @@
 #include <tuple>
 
 #include "lbm/boundary/slip_wall.h"
-#include "lbm/cell_moments.h"
-#include "lbm/equilibrium.h"
-#include "lbm/row_types.h"
+#include "lbm/collision/equilibrium.h"
+#include "lbm/grid/row_types.h"
+#include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
 

@@ -10,7 +10,7 @@
 // Either place is shifted along x by 1 if i is forward with c_x = 1, and both by the same, so that lanes agree. A place
 // that is written belongs to one link of one wet cell; those that are read are the incoming ones of wall cells. So the
 // order does not matter.
-#include "lbm/fluid_grid.h"
+#include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
 

@@ -14,7 +14,7 @@
 // of the wall ends at the gas, and gets what any link to gas gets (anti-bounce-back at the gas pressure). Which links
 // lead where is settled after the conversion of cells, and holds for the coming step. The reflection itself is that of
 // rows (row_reflection.h).
-#include "lbm/fluid_grid.h"
+#include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
 

@@ -11,7 +11,7 @@
 // much was moved is counted. What a reflection adds is in a cell after the next sweep, and only then taken back.
 // Interface cells are left out: their mass changes over links to wet cells alone.
 #include "lbm/boundary/slip_wall.h"
-#include "lbm/fluid_grid.h"
+#include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
 

@@ -5,7 +5,7 @@
 #include "lbm/boundary/surface_cells_at_walls.h"
 #include "lbm/boundary/wall_balance.h"
 #include "lbm/boundary/wall_traction.h"
-#include "lbm/cell_moments.h"
+#include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
 

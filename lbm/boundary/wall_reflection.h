@@ -27,7 +27,7 @@
 #include <array>
 
 #include "lbm/boundary/wall_load.h"
-#include "lbm/fluid_grid.h"
+#include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
 

@@ -5,7 +5,7 @@
 
 #include "lbm/boundary/wall_model.h"
 #include "lbm/boundary/wall_reflection.h"
-#include "lbm/cell_moments.h"
+#include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
 

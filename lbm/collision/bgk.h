@@ -2,8 +2,8 @@
 // Single relaxation time (Qian, d'Humieres & Lallemand 1992), for comparison. Forces by the exact difference of
 // equilibria (Kupershtokh 2004).
 #include "lbm/collision/cell_state.h"
+#include "lbm/collision/equilibrium.h"
 #include "lbm/collision/newtonian.h"
-#include "lbm/equilibrium.h"
 
 namespace lahar::lbm {
 

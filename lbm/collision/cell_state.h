@@ -5,8 +5,8 @@
 #include <cmath>
 #include <experimental/simd>
 
-#include "lbm/number.h"
-#include "lbm/velocity_set.h"
+#include "lbm/collision/number.h"
+#include "lbm/grid/velocity_set.h"
 
 namespace lahar::lbm {
 

@@ -10,7 +10,7 @@
 //                                 through the step, (u + u')/2, the exchange is then k times the slip exactly
 #include <algorithm>
 
-#include "lbm/number.h"
+#include "lbm/collision/number.h"
 
 namespace lahar::lbm {
 
@@ -19,7 +19,7 @@ enum class BodyWeighting {
   solid_fraction,    ///< B = eps
   noble_torczynski,  ///< B = eps (tau - 1/2) / ((1 - eps) + (tau - 1/2)), Noble & Torczynski 1998
   seepage,           ///< the same form with a constant in place of tau - 1/2, from the seepage through a packed bed
-  wall_distance,     ///< from the distance of the cell's centre to the surface (coupling/wall_resistance.h)
+  wall_distance,     ///< from the distance of the cell's centre to the surface (coupling/grains/wall_resistance.h)
 };
 
 /// What B puts in place of the fluid's collision (numbering of Rettinger & Rude 2017).

@@ -3,7 +3,7 @@
 //   constant              whether the rate is the same in all cells, known before the collision
 //   flow_law              whether it takes SweepParameters::rheology
 //   rate(S, 1/rho)        the rate of a cell from its second central moments; rate() where it is constant
-//   of(parameters)        the model of a sweep (lbm/sweep.h)
+//   of(parameters)        the model of a sweep (lbm/step/sweep.h)
 // Models: Newtonian, Smagorinsky (smagorinsky.h), Bingham and HerschelBulkley (lbm/rheology). The sweep is compiled
 // once per model, so that none pays for another.
 #include "lbm/collision/cell_state.h"

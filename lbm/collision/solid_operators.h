@@ -4,7 +4,7 @@
 //   bounce_back   Omega_i = f_-i - f_i + f_eq,i(u_s) - f_eq,-i(u)      Noble & Torczynski 1998
 //   holdych       Omega_i = f_-i - f_i + f_eq,i(u_s) - f_eq,-i(u_s)    Holdych 2003
 #include "lbm/collision/cell_state.h"
-#include "lbm/equilibrium.h"
+#include "lbm/collision/equilibrium.h"
 
 namespace lahar::lbm {
 

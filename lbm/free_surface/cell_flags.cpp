@@ -5,8 +5,8 @@
 #include <experimental/simd>
 
 #include "lbm/free_surface/touching.h"
-#include "lbm/gather.h"
-#include "lbm/row_types.h"
+#include "lbm/grid/row_types.h"
+#include "lbm/step/gather.h"
 
 namespace lahar::lbm {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "lbm/fluid_grid.h"
 #include "lbm/free_surface/drops.h"
+#include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
 

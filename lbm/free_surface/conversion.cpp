@@ -5,10 +5,10 @@
 #include <span>
 
 #include "core/parallel.h"
-#include "lbm/cell_moments.h"
-#include "lbm/equilibrium.h"
+#include "lbm/collision/equilibrium.h"
 #include "lbm/free_surface/surface_exchange.h"
 #include "lbm/free_surface/touching.h"
+#include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
 

@@ -8,9 +8,9 @@
 // includes the body's share: empty means that only the body is left (docs/coupling.md). Spray moves on as a whole
 // (drops.h).
 #include "lbm/boundary/wall_balance.h"
-#include "lbm/fluid_grid.h"
 #include "lbm/free_surface/cell_flags.h"
-#include "lbm/sweep.h"
+#include "lbm/grid/fluid_grid.h"
+#include "lbm/step/sweep.h"
 
 namespace lahar::lbm {
 

@@ -1,7 +1,7 @@
 #pragma once
 // Cells that a body takes over whole: what is wet in them is the mixture that carries the body through the liquid and
 // moves as the body does, no liquid (docs/decisions/0041).
-#include "lbm/block.h"
+#include "lbm/grid/block.h"
 
 namespace lahar::lbm {
 

@@ -10,7 +10,7 @@
 //
 // Walls: contact angle of 90 degrees. A column in a wall is as high as its neighbour in the middle, and a column that
 // runs into a wall goes on as the last cell before it.
-#include "lbm/fluid_grid.h"
+#include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lbm/cell_moments.h"
-#include "lbm/fluid_grid.h"
+#include "lbm/grid/fluid_grid.h"
+#include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "core/check.h"
-#include "lbm/cell_moments.h"
+#include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
 

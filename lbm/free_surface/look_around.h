@@ -2,10 +2,10 @@
 // Fills what the interface cells of a block see (surroundings.h), a row of cells at a time.
 #include <experimental/simd>
 
-#include "lbm/fluid_grid.h"
 #include "lbm/free_surface/surroundings.h"
-#include "lbm/gather.h"
-#include "lbm/row_types.h"
+#include "lbm/grid/fluid_grid.h"
+#include "lbm/grid/row_types.h"
+#include "lbm/step/gather.h"
 
 namespace lahar::lbm {
 

@@ -1,6 +1,6 @@
 #pragma once
 // The viscous stress next to a row of interface cells (surface_shear.h).
-#include "lbm/block.h"
+#include "lbm/grid/block.h"
 
 namespace lahar::lbm {
 

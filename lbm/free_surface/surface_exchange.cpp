@@ -4,15 +4,15 @@
 #include <cmath>
 #include <experimental/simd>
 
+#include "lbm/collision/equilibrium.h"
 #include "lbm/collision/stress_limit.h"
-#include "lbm/equilibrium.h"
 #include "lbm/free_surface/curvature.h"
 #include "lbm/free_surface/look_around.h"
 #include "lbm/free_surface/surface_gradient.h"
 #include "lbm/free_surface/surface_plane.h"
 #include "lbm/free_surface/surface_shear.h"
 #include "lbm/free_surface/surroundings.h"
-#include "lbm/gather.h"
+#include "lbm/step/gather.h"
 
 namespace lahar::lbm {
 

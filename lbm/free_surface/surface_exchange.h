@@ -20,8 +20,8 @@
 // The rule also makes the shear stress vanish half a link out; surface_shear.h puts that right where it counts.
 //
 // With surface tension the pressure on the surface is that of the gas plus sigma times the curvature (curvature.h).
-#include "lbm/fluid_grid.h"
 #include "lbm/free_surface/shear_row.h"
+#include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
 

@@ -3,9 +3,9 @@
 // gravity g - Du/Dt: it is g in water at rest and 0 in free fall, and it is normal to the surface.
 #include <utility>
 
+#include "lbm/collision/number.h"
 #include "lbm/free_surface/surroundings.h"
-#include "lbm/number.h"
-#include "lbm/velocity_set.h"
+#include "lbm/grid/velocity_set.h"
 
 namespace lahar::lbm {
 

@@ -6,8 +6,8 @@
 #include "lbm/collision/smagorinsky.h"
 #include "lbm/collision/stress_limit.h"
 #include "lbm/free_surface/look_around.h"
+#include "lbm/grid/row_types.h"
 #include "lbm/rheology/herschel_bulkley.h"
-#include "lbm/row_types.h"
 
 namespace lahar::lbm {
 

@@ -23,9 +23,9 @@
 #include <vector>
 
 #include "lbm/collision/cell_state.h"
-#include "lbm/fluid_grid.h"
 #include "lbm/free_surface/shear_row.h"
-#include "lbm/sweep.h"
+#include "lbm/grid/fluid_grid.h"
+#include "lbm/step/sweep.h"
 
 namespace lahar::lbm {
 

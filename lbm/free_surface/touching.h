@@ -2,8 +2,8 @@
 // What lies next to a cell, and what a body has of it.
 #include <algorithm>
 
-#include "lbm/fluid_grid.h"
 #include "lbm/free_surface/covered_cells.h"
+#include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
 

@@ -5,9 +5,9 @@
 // and 1/tau = g / q. In x = log2 g the function log2 h(x) - log2 e rises everywhere with a slope between 1 and n and is
 // convex (the logarithm of a sum of exponentials): Newton's method from a point above the root falls to it without ever
 // passing it. Such a point is min(2 e, (e / 3K)^(1/n)), at most one binary order off in h; five steps leave a relative
-// error of the shear rate below 1e-7 for n from 0.3 to 2 (tests/lbm/rheology_test.cpp). A fixed number of steps, the
-// same for all lanes; log2 (h/e), between 0 and 1, by the first terms of its series, which are exact where it counts,
-// at the root.
+// error of the shear rate below 1e-7 for n from 0.3 to 2 (tests/lbm/rheology/rheology_test.cpp). A fixed number of
+// steps, the same for all lanes; log2 (h/e), between 0 and 1, by the first terms of its series, which are exact where
+// it counts, at the root.
 #include "lbm/rheology/bingham.h"
 #include "lbm/rheology/power.h"
 

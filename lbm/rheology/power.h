@@ -1,13 +1,13 @@
 #pragma once
 // Base-2 logarithm and exponential for numbers and SIMD vectors: no branch, no library call per lane. Relative error of
-// both below 1e-6 in float and 1e-13 in double (tests/lbm/rheology_test.cpp), for arguments above the smallest normal
-// number and exponents within +-100.
+// both below 1e-6 in float and 1e-13 in double (tests/lbm/rheology/rheology_test.cpp), for arguments above the smallest
+// normal number and exponents within +-100.
 #include <cstdint>
 #include <cstring>
 #include <experimental/simd>
 #include <type_traits>
 
-#include "lbm/number.h"
+#include "lbm/collision/number.h"
 
 namespace lahar::lbm {
 

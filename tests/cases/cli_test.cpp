@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "tests/cases/scene_files.h"
+#include "tests/cases/scene/scene_files.h"
 
 namespace lahar::scene {
 namespace {

@@ -13,7 +13,7 @@
 #include "cases/rockfall/describe.h"
 #include "cases/rockfall/report.h"
 #include "cases/validate/entry.h"
-#include "tests/cases/scene_files.h"
+#include "tests/cases/scene/scene_files.h"
 
 namespace lahar::cases {
 namespace {

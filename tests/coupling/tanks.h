@@ -1,7 +1,7 @@
 #pragma once
 // Small tanks of water that several tests use.
 #include "dem/solids.h"
-#include "lbm/fluid.h"
+#include "lbm/step/fluid.h"
 
 namespace lahar::coupling {
 

@@ -3,10 +3,10 @@
 
 #include <filesystem>
 
-#include "cases/observers/series_reader.h"
+#include "cases/files/series_reader.h"
 #include "cases/runner/run.h"
 #include "cases/scene/load.h"
-#include "tests/cases/observers_test_folder.h"
+#include "tests/cases/files/test_folder.h"
 
 namespace lahar::cases {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 // Small flows that several tests use, in lattice units (cell size, time step and density 1).
-#include "lbm/fluid.h"
+#include "lbm/step/fluid.h"
 
 namespace lahar::lbm {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/body_fields.h"
-#include "coupling/body_map.h"
+#include "coupling/grains/body_fields.h"
+#include "coupling/grains/body_map.h"
 #include "tests/performance/benchmark.h"
 
 namespace lahar::performance {

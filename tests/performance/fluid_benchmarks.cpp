@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lbm/fluid.h"
+#include "lbm/step/fluid.h"
 #include "tests/performance/benchmark.h"
 
 namespace lahar::performance {

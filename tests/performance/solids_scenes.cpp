@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "barrier/net.h"
-#include "dem/packing.h"
+#include "dem/packing/packing.h"
 #include "dem/time_step.h"
 
 namespace lahar::performance {

@@ -47,7 +47,7 @@ expect_end "$scratch/tree/check" '0 passed, 1 failed' failure
 
 # A failing lint alone is a failure too.
 stand_in ctest 'echo "100% tests passed, 0 tests failed out of 12"'
-printf '#include "lbm/fluid.h"\n' >"$scratch/tree/core/a.h"
+printf '#include "lbm/step/fluid.h"\n' >"$scratch/tree/core/a.h"
 expect_end "$scratch/tree/check" '12 passed, 1 failed' failure
 rm "$scratch/tree/core/a.h"
 

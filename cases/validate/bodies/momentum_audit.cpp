@@ -9,8 +9,8 @@
 #include "cases/validate/bodies/wire_entries.h"
 #include "cases/validate/fluid/flows.h"
 #include "cases/validate/fluid/surface_flows.h"
-#include "coupling/body_fields.h"
 #include "coupling/coupled_step.h"
+#include "coupling/grains/body_fields.h"
 
 namespace lahar::validate {
 namespace {

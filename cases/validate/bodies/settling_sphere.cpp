@@ -6,8 +6,8 @@
 #include <array>
 #include <numbers>
 
-#include "cases/observers/chart.h"
-#include "cases/observers/png_file.h"
+#include "cases/files/png_file.h"
+#include "cases/pictures/chart.h"
 #include "cases/validate/bodies/entries.h"
 #include "cases/validate/bodies/sphere_flow.h"
 #include "cases/validate/fluid/flows.h"

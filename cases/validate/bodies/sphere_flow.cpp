@@ -1,7 +1,7 @@
 #include "cases/validate/bodies/sphere_flow.h"
 
 #include "cases/validate/fluid/flows.h"
-#include "coupling/body_fields.h"
+#include "coupling/grains/body_fields.h"
 
 namespace lahar::validate {
 

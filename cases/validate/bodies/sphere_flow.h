@@ -5,8 +5,8 @@
 
 #include "cases/validate/entry.h"
 #include "coupling/audit.h"
-#include "coupling/body_map.h"
-#include "lbm/fluid.h"
+#include "coupling/grains/body_map.h"
+#include "lbm/step/fluid.h"
 
 namespace lahar::validate {
 

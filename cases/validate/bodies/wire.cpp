@@ -7,7 +7,7 @@
 
 #include "cases/validate/bodies/wire_entries.h"
 #include "cases/validate/bodies/wire_flows.h"
-#include "coupling/drag_law.h"
+#include "coupling/wires/drag_law.h"
 
 namespace lahar::validate {
 namespace {

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "cases/validate/fluid/entries.h"
-#include "lbm/fluid.h"
+#include "lbm/step/fluid.h"
 
 namespace lahar::validate {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "cases/observers/chart.h"
-#include "cases/observers/png_file.h"
+#include "cases/files/png_file.h"
+#include "cases/pictures/chart.h"
 #include "cases/validate/fluid/entries.h"
 #include "cases/validate/fluid/flows.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "cases/validate/entry.h"
-#include "lbm/fluid.h"
+#include "lbm/step/fluid.h"
 
 namespace lahar::validate {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "cases/observers/checkpoint_file.h"
+#include "cases/files/checkpoint_file.h"
 #include "cases/validate/fluid/entries.h"
 #include "core/memory_archive.h"
 #include "coupling/coupled_step.h"

@@ -9,7 +9,7 @@
 
 #include "cases/validate/fluid/entries.h"
 #include "lbm/boundary/wall_model.h"
-#include "lbm/fluid.h"
+#include "lbm/step/fluid.h"
 
 namespace lahar::validate {
 namespace {

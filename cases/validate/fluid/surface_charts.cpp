@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "cases/observers/chart.h"
-#include "cases/observers/png_file.h"
+#include "cases/files/png_file.h"
+#include "cases/pictures/chart.h"
 
 namespace lahar::validate {
 

@@ -8,7 +8,7 @@
 #include "cases/validate/solids/entries.h"
 #include "cases/validate/solids/ledger_watch.h"
 #include "cases/validate/solids/solid_scenes.h"
-#include "dem/packing.h"
+#include "dem/packing/packing.h"
 #include "dem/time_step.h"
 
 namespace lahar::validate {

@@ -9,7 +9,7 @@
 #include "cases/validate/solids/entries.h"
 #include "cases/validate/solids/ledger_watch.h"
 #include "cases/validate/solids/solid_scenes.h"
-#include "dem/axial_law.h"
+#include "dem/bonds/axial_law.h"
 #include "dem/time_step.h"
 
 namespace lahar::validate {

@@ -10,7 +10,7 @@
 #include "barrier/ring.h"
 #include "cases/validate/solids/entries.h"
 #include "cases/validate/solids/solid_scenes.h"
-#include "dem/axial_law.h"
+#include "dem/bonds/axial_law.h"
 #include "dem/time_step.h"
 
 namespace lahar::validate {

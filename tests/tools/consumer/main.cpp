@@ -4,7 +4,7 @@
 #include <coupling/coupled_step.h>
 #include <dem/solids.h>
 #include <dem/time_step.h>
-#include <lbm/fluid.h>
+#include <lbm/step/fluid.h>
 
 #include <cstdio>
 #include <optional>

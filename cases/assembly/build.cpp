@@ -1,0 +1,202 @@
+#include "cases/assembly/build.h"
+
+#include "cases/assembly/estimates.h"
+#include "cases/assembly/geometry.h"
+#include "cases/assembly/grain_sizes.h"
+#include "cases/assembly/net_spec.h"
+#include "coupling/grains/seepage.h"
+#include "dem/packing/packing.h"
+
+namespace lahar::cases {
+
+namespace {
+
+lbm::CollisionOperator collision_of(scene::Collision c) {
+  switch (c) {
+    case scene::Collision::bgk:
+      return lbm::CollisionOperator::bgk;
+    case scene::Collision::trt:
+      return lbm::CollisionOperator::trt;
+    case scene::Collision::central_moments:
+      break;
+  }
+  return lbm::CollisionOperator::central_moments;
+}
+
+lbm::BodyWeighting weighting_of(scene::BodyWeighting w) {
+  switch (w) {
+    case scene::BodyWeighting::noble_torczynski:
+      return lbm::BodyWeighting::noble_torczynski;
+    case scene::BodyWeighting::seepage:
+      return lbm::BodyWeighting::seepage;
+    case scene::BodyWeighting::wall_distance:
+      return lbm::BodyWeighting::wall_distance;
+    case scene::BodyWeighting::solid_fraction:
+      break;
+  }
+  return lbm::BodyWeighting::solid_fraction;
+}
+
+lbm::SolidOperator solid_operator_of(scene::SolidOperator o) {
+  switch (o) {
+    case scene::SolidOperator::equilibrium_difference:
+      return lbm::SolidOperator::equilibrium_difference;
+    case scene::SolidOperator::bounce_back:
+      return lbm::SolidOperator::bounce_back;
+    case scene::SolidOperator::holdych:
+      return lbm::SolidOperator::holdych;
+    case scene::SolidOperator::faded:
+      break;
+  }
+  return lbm::SolidOperator::faded;
+}
+
+/// Sum of d^3 over sum of d^2 of all grains, m.
+double sauter_diameter(const scene::Scene& scene) {
+  double volume = 0, area = 0;
+  const auto add = [&](double d, double count) { volume += count * d * d * d, area += count * d * d; };
+  for (const auto& s : scene::grain_sizes(scene)) add(s.diameter, static_cast<double>(s.count));
+  for (const auto& s : scene.grains.spheres) add(s.diameter, 1);
+  return area > 0 ? volume / area : scene.fluid.cell_size;
+}
+
+lbm::RheologyOptions rheology_of(const scene::Rheology& r) {
+  const auto law = r.law == scene::FlowLaw::bingham            ? lbm::FlowLaw::bingham
+                   : r.law == scene::FlowLaw::herschel_bulkley ? lbm::FlowLaw::herschel_bulkley
+                                                               : lbm::FlowLaw::newtonian;
+  return {law, r.yield_stress, r.consistency, r.exponent, r.limit_viscosity};
+}
+
+lbm::InflowOptions inflow_of(const scene::Inflow& s) {
+  lbm::InflowOptions inflow{s.name, s.lower, s.upper, s.velocity, {}};
+  for (const scene::TimeValue& point : s.discharge) inflow.discharge.points.push_back({point.time, point.value});
+  return inflow;
+}
+
+lbm::FaceKind face_kind(const scene::Scene& scene, int face) {
+  if (scene.domain.periodic(static_cast<scene::Axis>(face / 2))) return lbm::FaceKind::periodic;
+  return scene.domain.open(static_cast<scene::Face>(face)) ? lbm::FaceKind::open : lbm::FaceKind::closed;
+}
+
+dem::PackingSpec packing_spec(const scene::Scene& scene, std::size_t i) {
+  const scene::Packing& packing = scene.grains.packings[i];
+  dem::PackingSpec spec;
+  spec.lower = packing.lower;
+  spec.upper = packing.upper;
+  spec.seed = static_cast<std::uint64_t>(scene.run.seed);
+  spec.target_height = packing.target_height;
+  for (const auto& s : scene::grain_sizes(scene, i))
+    spec.classes.push_back(
+        {s.diameter / 2, static_cast<int>(s.count), s.density, scene::material_index(scene, s.material)});
+  return spec;
+}
+
+/// As many grains as a packing has, anywhere.
+void add_placeholders(const dem::PackingSpec& packing, dem::Particles& particles) {
+  for (const auto& c : packing.classes)
+    for (int k = 0; k < c.count; ++k) {
+      dem::ParticleSpec grain;
+      grain.radius = c.radius;
+      grain.density = c.density;
+      particles.add(grain);
+    }
+}
+
+void add_grains(const scene::Scene& scene, dem::Particles& particles, GrainStart start) {
+  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
+    if (start == GrainStart::placeholders) {
+      add_placeholders(packing_spec(scene, i), particles);
+      continue;
+    }
+    for (const dem::ParticleSpec& grain : dem::pack(packing_spec(scene, i))) particles.add(grain);
+  }
+  for (const auto& s : scene.grains.spheres) {
+    dem::ParticleSpec grain;
+    grain.position = s.position;
+    grain.velocity = s.velocity;
+    grain.angular_velocity = s.angular_velocity;
+    grain.radius = s.diameter / 2;
+    grain.density = s.density;
+    grain.material = scene::material_index(scene, s.material);
+    grain.state = s.fixed ? dem::ParticleState::fixed : dem::ParticleState::free;
+    particles.add(grain);
+  }
+}
+
+}  // namespace
+
+lbm::FluidOptions fluid_options(const scene::Scene& scene) {
+  lbm::FluidOptions o;
+  o.domain.lower = scene.domain.lower;
+  o.domain.upper = scene.domain.upper;
+  o.domain.cell_size = scene.fluid.cell_size;
+  for (int face = 0; face < 6; ++face) o.domain.faces[static_cast<std::size_t>(face)] = face_kind(scene, face);
+  o.domain.walls = scene::make_walls(scene);
+  if (scene.fluid.wall_placement == scene::WallPlacement::interpolated)
+    o.domain.placement = lbm::WallPlacement::interpolated;
+  o.time_step = fluid_time_step(scene);
+  o.adaptive_time_step = scene.fluid.adaptive_time_step;
+  o.lattice_velocity = scene.fluid.lattice_velocity;
+  o.density = scene.fluid.density;
+  o.kinematic_viscosity = scene.fluid.kinematic_viscosity;
+  o.gravity = scene.gravity.vector();
+  o.surface_tension = scene.fluid.surface_tension;
+  o.collision = collision_of(scene.fluid.collision);
+  o.weighting = weighting_of(scene.coupling.body_weighting);
+  o.solid_operator = solid_operator_of(scene.coupling.solid_operator);
+  if (o.weighting == lbm::BodyWeighting::seepage)
+    o.seepage_constant = coupling::seepage_constant(sauter_diameter(scene), o.kinematic_viscosity, o.gravity.norm(),
+                                                    {o.domain.cell_size, o.time_step, o.density});
+  o.smagorinsky = scene.fluid.smagorinsky;
+  o.rheology = rheology_of(scene.fluid.rheology);
+  for (const scene::Inflow& inflow : scene.fluid.inflows) o.inflows.push_back(inflow_of(inflow));
+  return o;
+}
+
+std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene) {
+  std::vector<lbm::LiquidRegion> regions;
+  for (const auto& r : scene.fluid.regions) regions.push_back({r.lower, r.upper, r.velocity, scene::make_body(r)});
+  return regions;
+}
+
+namespace {
+
+dem::ContactLawChoice contact_law_of(const scene::Solids& s) {
+  if (s.contact_law == scene::ContactLaw::hertz_mindlin) return dem::HertzMindlin{};
+  const double tangential = s.tangential_stiffness > 0 ? s.tangential_stiffness : 2.0 / 7 * s.normal_stiffness;
+  return dem::LinearSpringDashpot{s.normal_stiffness, tangential};
+}
+
+}  // namespace
+
+BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
+  dem::Particles particles;
+  dem::Bonds bonds;
+  add_grains(scene, particles, grains);
+  std::optional<barrier::Net> net;
+  if (scene.barrier.enabled) net = scene::build_barrier(scene, particles, bonds);
+  dem::SolidsOptions options;
+  options.gravity = scene.gravity.vector();
+  options.contact_law = contact_law_of(scene.solids);
+  if (scene.solids.wire_contacts == scene::WireContacts::capsules) options.wire_contacts = dem::WireContacts::capsules;
+  options.watchdog.speed_limit = 200;  // m/s: nothing in a debris flow is that fast
+  options.watchdog.overlap_limit = 1;  // beyond it a bead has gone through
+  options.watchdog.interval = 20;
+  // Beads are hit by boulders and move far in a step, for their size: a skin of half a wire between them would be used
+  // up in a few steps.
+  if (scene.barrier.enabled) options.neighbours.minimum_skin = scene.barrier.net.wire_diameter / 2;
+  options.time_step = solids_time_step(scene);
+  if (scene.fluid.enabled) options.time_step = fluid_time_step(scene) / substeps_of(scene);
+  options.long_step = static_cast<int>(long_step_of(scene));
+  return {dem::Solids(std::move(particles), std::move(bonds), scene::make_materials(scene), scene::make_walls(scene),
+                      options),
+          std::move(net)};
+}
+
+int substeps_of(const scene::Scene& scene) {
+  return scene.fluid.enabled && scene.has_solids()
+             ? static_cast<int>(substeps(fluid_time_step(scene), solids_time_step(scene)))
+             : 1;
+}
+
+}  // namespace lahar::cases

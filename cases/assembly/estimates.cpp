@@ -1,0 +1,160 @@
+#include "cases/assembly/estimates.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "cases/assembly/geometry.h"
+#include "cases/assembly/grain_sizes.h"
+#include "cases/assembly/net_spec.h"
+#include "core/capillary.h"
+#include "dem/time_step.h"
+
+namespace lahar::cases {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+/// Largest of direction . p over the corners of a box.
+double highest(const Vec3& lower, const Vec3& upper, const Vec3& direction) {
+  return (direction.array() > 0).select(upper, lower).dot(direction);
+}
+
+double bead_mass(const scene::Net& net) { return net.density * std::numbers::pi / 6 * std::pow(net.wire_diameter, 3); }
+
+}  // namespace
+
+double expected_max_speed(const scene::Scene& scene) {
+  if (scene.fluid.max_speed > 0) return scene.fluid.max_speed;
+  const Vec3 up = -scene.gravity.vector();
+  const double lowest = -highest(scene.domain.lower, scene.domain.upper, -up);
+  double fastest = 0;
+  for (const scene::WallSettings& w : scene.walls) fastest = std::max(fastest, w.velocity.norm());
+  for (const scene::FluidRegion& r : scene.fluid.regions) {
+    const double fall = std::max(0.0, highest(r.lower, r.upper, up) - lowest);  // g h
+    fastest = std::max(fastest, std::sqrt(r.velocity.squaredNorm() + 2 * fall));
+  }
+  for (const scene::Inflow& i : scene.fluid.inflows) {
+    const double fall = std::max(0.0, highest(i.lower, i.upper, up) - lowest);
+    fastest = std::max(fastest, std::sqrt(i.velocity.squaredNorm() + 2 * fall));
+  }
+  return fastest;
+}
+
+double longest_capillary_step(const scene::Scene& scene) {
+  return capillary_time_step(scene.fluid.density, scene.fluid.cell_size, scene.fluid.surface_tension);
+}
+
+double fluid_time_step(const scene::Scene& scene) {
+  return std::min(scene.fluid.lattice_velocity * scene.fluid.cell_size / expected_max_speed(scene),
+                  longest_capillary_step(scene));
+}
+
+std::int64_t net_columns(const scene::Net& net) { return std::llround(net.width / net.ring_pitch); }
+std::int64_t net_rows(const scene::Net& net) { return std::llround(net.height / net.ring_pitch); }
+
+std::int64_t barrier_beads(const scene::Barrier& barrier) {
+  const scene::Net& net = barrier.net;
+  double beads = 2 * (net.width + net.height) / net.wire_diameter;
+  if (net.kind == scene::NetKind::rings)
+    beads += static_cast<double>(net_columns(net) * net_rows(net) * net.beads_per_ring);
+  else
+    beads += 2 * net.width / net.mesh_width * net.height / (0.5 * (net.mesh_height + net.twist_length));
+  const scene::Posts& posts = barrier.posts;
+  if (!posts.enabled) return std::llround(beads);
+  beads *= static_cast<double>(posts.spans);
+  const auto count = static_cast<double>(posts.spans + 1);
+  beads += count * posts.height / posts.diameter;
+  for (const scene::RetainingCable& r : posts.retaining)
+    beads += (r.post < 0 ? count : 1.0) * std::hypot(posts.height, r.anchor_offset.norm()) / net.wire_diameter;
+  return std::llround(beads);
+}
+
+std::int64_t grain_count(const scene::Scene& scene) {
+  auto count = static_cast<std::int64_t>(scene.grains.spheres.size());
+  for (const scene::GrainSize& s : scene::grain_sizes(scene)) count += s.count;
+  return count;
+}
+
+double smallest_grain(const scene::Scene& scene) {
+  double smallest = never;
+  for (const scene::GrainSize& s : scene::grain_sizes(scene)) smallest = std::min(smallest, s.diameter);
+  for (const scene::GrainSphere& s : scene.grains.spheres) smallest = std::min(smallest, s.diameter);
+  return smallest;
+}
+
+SolidsLimits solids_limits(const scene::Scene& scene) {
+  const dem::Materials materials = scene::make_materials(scene);
+  const auto rayleigh = [&](double diameter, double density, const std::string& material) {
+    if (scene.solids.contact_law == scene::ContactLaw::linear)
+      return dem::linear_contact_time(0.5 * std::numbers::pi / 6 * std::pow(diameter, 3) * density,
+                                      scene.solids.normal_stiffness);
+    return dem::rayleigh_time_step(diameter / 2, density, materials[scene::material_index(scene, material)]);
+  };
+  SolidsLimits limits{never, never, never, never, never, 1};
+  for (std::size_t a = 0; a < materials.size(); ++a)
+    for (std::size_t b = 0; b < materials.size(); ++b)
+      limits.damped_share = std::min(
+          limits.damped_share, dem::damped_share(materials.pair(static_cast<int>(a), static_cast<int>(b)).restitution));
+  for (const scene::GrainSize& s : scene::grain_sizes(scene))
+    limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
+  for (const scene::GrainSphere& s : scene.grains.spheres)
+    limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
+  if (!scene.barrier.enabled) return limits;
+  const scene::Net& net = scene.barrier.net;
+  const barrier::RingNetSpec spec = scene::make_net_spec(scene);
+  const double mass = bead_mass(net);
+  limits.bead_rayleigh = rayleigh(net.wire_diameter, net.density, net.material);
+  limits.ring_bond = dem::bond_time_step(spec.ring, mass);
+  if (spec.mesh) {
+    const double volume = std::numbers::pi / 6 * std::pow(net.node_diameter, 3), node = spec.mesh->node_mass();
+    limits.bead_rayleigh = std::min(limits.bead_rayleigh, rayleigh(net.node_diameter, node / volume, net.material));
+    limits.ring_bond =
+        std::min(dem::bond_time_step(wire_law_bond(spec.mesh->single, spec.mesh->single_length(), *spec.mesh), node),
+                 dem::bond_time_step(wire_law_bond(spec.mesh->twist, spec.mesh->twist_length, *spec.mesh), node));
+  }
+  if (scene.barrier.posts.enabled) {
+    dem::Particles particles;
+    dem::Bonds bonds;
+    add_post(post_spec(scene::make_spans_spec(scene), 0), particles, bonds);
+    limits.post_bond = dem::bond_time_step(bonds, particles);
+  }
+  limits.cable_bond = dem::bond_time_step(spec.cable, mass);
+  if (!scene.barrier.bonds.dissipator_stiffness.empty())
+    limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.dissipator, mass));
+  return limits;
+}
+
+double solids_time_step(const scene::Scene& scene) {
+  if (scene.solids.time_step > 0 && scene.has_solids()) return scene.solids.time_step;
+  const SolidsLimits limits = solids_limits(scene);
+  return std::min(
+      scene.solids.contact_safety * limits.damped_share * std::min(limits.grain_rayleigh, limits.bead_rayleigh),
+      scene.solids.bond_safety * std::min({limits.ring_bond, limits.cable_bond, limits.post_bond}));
+}
+
+double grain_time_step(const scene::Scene& scene) {
+  const SolidsLimits limits = solids_limits(scene);
+  return scene.solids.contact_safety * limits.damped_share * limits.grain_rayleigh;
+}
+
+std::int64_t long_step(std::int64_t substeps, double time_step, double grain_step) {
+  const double n = static_cast<double>(substeps);
+  const double most = std::clamp(std::floor(grain_step / time_step * (1 + 1e-12)), 1.0, n);
+  return std::llround(std::ceil(n / std::ceil(n / most)));
+}
+
+std::int64_t long_step_of(const scene::Scene& scene) {
+  if (!scene.solids.two_rates || !scene.fluid.enabled || !scene.barrier.enabled || grain_count(scene) == 0) return 1;
+  const double fluid_step = fluid_time_step(scene);
+  const std::int64_t n = substeps(fluid_step, solids_time_step(scene));
+  return long_step(n, fluid_step / static_cast<double>(n), grain_time_step(scene));
+}
+
+std::int64_t substeps(double fluid_step, double solids_step) {
+  // A step that fits but for rounding counts as fitting.
+  return std::max<std::int64_t>(1, std::llround(std::ceil(fluid_step / solids_step * (1 - 1e-12))));
+}
+
+}  // namespace lahar::cases

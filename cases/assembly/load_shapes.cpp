@@ -1,0 +1,151 @@
+#include "cases/assembly/load_shapes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include "cases/assembly/memory.h"
+#include "cases/files/heightmap_file.h"
+#include "cases/files/mesh_file.h"
+#include "core/mesh_distance.h"
+
+namespace lahar::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Diameters of the smallest and the largest grain, m; infinity and 0 without any.
+std::pair<double, double> grain_diameters(const Scene& scene) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  const auto see = [&](double d) { smallest = std::min(smallest, d), largest = std::max(largest, d); };
+  for (const Packing& p : scene.grains.packings) {
+    for (const GrainSize& s : p.sizes) see(s.diameter);
+    for (const LogNormalGrains& g : p.log_normal) see(g.smallest), see(g.largest);
+    for (const SievedGrains& g : p.sieved)
+      for (const SievePoint& point : g.passing) see(point.opening);
+  }
+  for (const GrainSphere& s : scene.grains.spheres) see(s.diameter);
+  return {smallest, largest};
+}
+
+fs::path file_of(const ShapeFile& s, const Place& place) {
+  const bool from_command_line = place.file.starts_with("--set");
+  const fs::path folder = from_command_line ? fs::path() : fs::path(place.file).parent_path();
+  return fs::absolute(folder / s.file).lexically_normal();
+}
+
+/// Spacing of the samples: as given, or fine enough for the fluid's cells, or for the smallest grain.
+double spacing_of(const Scene& scene, const ShapeFile& s, const Bounds& bounds) {
+  if (s.resolution > 0) return s.resolution;
+  if (scene.fluid.enabled) return scene.fluid.cell_size / 2;
+  const double smallest = grain_diameters(scene).first;
+  return std::isfinite(smallest) ? smallest / 8 : (bounds.upper - bounds.lower).norm() / 200;
+}
+
+double area_of(const TriangleMesh& mesh) {
+  double area = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    area += 0.5 * (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).norm();
+  return area;
+}
+
+/// How far around a surface the fine samples reach: grains touch within their radius.
+double band_of(const Scene& scene, double spacing) {
+  return std::max(4 * spacing, 0.6 * grain_diameters(scene).second);
+}
+
+/// Samples the part of a surface that matters in the domain. Throws ShapeFileError.
+std::shared_ptr<const DistanceGrid> sample(const Scene& scene, const TriangleMesh& mesh, const Bounds& bounds,
+                                           double spacing) {
+  const double band = band_of(scene, spacing);
+  const double beyond = std::max(2 * scene.fluid.cell_size, 4 * spacing);  // cells of walls lie outside the domain
+  const Vec3 lower = (bounds.lower - Vec3::Constant(band)).cwiseMax(scene.domain.lower - Vec3::Constant(beyond));
+  const Vec3 upper = (bounds.upper + Vec3::Constant(band)).cwiseMin(scene.domain.upper + Vec3::Constant(beyond));
+  if (!(upper.array() > lower.array()).all()) throw cases::ShapeFileError("lies outside the domain");
+  const double brick = DistanceGrid::brick_cells * spacing;
+  const double fine = area_of(mesh) / (brick * brick) * (2 * band / brick + 2) * DistanceGrid::brick_nodes;
+  const double bytes = sizeof(float) * (fine + 2 * ((upper - lower) / brick).prod()) +
+                       2 * sizeof(double) * (upper - lower).head<2>().prod() / (spacing * spacing);
+  if (bytes > 0.25 * static_cast<double>(physical_memory()))
+    throw cases::ShapeFileError(
+        fmt::format("takes about {:.2g} GB at a resolution of {:g} m, expected a coarser "
+                    "resolution_m",
+                    bytes * 1e-9, spacing));
+  return sample_distance(mesh, lower, upper, spacing, band);
+}
+
+Bounds sample_mesh(const Scene& scene, const fs::path& path, ShapeFile& s) {
+  TriangleMesh mesh = cases::read_closed_mesh(path);
+  for (Vec3& p : mesh.points) p = s.scale * p + s.translate;
+  const Bounds bounds = bounds_of(mesh);
+  s.sampled.grid = sample(scene, mesh, bounds, spacing_of(scene, s, bounds));
+  return bounds;
+}
+
+void sample_heightmap(const Scene& scene, const fs::path& path, ShapeFile& s) {
+  const auto map = cases::placed(cases::parse_heightmap(cases::read_bytes(path), s.spacing), s.scale, s.translate);
+  const Vec3 lower = scene.domain.lower, upper = scene.domain.upper;
+  const double spacing = spacing_of(scene, s, {lower, upper}), band = band_of(scene, spacing);
+  // Ground under all of the grid, which is rounded up to whole bricks, and for distances at its rim.
+  const double beyond = band + std::max(2 * scene.fluid.cell_size, 4 * spacing) + DistanceGrid::brick_cells * spacing;
+  const Vec3 margin(beyond, beyond, 0);
+  const TriangleMesh mesh = cases::terrain(map, lower - margin, upper + margin);
+  const Bounds ground = bounds_of(mesh);
+  if (map.lowest() > upper.z() || map.highest() < lower.z())
+    throw cases::ShapeFileError(
+        fmt::format("has heights from {:g} to {:g} m, expected some inside the domain", map.lowest(), map.highest()));
+  s.sampled.grid = sample(scene, mesh, ground, spacing);
+}
+
+/// Calls `load(path)` and makes a mistake of what goes wrong.
+template <class Load>
+void load_file(ShapeFile& s, const std::string& key, Findings& findings, const Load& load) {
+  if (!findings.sound({key})) return;
+  const fs::path path = file_of(s, findings.place(key));
+  try {
+    load(path);
+    s.file = path.string();
+  } catch (const cases::ShapeFileError& e) {
+    findings.mistake(key, fmt::format("{}: \"{}\" {}", key, path.string(), e.what()));
+  }
+}
+
+}  // namespace
+
+void load_shapes(Scene& scene, Findings& findings) {
+  if (!findings.sound({"domain", "fluid.cell_size_m", "grains"})) return;
+  if (!(scene.domain.upper.array() > scene.domain.lower.array()).all()) return;
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+    WallSettings& w = scene.walls[i];
+    const std::string path = fmt::format("wall[{}]", i);
+    if (!findings.sound({path})) continue;
+    if (w.shape == WallShape::mesh)
+      load_file(w.file, path + ".file", findings, [&](const fs::path& file) { sample_mesh(scene, file, w.file); });
+    if (w.shape == WallShape::heightmap)
+      load_file(w.file, path + ".file", findings, [&](const fs::path& file) { sample_heightmap(scene, file, w.file); });
+  }
+  if (!scene.fluid.enabled) return;
+  for (std::size_t i = 0; i < scene.fluid.regions.size(); ++i) {
+    FluidRegion& r = scene.fluid.regions[i];
+    const std::string path = fmt::format("fluid.region[{}]", i);
+    if (!findings.sound({path})) continue;
+    const Vec3 around = Vec3::Constant(r.radius);
+    if (r.shape == RegionShape::sphere) r.lower = r.centre - around, r.upper = r.centre + around;
+    if (r.shape == RegionShape::cylinder) {
+      // A disc of radius r and unit axis a reaches r sqrt(1 - a_k^2) along k.
+      const Vec3 axis = (r.end - r.start).normalized();
+      const Vec3 reach = r.radius * (Vec3::Ones() - axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
+      r.lower = r.start.cwiseMin(r.end) - reach, r.upper = r.start.cwiseMax(r.end) + reach;
+    }
+    if (r.shape == RegionShape::mesh)
+      load_file(r.file, path + ".file", findings, [&](const fs::path& file) {
+        const Bounds b = sample_mesh(scene, file, r.file);
+        r.lower = b.lower, r.upper = b.upper;
+      });
+  }
+}
+
+}  // namespace lahar::scene

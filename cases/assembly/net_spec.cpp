@@ -1,0 +1,108 @@
+#include "cases/assembly/net_spec.h"
+
+#include <algorithm>
+
+namespace lahar::scene {
+namespace {
+
+dem::BondSort wire(const Scene& scene, double stiffness) {
+  dem::BondSort sort =
+      barrier::wire_bond(stiffness * scene.solids.bond_stiffness_scale, scene.barrier.net.wire_diameter / 2);
+  sort.damping_ratio = scene.solids.bond_damping_ratio;
+  return sort;
+}
+
+/// Two or three stages; a stage that is not given continues the one before. Force limits are not scaled.
+dem::BondSort dissipator(const Scene& scene) {
+  const BarrierBonds& bonds = scene.barrier.bonds;
+  dem::BondSort sort = wire(scene, bonds.dissipator_stiffness.front());
+  for (std::size_t stage = 1; stage < 3; ++stage) {
+    const std::size_t given = std::min(stage, bonds.dissipator_stiffness.size() - 1);
+    sort.axial.stiffness[stage] = bonds.dissipator_stiffness[given] * scene.solids.bond_stiffness_scale;
+  }
+  std::copy(bonds.dissipator_force_limit.begin(), bonds.dissipator_force_limit.end(), sort.axial.force_limit.begin());
+  sort.axial.plastic_unloading = bonds.plastic_unloading;
+  return sort;
+}
+
+barrier::CableSupport support(const Scene& scene, std::vector<double> fixed_at) {
+  const bool braked = !scene.barrier.bonds.dissipator_stiffness.empty();
+  return {.fixed_at = std::move(fixed_at),
+          .fixed_all = false,
+          .dissipators_at = braked ? scene.barrier.bonds.dissipator_places : std::vector<double>{}};
+}
+
+barrier::WireLaw wire_law(const Scene& scene, const std::vector<double>& strain, const std::vector<double>& force) {
+  barrier::WireLaw law;
+  std::copy_n(strain.begin(), std::min(strain.size(), law.strain.size()), law.strain.begin());
+  std::copy_n(force.begin(), std::min(force.size(), law.force.size()), law.force.begin());
+  for (double& e : law.strain) e /= scene.solids.bond_stiffness_scale;
+  return law;
+}
+
+barrier::HexagonalMesh mesh_of(const Scene& scene) {
+  const Net& net = scene.barrier.net;
+  barrier::HexagonalMesh mesh;
+  mesh.mesh_width = net.mesh_width, mesh.mesh_height = net.mesh_height, mesh.twist_length = net.twist_length;
+  mesh.wire_diameter = net.mesh_wire_diameter, mesh.wire_density = net.density, mesh.node_diameter = net.node_diameter;
+  mesh.single = wire_law(scene, net.single_strain, net.single_force);
+  mesh.twist = wire_law(scene, net.twist_strain, net.twist_force);
+  mesh.plastic_unloading = net.wires_unload_plastically;
+  mesh.damping_ratio = scene.solids.bond_damping_ratio;
+  return mesh;
+}
+
+}  // namespace
+
+barrier::RingNetSpec make_net_spec(const Scene& scene) {
+  const Net& net = scene.barrier.net;
+  const Anchors& anchors = scene.barrier.anchors;
+  barrier::RingNetSpec spec;
+  spec.origin = net.origin;
+  spec.across = net.width_direction.normalized();
+  spec.up = net.height_direction.normalized();
+  spec.normal = spec.across.cross(spec.up);
+  spec.width = net.width;
+  spec.height = net.height;
+  if (net.kind == NetKind::hexagonal) spec.mesh = mesh_of(scene);
+  spec.ring_diameter = net.ring_diameter;
+  spec.ring_pitch = net.ring_pitch;
+  spec.beads_per_ring = static_cast<int>(net.beads_per_ring);
+  spec.wire_diameter = net.wire_diameter;
+  spec.density = net.density;
+  spec.material = material_index(scene, net.material);
+  spec.ring = wire(scene, scene.barrier.bonds.ring_stiffness);
+  spec.cable = wire(scene, scene.barrier.bonds.cable_stiffness);
+  if (!scene.barrier.bonds.dissipator_stiffness.empty()) spec.dissipator = dissipator(scene);
+  spec.upper.support = support(scene, anchors.cable_places);
+  spec.lower.support = anchors.bottom_cable_fixed
+                           ? barrier::CableSupport{.fixed_at = {}, .fixed_all = true, .dissipators_at = {}}
+                           : support(scene, anchors.cable_places);
+  std::vector<double> lateral = anchors.cable_places;
+  if (anchors.lateral_cable_middles_fixed) lateral.push_back(0.5);
+  std::ranges::sort(lateral);
+  spec.left.support = spec.right.support = support(scene, lateral);
+  return spec;
+}
+
+barrier::SpansSpec make_spans_spec(const Scene& scene) {
+  const Posts& posts = scene.barrier.posts;
+  barrier::SpansSpec spec;
+  spec.net = make_net_spec(scene);
+  spec.spans = static_cast<int>(posts.spans);
+  spec.post_height = posts.height;
+  spec.post_diameter = posts.diameter;
+  spec.section = {posts.youngs_modulus * scene.solids.bond_stiffness_scale, posts.area, posts.second_moment,
+                  posts.density, scene.solids.bond_damping_ratio};
+  spec.foot = posts.foot == PostFoot::hinged ? barrier::Foot::hinged : barrier::Foot::fixed;
+  for (const RetainingCable& r : posts.retaining)
+    spec.retaining.push_back({static_cast<int>(r.post), r.anchor_offset, r.dissipator_places});
+  return spec;
+}
+
+barrier::Net build_barrier(const Scene& scene, dem::Particles& particles, dem::Bonds& bonds) {
+  if (scene.barrier.posts.enabled) return barrier::build_spans(make_spans_spec(scene), particles, bonds);
+  return barrier::build_net(make_net_spec(scene), particles, bonds);
+}
+
+}  // namespace lahar::scene

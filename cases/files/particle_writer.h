@@ -1,0 +1,59 @@
+#pragma once
+// particles.h5 with particles.xmf and bonds.xmf: what ParaView needs to show grains, beads and bonds over time.
+//   /frames/NNNNNN/       position, velocity, angular_velocity (N x 3), state (N); axial_force, elongation, intact (M);
+//                         attribute time_s
+//   /constant/NNNNNN/     id, radius, kind, body (N); connectivity (M x 2), sort (M): stored once, and again only when
+//                         particles or bonds were added (NNNNNN is the first frame that they belong to)
+// Numbers are float32 or integers in SI units; every dataset has the attribute `unit`.
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/files/hdf5_file.h"
+#include "cases/files/xdmf.h"
+#include "dem/bonds/bonds.h"
+#include "dem/particles.h"
+
+namespace lahar::cases {
+
+/// Writes one frame at a time. After each frame the HDF5 file is flushed and the .xmf files are replaced, so that
+/// everything up to that frame can be looked at while the run goes on or after it was killed.
+class ParticleWriter {
+ public:
+  /// Starts particles.h5 in an existing directory. Throws FileError.
+  explicit ParticleWriter(const std::filesystem::path& directory);
+
+  /// State of a checkpoint. Loading goes on with the file in the directory: frames that came later are dropped,
+  /// constants are stored again with the next frame. Throws FileError.
+  void transfer(Archive& archive);
+
+  /// Adds a frame. Throws FileError.
+  void write(double time_s, const dem::Particles& particles, const dem::Bonds& bonds);
+  [[nodiscard]] std::uint64_t frames() const { return frames_; }
+  /// Flushes and closes; nothing may be written afterwards.
+  void close() {
+    if (file_) file_->close();
+  }
+
+ private:
+  template <class T>
+  XdmfArray store(const std::string& name, const std::vector<T>& values, int width, const char* unit);
+  XdmfArray store_vectors(const std::string& name, const Vec3Field& field, const char* unit);
+  XdmfArray store_scalars(const std::string& name, const std::vector<double>& values, const char* unit);
+  void write_constants(const dem::Particles& particles, const dem::Bonds& bonds);
+  void write_particles(const std::string& group, XdmfGrid& grid, const dem::Particles& particles);
+  void drop_later_frames();
+  void write_bonds(const std::string& group, XdmfGrid& grid, const dem::Bonds& bonds);
+
+  std::filesystem::path directory_;
+  std::optional<Hdf5File> file_;                   ///< none until the first frame
+  std::uint64_t frames_ = 0, constants_from_ = 0;  ///< written; the frame that needs constants whatever is known
+  std::size_t particles_ = 0, bonds_ = 0;          // sizes that the constants belong to
+  XdmfArray ids_, connectivity_;
+  std::vector<XdmfField> particle_constants_, bond_constants_;
+  std::string particle_grids_, bond_grids_;
+};
+
+}  // namespace lahar::cases

@@ -1,0 +1,63 @@
+#pragma once
+// series.h5: time series. Each column is a one-dimensional dataset /series/NAME of doubles with the attributes `unit`
+// and `description`; /series/time_s is the common abscissa.
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/files/hdf5_file.h"
+
+namespace lahar::cases {
+
+/// Writes series.h5 row by row. Rows are gathered and written together; a killed run loses at most the rows since the
+/// last flush. Every function throws FileError when the file cannot be written.
+class SeriesWriter {
+ public:
+  /// Starts a new file. `rows_per_flush` rows are gathered before they go to disk.
+  explicit SeriesWriter(const std::filesystem::path& path, std::size_t rows_per_flush = 64);
+  /// Goes on with the file of an earlier run; rows later than `until_s` are dropped.
+  static SeriesWriter resume(const std::filesystem::path& path, double until_s, std::size_t rows_per_flush = 64);
+  SeriesWriter(SeriesWriter&&) = default;
+  SeriesWriter& operator=(SeriesWriter&&) = delete;
+  ~SeriesWriter();
+
+  /// Announces a column and returns its index. Asking again for a known name returns the same index. A column that is
+  /// declared after rows were appended holds NaN in them. Throws std::logic_error for an unusable name or if the unit
+  /// differs from that of the first declaration.
+  std::size_t declare(const std::string& name, const std::string& unit, const std::string& description);
+
+  /// One row: a value for each declared column, in the order of declaration. Times must not go back. Throws
+  /// std::logic_error if the number of values or the time is wrong.
+  void append(double time_s, std::span<const double> values);
+  void append(double time_s, std::initializer_list<double> values) {
+    append(time_s, std::span<const double>(values.begin(), values.size()));
+  }
+
+  /// Puts all rows on disk.
+  void flush();
+  /// Flushes and closes; nothing may be appended afterwards.
+  void close();
+
+  [[nodiscard]] std::size_t columns() const { return columns_.size(); }
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+
+ private:
+  struct Column {
+    Hdf5Column data;
+    std::string unit;
+    std::vector<double> pending;
+  };
+  SeriesWriter(Hdf5File file, std::size_t rows_per_flush);
+  void write_pending(Column& column);
+
+  Hdf5File file_;
+  std::size_t rows_per_flush_, rows_ = 0;
+  double last_time_s_;
+  std::vector<Column> time_;  // one element, none once closed
+  std::vector<Column> columns_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace lahar::cases

@@ -1,0 +1,42 @@
+#include "cases/observers/fluid_samples.h"
+
+#include <cmath>
+
+namespace lahar::cases {
+
+template <class Real>
+double depth_over(const lbm::Fluid<Real>& fluid, const Vec3& point, double top) {
+  const double dx = fluid.units().cell_size;
+  double depth = 0;
+  for (double z = point.z() + dx / 2; z < top; z += dx)
+    if (const auto cell = fluid.cell_at({point.x(), point.y(), z})) depth += cell->fill_level * dx;
+  return depth;
+}
+
+template <class Real>
+double pressure_at(const lbm::Fluid<Real>& fluid, const Vec3& point) {
+  const lbm::Domain& domain = fluid.grid().domain();
+  const double dx = fluid.units().cell_size;
+  Vec3 p = point;
+  const WallPoint wall = domain.walls().nearest(p);
+  if (wall.wall >= 0 && wall.distance < dx / 2) p += (dx / 2 - wall.distance) * wall.normal;
+  const Vec3 place = (p - domain.origin()) / dx - Vec3::Constant(0.5);  // in cells, centres at whole numbers
+  const Vec3 low = place.array().floor();
+  double sum = 0, weights = 0;
+  for (int k = 0; k < 8; ++k) {
+    const Vec3 corner = low + Vec3(k & 1, (k >> 1) & 1, k >> 2);
+    const double weight = (Vec3::Ones() - (place - corner).cwiseAbs()).prod();
+    const Vec3 centre = domain.origin() + dx * (corner + Vec3::Constant(0.5));
+    if (weight < 1e-9 || domain.classify(domain.cell_at(centre)) == lbm::CellType::wall) continue;
+    if (const auto cell = fluid.cell_at(centre)) sum += weight * cell->pressure;
+    weights += weight;
+  }
+  return weights > 0 ? sum / weights : 0.0;
+}
+
+template double depth_over<float>(const lbm::Fluid<float>&, const Vec3&, double);
+template double depth_over<double>(const lbm::Fluid<double>&, const Vec3&, double);
+template double pressure_at<float>(const lbm::Fluid<float>&, const Vec3&);
+template double pressure_at<double>(const lbm::Fluid<double>&, const Vec3&);
+
+}  // namespace lahar::cases

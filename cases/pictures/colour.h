@@ -1,0 +1,25 @@
+#pragma once
+// Colours as red, green, blue in 0..1: linear light while a picture is computed, display (sRGB) values in an Image.
+#include <cstdint>
+
+#include "cases/pictures/ray.h"
+
+namespace lahar::cases {
+
+using Colour = Vec3f;
+
+/// Display colour from 0xRRGGBB.
+[[nodiscard]] Colour from_hex(std::uint32_t rgb);
+/// sRGB transfer function (IEC 61966-2-1), per channel.
+[[nodiscard]] Colour to_display(const Colour& linear);
+[[nodiscard]] Colour to_linear(const Colour& display);
+
+/// Which quantity a ramp of display colours stands for; t in 0..1 is clamped.
+enum class ColourRamp {
+  stone,    ///< grain size: dark slate (small) to light sandstone (large)
+  speed,    ///< slow blue to fast yellow
+  tension,  ///< slack steel grey to taut red
+};
+[[nodiscard]] Colour ramp_colour(ColourRamp ramp, float t);
+
+}  // namespace lahar::cases

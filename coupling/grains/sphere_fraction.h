@@ -1,0 +1,68 @@
+#pragma once
+// How much of a cell a sphere covers. All lengths in cells.
+//
+// Near the surface the covered fraction of a cell is taken as linear in the distance d of the cell's centre from a
+// sphere of radius r':  eps = clamp(1/2 - d, 0, 1). Averaged over all offsets of the sphere to the grid this gives the
+// volume 4/3 pi (r'^3 + r'/4) for r' >= 1/2 (the sphere convolved with a box of width 1), so r' is chosen to give the
+// true volume; what is left for a particular offset is removed by a factor (see BodyMap).
+#include <algorithm>
+#include <cmath>
+
+#include "coupling/grains/grid_sphere.h"
+#include "coupling/rows.h"
+
+namespace lahar::coupling {
+
+/// The radius r' >= 1/2 with r'^3 + r'/4 = r^3 (Newton); 1/2 for smaller spheres, whose factor does the rest.
+inline double mapping_radius(double r) {
+  const double target = std::max(r * r * r, 0.25);
+  double x = std::max(r, 0.5);
+  for (int k = 0; k < 20; ++k) x -= (x * x * x + x / 4 - target) / (3 * x * x + 0.25);
+  return x;
+}
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 warns of registers in its own AVX-512 header
+
+/// Distances of the cells of a row, (x0..x0+7, y, z), from the centre. A cell at the edge must be covered for all
+/// callers or for none: contraction of products and sums is spelled out (core/multiply_add.h).
+template <class Real>
+[[gnu::always_inline]] inline lbm::Row<Real> distance_row(const GridSphere<Real>& s, int x0, int y, int z) {
+  const Real dy = static_cast<Real>(y) + Real(0.5) - s.centre[1], dz = static_cast<Real>(z) + Real(0.5) - s.centre[2];
+  const lbm::Row<Real> base(multiply_add(dy, dy, dz * dz));
+  const lbm::Row<Real> dx = (static_cast<Real>(x0) + Real(0.5) - s.centre[0]) + row_places<Real>();
+  return stdx::sqrt(multiply_add(dx, dx, base));
+}
+
+#pragma GCC diagnostic pop
+
+/// eps at given distances.
+template <class Real>
+[[gnu::always_inline]] inline lbm::Row<Real> fraction_at(const GridSphere<Real>& s, const lbm::Row<Real>& distance) {
+  using Row = lbm::Row<Real>;
+  const Row cover = (Real(0.5) + s.radius) - distance;
+  return s.factor * stdx::min(Row(1), stdx::max(Row(0), cover));
+}
+
+/// eps of the sphere in a row of 8 cells, and what it writes into their coverage.
+template <class Real>
+struct RowCover {
+  lbm::Row<Real> fraction, coverage;
+};
+
+template <class Real>
+[[gnu::always_inline]] inline lbm::Row<Real> fraction_row(const GridSphere<Real>& s, int x0, int y, int z) {
+  return fraction_at(s, distance_row(s, x0, y, z));
+}
+
+/// `kByDistance`: s.surface is given.
+template <bool kByDistance, class Real>
+[[gnu::always_inline]] inline RowCover<Real> cover_row(const GridSphere<Real>& s, int x0, int y, int z) {
+  const lbm::Row<Real> distance = distance_row(s, x0, y, z), eps = fraction_at(s, distance);
+  if constexpr (kByDistance)
+    return {eps, wall_resistance<lbm::Row<Real>>(distance - s.surface)};
+  else
+    return {eps, eps};
+}
+
+}  // namespace lahar::coupling

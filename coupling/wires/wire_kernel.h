@@ -1,0 +1,47 @@
+#pragma once
+// The cells that a piece of wire samples and gives its force to.
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry.h"
+#include "coupling/wires/drag_law.h"
+
+namespace lahar::coupling {
+
+/// The cells that the kernel around a point reaches, with its weights per axis: that of Roma et al., `scale` times as
+/// wide, its sum set right where the scale is no whole number.
+class WireKernel {
+ public:
+  WireKernel(const Vec3& place, double scale) {
+    const double reach = 1.5 * scale;
+    for (int a = 0; a < 3; ++a) {
+      lowest_[a] = static_cast<int>(std::floor(place[a] - reach + 0.5));
+      count_[a] = std::min(kMost, static_cast<int>(std::floor(place[a] + reach - 0.5)) + 1 - lowest_[a]);
+      double sum = 0;
+      for (int k = 0; k < count_[a]; ++k) sum += weight_[a][k] = roma_kernel((lowest_[a] + k + 0.5 - place[a]) / scale);
+      for (int k = 0; k < count_[a]; ++k) weight_[a][k] /= sum;
+    }
+  }
+
+  [[nodiscard]] const Vec3i& lowest() const { return lowest_; }
+  [[nodiscard]] Vec3i highest() const { return lowest_ + count_ - Vec3i::Ones(); }
+
+  /// visit(cell, weight)
+  template <class Visit>
+  void for_cells(const Visit& visit) const {
+    for (int x = 0; x < count_.x(); ++x)
+      for (int y = 0; y < count_.y(); ++y)
+        for (int z = 0; z < count_.z(); ++z) {
+          const double w = weight_[0][x] * weight_[1][y] * weight_[2][z];
+          if (w > 0) visit(Vec3i(lowest_ + Vec3i(x, y, z)), w);
+        }
+  }
+
+  static constexpr int kMost = 16;  ///< cells along an axis: within three blocks, for scales up to 5
+
+ private:
+  Vec3i lowest_ = Vec3i::Zero(), count_ = Vec3i::Zero();
+  double weight_[3][kMost] = {};
+};
+
+}  // namespace lahar::coupling

@@ -1,0 +1,157 @@
+#include "coupling/wires/wire_map.h"
+
+#include <cstring>
+
+#include "core/check.h"
+#include "core/parallel.h"
+
+namespace lahar::coupling {
+
+using lbm::BlockIndex;
+using lbm::kNoBlock;
+
+namespace {
+
+template <class Real>
+void assign(Real (&to)[3], const Vec3& from) {
+  for (int a = 0; a < 3; ++a) to[a] = static_cast<Real>(from[a]);
+}
+
+template <class Real>
+GridMotion<Real> motion_of(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, dem::ParticleIndex i) {
+  GridMotion<Real> m;
+  assign(m.velocity, particles.velocity[i] * fluid.units().velocity_to_lu(1.0));
+  assign(m.spin, particles.angular_velocity[i] * fluid.units().time_step);
+  return m;
+}
+
+}  // namespace
+
+template <class Real>
+void WireMap<Real>::update(lbm::Fluid<Real>& fluid, const dem::Particles& particles, const dem::Bonds& bonds) {
+  map(fluid, particles, bonds);
+  book_displacement(fluid);
+}
+
+template <class Real>
+void WireMap<Real>::embed(lbm::Fluid<Real>& fluid, const dem::Particles& particles, const dem::Bonds& bonds) {
+  require(states_.empty(), "WireMap::embed: wires are mapped already");
+  map(fluid, particles, bonds);
+  for (std::size_t b = 0; b < wires_.beads().size(); ++b) {
+    double& wet = states_[wires_.beads()[b]].wet;
+    for_pairs_of(b, [&](std::size_t p, std::size_t end) { wet += shares_[p][end].wet; });
+  }
+}
+
+template <class Real>
+void WireMap<Real>::map(lbm::Fluid<Real>& fluid, const dem::Particles& particles, const dem::Bonds& bonds) {
+  remember(fluid, particles);
+  place_pieces(fluid, particles, bonds);
+  collect_pairs(fluid);
+  sort_by_block(fluid);
+  write_fields(fluid);
+}
+
+/// The mean acceleration of the beads over the last step.
+template <class Real>
+void WireMap<Real>::remember(const lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+  states_.resize(particles.size());
+  parallel_for(0, wires_.beads().size(), 256, [&](std::size_t b) {
+    const dem::ParticleIndex i = wires_.beads()[b];
+    State& s = states_[i];
+    const double dt = fluid.units().time_step;
+    s.acceleration = s.known ? Vec3((particles.velocity[i] - s.velocity) / dt) : Vec3(Vec3::Zero());
+    s.spin_up = s.known ? Vec3((particles.angular_velocity[i] - s.spin) / dt) : Vec3(Vec3::Zero());
+    s.velocity = particles.velocity[i], s.spin = particles.angular_velocity[i];
+    s.known = true;
+  });
+}
+
+template <class Real>
+void WireMap<Real>::place_pieces(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
+                                 const dem::Bonds& bonds) {
+  const double dx = fluid.units().cell_size;
+  const lbm::Domain& domain = fluid.grid().domain();
+  wires_.find_ends(particles, bonds, lbm::kBlockWidth * dx * domain.period().template cast<double>(), ends_);
+  former_pieces_.swap(pieces_);
+  pieces_.resize(wires_.bonds().size()), same_.resize(pieces_.size());
+  const bool comparable = former_pieces_.size() == pieces_.size();
+  parallel_for(0, pieces_.size(), 64, [&](std::size_t k) {
+    const std::uint32_t bond = wires_.bonds()[k];
+    const dem::ParticleIndex beads[2] = {bonds.i[bond], bonds.j[bond]};
+    GridPiece<Real>& piece = pieces_[k];
+    std::memset(static_cast<void*>(&piece), 0, sizeof piece);  // so that it can be compared by bits
+    Vec3 place[2];
+    for (int e = 0; e < 2; ++e) {
+      place[e] = (particles.position[beads[e]] - domain.origin()) / dx;
+      const WireEnd& end = ends_[2 * k + static_cast<std::size_t>(e)];
+      assign(piece.cuts[e].place, place[e]);
+      assign(piece.cuts[e].normal, end.normal);
+      piece.cuts[e].side = end.side;
+      piece.motion[e] = motion_of(fluid, particles, beads[e]);
+    }
+    const Vec3 arm = place[1] - place[0];
+    const double radius = wire_diameter(particles, bonds, bond) / (2 * dx);
+    assign(piece.start, place[0]), assign(piece.end, place[1]);
+    assign(piece.along, arm.normalized());
+    piece.length = static_cast<Real>(arm.norm());
+    piece.radius = static_cast<Real>(capsule_mapping_radius(radius));
+    piece.surface = fluid.options().weighting == lbm::BodyWeighting::wall_distance
+                        ? static_cast<Real>(std::max(0.0, radius + radius_shift_))
+                        : Real(-2);
+    same_[k] = comparable && std::memcmp(&piece, &former_pieces_[k], sizeof piece) == 0;
+  });
+}
+
+template <class Real>
+void WireMap<Real>::collect_pairs(const lbm::Fluid<Real>& fluid) {
+  pairs_.clear();
+  first_pair_.resize(pieces_.size() + 1);
+  for (std::size_t k = 0; k < pieces_.size(); ++k) {
+    first_pair_[k] = pairs_.size();
+    if (!(pieces_[k].length > 0)) continue;
+    const PieceBox<Real> box = box_of(pieces_[k], reach_of(pieces_[k]));
+    Vec3i low, high;
+    for (int a = 0; a < 3; ++a) {
+      low[a] = static_cast<int>(std::floor(box.low[a])) >> 3;
+      high[a] = static_cast<int>(std::floor(box.high[a])) >> 3;
+    }
+    for (int x = low.x(); x <= high.x(); ++x)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int z = low.z(); z <= high.z(); ++z) {
+          const BlockIndex b = fluid.grid().topology().find(Vec3i(x, y, z));
+          if (b == kNoBlock) continue;
+          pairs_.push_back(
+              {b, static_cast<std::uint32_t>(k), fluid.grid().block(b).birth, lbm::kBlockWidth * Vec3i(x, y, z)});
+        }
+  }
+  first_pair_[pieces_.size()] = pairs_.size();
+  shares_.assign(pairs_.size(), {});
+}
+
+/// Counting sort; within a block the pairs stay in the order of the pieces.
+template <class Real>
+void WireMap<Real>::sort_by_block(const lbm::Fluid<Real>& fluid) {
+  const std::size_t blocks = fluid.grid().topology().capacity();
+  former_count_.assign(blocks, 0);
+  for (std::size_t b = 0; b + 1 < block_start_.size() && b < blocks; ++b)
+    former_count_[b] = block_start_[b + 1] - block_start_[b];
+  block_start_.assign(blocks + 1, 0);
+  for (const Pair& p : pairs_) ++block_start_[static_cast<std::size_t>(p.block) + 1];
+  for (std::size_t b = 1; b < block_start_.size(); ++b) block_start_[b] += block_start_[b - 1];
+  by_block_.resize(pairs_.size());
+  next_.assign(block_start_.begin(), block_start_.end() - 1);
+  for (std::uint32_t k = 0; k < pairs_.size(); ++k) by_block_[next_[static_cast<std::size_t>(pairs_[k].block)]++] = k;
+}
+
+template <class Real>
+double WireMap<Real>::wet_volume() const {
+  double sum = 0;
+  for (const auto& share : shares_) sum += share[0].wet + share[1].wet;
+  return sum;
+}
+
+template class WireMap<float>;
+template class WireMap<double>;
+
+}  // namespace lahar::coupling

@@ -1,0 +1,174 @@
+// Force and torque of the fluid on the beads of resolved wires. Compiled without contraction of products and sums, as
+// wire_map_fields.cpp is.
+#include <cstdio>
+
+#include "core/check.h"
+#include "coupling/grains/followed_force.h"
+#include "coupling/wires/wire_map_parts.h"
+
+namespace lahar::coupling {
+
+using lbm::Row;
+
+namespace {
+
+[[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
+  const Vec3 p = particles.position[i];
+  char where[112];
+  std::snprintf(where, sizeof where, "bead %u at (%.4g, %.4g, %.4g) m", i, p.x(), p.y(), p.z());
+  throw NumericalFailure(where, step, "the force of the fluid on it is not finite");
+}
+
+template <class Real>
+double sum_of(const Row<Real>& row) {
+  return static_cast<double>(stdx::reduce(row));
+}
+
+/// What the cells do to one bead, one sum for each of the 8 places in a row; arms from the bead.
+template <class Real>
+struct LoadSums {
+  using R = Row<Real>;
+  R force[3]{R(0), R(0), R(0)}, torque[3]{R(0), R(0), R(0)};
+  R held{0}, held_inertia{0}, wet{0};
+
+  /// `share`: of the bead in the cells.
+  [[gnu::always_inline]] void add(const R& share, const ArmRow<Real>& arm, const MotionRow<Real>& f, const R& held_here,
+                                  const R& wet_here) {
+    const R fx = share * f.x, fy = share * f.y, fz = share * f.z, h = share * held_here;
+    force[0] += fx, force[1] += fy, force[2] += fz;
+    torque[0] += arm.y * fz - arm.z * fy;
+    torque[1] += arm.z * fx - arm.x * fz;
+    torque[2] += arm.x * fy - arm.y * fx;
+    held += h, wet += share * wet_here;
+    held_inertia += h * (arm.x * arm.x + Real(arm.y * arm.y + arm.z * arm.z));
+  }
+  template <class Load>
+  void reduce(Load& load) const {
+    load.force = Vec3(sum_of(force[0]), sum_of(force[1]), sum_of(force[2]));
+    load.torque = Vec3(sum_of(torque[0]), sum_of(torque[1]), sum_of(torque[2]));
+    load.held = sum_of(held), load.held_inertia = 2.0 / 3.0 * sum_of(held_inertia), load.wet = sum_of(wet);
+  }
+};
+
+/// What a block knows that its pieces are loaded by.
+template <class Real>
+struct Surroundings {
+  const lbm::BodyFields<Real>& fields;
+  const CellMask<Real>* wet;  ///< null: all cells
+  const lbm::CoverageLaw& law;
+  Vec3 gravity;  ///< lu
+};
+
+/// Loads of a piece on its two beads; `rises`: their accelerations. Returns the piece's part of the exchange. In a cell
+/// the load is that part, the inertia of the liquid in the piece's place given back (Feng & Michaelides 2009; Uhlmann
+/// 2005), and the weight of that liquid: buoyancy.
+template <bool kByDistance, class Real, class Load>
+[[gnu::noinline]] Vec3 load_piece(const GridPiece<Real> piece, const Vec3i lowest, const GridMotion<Real> rises[2],
+                                  const Surroundings<Real>& around, std::array<Load, 2>& loads) {
+  using R = Row<Real>;
+  LoadSums<Real> sums[2];
+  R taken[3]{R(0), R(0), R(0)};
+  const lbm::BodyFields<Real>& f = around.fields;
+  const Real gravity[3] = {static_cast<Real>(around.gravity.x()), static_cast<Real>(around.gravity.y()),
+                           static_cast<Real>(around.gravity.z())};
+  const auto law = [&](double x) { return R(static_cast<Real>(x)); };
+  for_piece_rows<kByDistance>(piece, lowest, reach_of(piece), [&](int row, const PieceRow<Real>& cover, int y, int z) {
+    if (stdx::all_of(cover.coverage <= R(0))) return;
+    const R part = cover.coverage / stdx::max(R(f.coverage + row, stdx::vector_aligned), R(Real(1e-30)));
+    const MotionRow<Real> exchange{part * R(f.exchange_x + row, stdx::vector_aligned),
+                                   part * R(f.exchange_y + row, stdx::vector_aligned),
+                                   part * R(f.exchange_z + row, stdx::vector_aligned)};
+    taken[0] += exchange.x, taken[1] += exchange.y, taken[2] += exchange.z;
+    const R liquid = around.wet ? around.wet->row(row) : R(1);
+    const R weight = lbm::coverage_weight<R>(R(f.resistance + row, stdx::vector_aligned), law(around.law.alpha),
+                                             law(around.law.beta), law(around.law.gamma), law(around.law.cap),
+                                             law(around.law.largest));
+    const R held = part * weight * liquid, wet = cover.fraction * liquid;
+    const R inside = kByDistance ? wet : held;
+    const ArmRow<Real> arm[2] = {ArmRow<Real>::from(piece.start, lowest.x(), y, z),
+                                 ArmRow<Real>::from(piece.end, lowest.x(), y, z)};
+    const MotionRow<Real> rise = blend(motion_row(rises[0], arm[0].x, arm[0].y, arm[0].z),
+                                       motion_row(rises[1], arm[1].x, arm[1].y, arm[1].z), cover.share);
+    const MotionRow<Real> load{exchange.x + inside * rise.x - wet * gravity[0],
+                               exchange.y + inside * rise.y - wet * gravity[1],
+                               exchange.z + inside * rise.z - wet * gravity[2]};
+    sums[0].add(R(1) - cover.share, arm[0], load, held, wet);
+    sums[1].add(cover.share, arm[1], load, held, wet);
+  });
+  for (std::size_t e = 0; e < 2; ++e) sums[e].reduce(loads[e]);
+  return {sum_of(taken[0]), sum_of(taken[1]), sum_of(taken[2])};
+}
+
+}  // namespace
+
+template <class Real>
+void WireMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) {
+  const auto pairs = pairs_in(index);
+  const auto b = static_cast<lbm::BlockIndex>(index);
+  const lbm::FluidGrid<Real>& grid = fluid.grid();
+  if (!grid.exists(b) || grid.block(b).birth != pairs_[pairs.front()].birth) return;
+  const lbm::Block<Real>& block = grid.block(b);
+  std::optional<CellMask<Real>> wet;
+  if (block.wet_cells < lbm::kBlockCells) wet.emplace(block, [](lbm::CellType t) { return lbm::is_wet(t); });
+  const auto& units = fluid.units();
+  const Surroundings<Real> around{*block.body, wet ? &*wet : nullptr, fluid.coverage_law(),
+                                  fluid.options().gravity * units.acceleration_to_lu(1.0)};
+  const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
+  for (const std::uint32_t k : pairs) {
+    const std::size_t piece = pairs_[k].piece;
+    GridMotion<Real> rises[2];
+    for (int e = 0; e < 2; ++e) {
+      const State& s = states_[wires_.beads()[wires_.bead_of(piece, e)]];
+      const double spin_lu = units.time_step * units.time_step;
+      for (int a = 0; a < 3; ++a) {
+        rises[e].velocity[a] = static_cast<Real>(units.acceleration_to_lu(1.0) * s.acceleration[a]);
+        rises[e].spin[a] = static_cast<Real>(spin_lu * s.spin_up[a]);
+      }
+    }
+    const auto load = by_distance ? &load_piece<true, Real, Load> : &load_piece<false, Real, Load>;
+    taken_[k] = load(pieces_[piece], pairs_[k].lowest, rises, around, loads_[k]);
+  }
+}
+
+template <class Real>
+void WireMap<Real>::hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& particles, std::size_t bead) {
+  Load sum;
+  for_pairs_of(bead, [&](std::size_t p, std::size_t end) {
+    const Load& load = loads_[p][end];
+    sum.force += load.force, sum.torque += load.torque;
+    sum.held += load.held, sum.held_inertia += load.held_inertia;
+    sum.wet += load.wet;
+  });
+  const auto& units = fluid.units();
+  const dem::ParticleIndex i = wires_.beads()[bead];
+  State& s = states_[i];
+  s.wet = sum.wet;
+  const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
+  follow(s.felt_force, sum.force * units.force_to_si(1.0), followed_share(particles.mass[i], to_kg * sum.held),
+         sum.held > 0);
+  follow(s.felt_torque, sum.torque * units.torque_to_si(1.0),
+         followed_share(particles.inertia[i], to_kg_m2 * sum.held_inertia), sum.held > 0);
+  particles.external_force.add(i, s.felt_force);
+  particles.external_torque.add(i, s.felt_torque);
+}
+
+template <class Real>
+Vec3 WireMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
+  loads_.assign(pairs_.size(), {}), taken_.assign(pairs_.size(), Vec3::Zero());
+  for_each_block([&](std::size_t b) { add_loads(fluid, b); });
+  parallel_for(0, wires_.beads().size(), 256, [&](std::size_t b) { hand_over(fluid, particles, b); });
+  for (const dem::ParticleIndex i : wires_.beads())
+    if (!particles.external_force[i].allFinite()) report_bad_force(particles, i, fluid.steps());
+  Vec3 total = Vec3::Zero();
+  for (const Vec3& t : taken_) total += t;
+  return total;
+}
+
+template void WireMap<float>::add_loads(const lbm::Fluid<float>&, std::size_t);
+template void WireMap<double>::add_loads(const lbm::Fluid<double>&, std::size_t);
+template void WireMap<float>::hand_over(const lbm::Fluid<float>&, dem::Particles&, std::size_t);
+template void WireMap<double>::hand_over(const lbm::Fluid<double>&, dem::Particles&, std::size_t);
+template Vec3 WireMap<float>::add_forces(lbm::Fluid<float>&, dem::Particles&);
+template Vec3 WireMap<double>::add_forces(lbm::Fluid<double>&, dem::Particles&);
+
+}  // namespace lahar::coupling

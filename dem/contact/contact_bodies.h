@@ -1,0 +1,36 @@
+#pragma once
+// What contact evaluation reads of a particle: three lines of eight numbers, arranged so that what a contact needs of
+// its two spheres is the difference or the sum of their lines. A fourth line takes what the particle gets.
+#include <cstdint>
+
+#include "dem/contact/contact_detection.h"
+#include "dem/lanes.h"
+#include "dem/particles.h"
+
+namespace lahar::dem {
+
+/// The lines of the particles that have a place among the parties of contacts (SI units; spin in rad/s):
+/// 0: position, velocity at mid-step, velocity at the end of the step (x, y)
+/// 1: velocity at the end (z), spin at mid-step, spin at the end, radius
+/// 2: radius x spin at mid-step, radius x spin at the end, inverse mass, radius
+/// 3: not packed: for the sums of its contacts
+/// Velocities at the end are predicted with the last known force. One more place, the last, belongs to nobody: a sphere
+/// that never touches.
+class ContactBodies {
+ public:
+  /// `particles.force` must still hold the sums of the last step. Where velocities change within it, `mean` gives those
+  /// that count as mid-step ones. Removed particles get a position that is not a
+  /// number, so that they never touch.
+  void pack(const Particles& particles, const ContactParties& parties, double dt, const MeanMotion* mean = nullptr);
+  /// Numbers from one place to the next.
+  static constexpr std::size_t kStride = 4 * kLine;
+  [[nodiscard]] const double* data() const { return lines_[0]; }
+  /// The line for the sums of a place.
+  [[nodiscard]] double* sum(std::size_t place) { return lines_[4 * place + 3]; }
+  [[nodiscard]] double* sums() { return lines_[3]; }
+
+ private:
+  LineField lines_;
+};
+
+}  // namespace lahar::dem

@@ -1,0 +1,134 @@
+#pragma once
+// Which contacts may exist and what they remember: slots for sphere-sphere and sphere-wall pairs, and the geometry of a
+// contact.
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry.h"
+#include "dem/contact/contact_state.h"
+#include "dem/contact/neighbours.h"
+#include "dem/particles.h"
+
+namespace lahar::dem {
+
+/// What the contacts of all slots remember, one array per number, so that eight slots are read and written at once.
+struct SlotHistories {
+  std::vector<double> x, y, z;  ///< m, tangential displacement
+  std::vector<double> stiffness, normal_force;
+
+  void clear(std::size_t slots) {
+    for (auto* a : {&x, &y, &z, &stiffness, &normal_force}) a->assign(slots, 0.0);
+  }
+  [[nodiscard]] ContactHistory operator[](std::size_t k) const {
+    return {{x[k], y[k], z[k]}, stiffness[k], normal_force[k]};
+  }
+  void set(std::size_t k, const ContactHistory& h) {
+    x[k] = h.tangential_displacement.x, y[k] = h.tangential_displacement.y, z[k] = h.tangential_displacement.z;
+    stiffness[k] = h.tangential_stiffness, normal_force[k] = h.normal_force;
+  }
+};
+
+/// Possible contacts in CSR form: row i holds partners (a particle or a wall) in ascending order; a contact's memory
+/// lies in its slot.
+struct ContactSlots {
+  std::vector<std::uint32_t> offset;   ///< per particle
+  std::vector<std::uint32_t> owner;    ///< per slot: the particle of its row
+  std::vector<std::uint32_t> partner;  ///< per slot
+  SlotHistories history;
+  std::vector<std::uint8_t> touching;  ///< 1 where history is in use
+  bool rolls = false;                  ///< whether `rolling` is kept
+  std::vector<Triple> rolling;         ///< rad, elastic rotation of rolling resistance; empty unless `rolls`
+
+  [[nodiscard]] std::size_t size() const { return partner.size(); }
+  /// State of a checkpoint: rows and histories (solids_transfer.cpp).
+  void transfer(Archive& archive, std::size_t particles, std::size_t partners);
+};
+
+/// A touching contact by the names of its sides.
+struct StoredContact {
+  ParticleIndex particle = 0;
+  std::uint32_t partner = 0;  ///< particle or wall
+  bool with_wall = false;
+  ContactHistory history;
+  Triple rolling{};
+};
+
+/// Particles that one thread takes at a time; fixed, so that sums do not depend on the number of threads.
+inline constexpr std::size_t kContactChunk = 128;
+
+/// The particles that are in any pair slot. A place is a position in `particle`.
+struct ContactParties {
+  struct Partner {
+    std::uint32_t slot, place;
+  };
+  std::vector<ParticleIndex> particle;        ///< per place, ascending
+  std::vector<std::uint32_t> owner, partner;  ///< per slot: places of its two particles
+  std::vector<std::uint32_t> first_place;     ///< per chunk of particles, and the number of places at the end
+  std::vector<std::uint32_t> first_partner;   ///< per chunk of particles, into `as_partner`, and its size at the end
+  std::vector<Partner> as_partner;            ///< all slots by the chunk of their partner, ascending in it
+};
+
+/// Slots for all pairs that may touch before the next rebuild. Histories are keyed on the pair, so that they outlive a
+/// rebuild; what a step computes does not depend on when the lists were built.
+///
+/// Two lists, one inside the other (as in molecular dynamics: Pall & Hess 2013, Comput. Phys. Commun. 184:2641): the
+/// neighbour list with a wide skin comes from cells and holds long; the slots are its pairs within a narrow skin, found
+/// by running through it. Few slots then do not touch, and the contact loop takes them all. The narrow skin widens
+/// where particles are fast and thins where they rest.
+class ContactDetection {
+ public:
+  explicit ContactDetection(NeighbourOptions options = {}) : neighbours_(options) {}
+
+  /// True if the slots must be listed again (`refresh`, or `rebuild` where the neighbour list is outdated as well).
+  [[nodiscard]] bool outdated(const Particles& particles);
+  /// From now on slots keep what rolling resistance remembers. To be called before the first list is built.
+  void remember_rolling() {
+    for (ContactSlots* slots : {&pairs_, &walls_, &previous_pairs_, &previous_walls_}) slots->rolls = true;
+  }
+  /// Builds all lists of the contacts in `share` anew and carries the histories over. Positions must be finite.
+  void rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded, const RateShare& share = {});
+  /// Lists the slots anew from the neighbour list, which must not be outdated.
+  void refresh(const Particles& particles, const RateShare& share = {});
+
+  [[nodiscard]] ContactSlots& pairs() { return pairs_; }
+  [[nodiscard]] const ContactSlots& pairs() const { return pairs_; }
+  [[nodiscard]] ContactSlots& wall_contacts() { return walls_; }
+  [[nodiscard]] const ContactSlots& wall_contacts() const { return walls_; }
+  [[nodiscard]] const NeighbourList& neighbours() const { return neighbours_; }
+  [[nodiscard]] const ContactParties& parties() const { return parties_; }
+  /// Counts `refresh`, also those in `rebuild`.
+  [[nodiscard]] std::int64_t refreshes() const { return refreshes_; }
+
+  /// All touching contacts with their histories, ordered.
+  [[nodiscard]] std::vector<StoredContact> stored_contacts() const;
+  /// State of a checkpoint: the lists as they are, with all histories (solids_transfer.cpp). A list that was built
+  /// later would differ where a bond has broken or a particle was removed since it was built.
+  void transfer(Archive& archive, const Particles& particles, std::size_t walls, const RateShare& share);
+  /// Puts stored histories into the present lists; contacts that are not listed there are an error.
+  void restore(const std::vector<StoredContact>& contacts);
+
+ private:
+  struct Reach {
+    double x, y, z, reach;  // m; not a number where removed
+  };
+
+  void list_pairs(std::size_t particles);
+  void list_row(std::size_t i, std::vector<std::uint32_t>& row) const;
+  void list_parties(std::size_t particles);
+  void list_walls(const Particles& particles, const Walls& walls, const RateShare& share);
+  void remember_positions(const Particles& particles, const RateShare& share);
+  void set_move_limits(const Particles& particles, const RateShare& share);
+
+  NeighbourList neighbours_;
+  ContactSlots pairs_, walls_, previous_pairs_, previous_walls_;
+  ContactParties parties_;
+  std::vector<Reach> reach_;  // during refresh
+  std::vector<std::vector<std::uint32_t>> chunk_rows_;
+  std::vector<std::uint32_t> place_, chunk_next_;  // during refresh
+  Vec3Field listed_at_;
+  std::vector<double> move_limit2_;
+  double narrow_share_ = 0.1;  // of the skin
+  std::int64_t refreshes_ = 0, asked_ = 0;
+};
+
+}  // namespace lahar::dem

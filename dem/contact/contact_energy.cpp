@@ -1,0 +1,54 @@
+#include "dem/contact/contact_energy.h"
+
+namespace lahar::dem {
+
+namespace {
+
+/// A contact at rest: the law tells what its spring holds.
+double held(const ContactLawChoice& law, const MaterialPair& pair, double effective_radius, double overlap) {
+  if (!(overlap > 0)) return 0;
+  ContactState s;
+  s.overlap = overlap;
+  s.effective_radius = effective_radius;
+  s.effective_mass = 1;
+  s.effective_modulus = pair.effective_modulus;
+  s.effective_shear_modulus = pair.effective_shear_modulus;
+  ContactHistory none;
+  return std::visit([&](const auto& l) { return l(s, none, 0.0).elastic_normal; }, law);
+}
+
+}  // namespace
+
+double normal_energy(ParticleIndex i, ParticleIndex j, double overlap, const Particles& p, const Materials& materials,
+                     const ContactLawChoice& law) {
+  const double effective_radius = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
+  return held(law, materials.pair(p.material[i], p.material[j]), effective_radius, overlap);
+}
+
+double normal_energy_of(ParticleIndex i, const Particles& p, const Materials& materials, const Walls& walls,
+                        const ContactDetection& contacts, const ContactLawChoice& law) {
+  double energy = 0;
+  const auto add = [&](ParticleIndex j) {
+    const double overlap = p.radius[i] + p.radius[j] - (p.position[j] - p.position[i]).norm();
+    energy += normal_energy(i, j, overlap, p, materials, law);
+  };
+  const ContactSlots &pairs = contacts.pairs(), &wall = contacts.wall_contacts();
+  if (i + 1 >= pairs.offset.size()) return 0;  // joined after the last step: in no contact yet
+  for (std::uint32_t k = pairs.offset[i]; k < pairs.offset[i + 1]; ++k)
+    if (pairs.touching[k]) add(pairs.partner[k]);
+  const ContactParties& parties = contacts.parties();
+  const std::size_t chunk = i / kContactChunk;
+  for (std::uint32_t n = parties.first_partner[chunk]; n < parties.first_partner[chunk + 1]; ++n) {
+    const std::uint32_t k = parties.as_partner[n].slot;
+    if (pairs.partner[k] == i && pairs.touching[k]) add(pairs.owner[k]);
+  }
+  for (std::uint32_t k = wall.offset[i]; k < wall.offset[i + 1]; ++k) {
+    if (!wall.touching[k]) continue;
+    const std::uint32_t w = wall.partner[k];
+    energy += held(law, materials.pair(p.material[i], walls.all()[w].material), p.radius[i],
+                   p.radius[i] - walls.distance(w, p.position[i]));
+  }
+  return energy;
+}
+
+}  // namespace lahar::dem

@@ -1,0 +1,59 @@
+#pragma once
+// All contact forces of a step: between spheres and with walls, with gravity and what acts from outside.
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry.h"
+#include "dem/contact/contact_detection.h"
+#include "dem/contact/contact_energy_sums.h"
+#include "dem/contact/contact_materials.h"
+#include "dem/contact/pair_contacts.h"
+#include "dem/contact/wall_contacts.h"
+#include "dem/material.h"
+#include "dem/particles.h"
+
+namespace lahar::dem {
+
+/// Contact forces between spheres and with walls.
+class ContactForces {
+ public:
+  ContactForces(const Materials& materials, ContactLawChoice law) : law_(law), materials_(materials) {}
+
+  /// Sets `force` and `torque` of all particles to gravity (m/s^2) + external + contacts. On entry `force` must still
+  /// hold the sum of the last step, velocities those of mid-step. History and dissipation advance by `dt` (s).
+  /// Beads of the same body touch without friction.
+  ///
+  /// With a `share`, the contacts are those of its rate, and particles of the other rate get neither gravity nor
+  /// external forces. `mean`: see ContactBodies::pack.
+  void compute(Particles& particles, ContactDetection& contacts, const Walls& walls, const Vec3& gravity, double dt,
+               const RateShare& share = {}, const MeanMotion* mean = nullptr);
+
+  /// Whether some pair of materials resists rolling.
+  [[nodiscard]] bool rolls() const { return materials_.rolls(); }
+  [[nodiscard]] const ContactEnergy& energy() const { return energy_; }
+  /// See WallContacts.
+  [[nodiscard]] Vec3 force_on_wall(const ContactDetection& contacts, std::uint32_t wall) const {
+    return walls_.force_on_wall(contacts, wall);
+  }
+  [[nodiscard]] Vec3 moment_on_wall(const Particles& particles, const ContactDetection& contacts, const Walls& walls,
+                                    std::uint32_t wall) const {
+    return walls_.moment_on_wall(particles, contacts, walls, wall);
+  }
+  /// A particle leaves with this energy of its normal springs, J.
+  void take_out(double normal_energy) { energy_.elastic_normal -= normal_energy; }
+  /// State of a checkpoint; the histories lie with the contacts.
+  void transfer(Archive& archive);
+
+ private:
+  void sum_tallies();
+
+  ContactLawChoice law_;
+  ContactMaterials materials_;
+  PairContacts pairs_;
+  WallContacts walls_;
+  std::int64_t noted_refresh_ = -1;
+  std::vector<ContactTally> tallies_;  // per chunk of particles
+  ContactEnergy energy_;
+};
+
+}  // namespace lahar::dem

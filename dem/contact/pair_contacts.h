@@ -1,0 +1,62 @@
+#pragma once
+// Contacts between spheres: eight slots at a time, then summed per particle in a fixed order.
+#include <array>
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+#include "dem/contact/contact_bodies.h"
+#include "dem/contact/contact_detection.h"
+#include "dem/contact/contact_energy_sums.h"
+#include "dem/contact/contact_lanes.h"
+#include "dem/contact/contact_materials.h"
+#include "dem/contact/hertz_mindlin.h"
+#include "dem/contact/linear.h"
+#include "dem/particles.h"
+
+namespace lahar::dem {
+
+/// The contact laws that a scene can choose from.
+using ContactLawChoice = std::variant<HertzMindlin, LinearSpringDashpot>;
+
+/// A particle's sum is taken over the slots that it owns, ascending, then over those where it is the partner. Slots
+/// that do not touch add zeros: the sum depends neither on which of them are listed nor on threads.
+class PairContacts {
+ public:
+  /// Notes what stays the same while the slots stay. To be called when they are new.
+  void note_slots(const Particles& particles, const ContactDetection& contacts, const ContactMaterials& materials);
+  /// See ContactBodies::pack.
+  void pack(const Particles& particles, const ContactDetection& contacts, double dt, const MeanMotion* mean) {
+    bodies_.pack(particles, contacts.parties(), dt, mean);
+  }
+  /// The slots owned by a chunk of particles: evaluates them, advances their histories by `dt` and adds to the sums of
+  /// the owners. To be called for all chunks, in any order or at once, before `add_partners`.
+  void evaluate(const ContactLawChoice& law, ContactDetection& contacts, const ContactMaterials& materials, double dt,
+                std::size_t chunk, ContactTally& tally);
+  /// Completes the sums of a chunk of particles and adds them to `force` and `torque`.
+  void add_partners(Particles& particles, const ContactDetection& contacts, std::size_t chunk, ContactTally& tally);
+
+ private:
+  struct Eight;  // where the numbers of eight slots lie
+  struct Tail;
+  struct Arms;
+
+  template <ContactLaw L>
+  void evaluate_with(const L& law, ContactDetection& contacts, const ContactMaterials& materials, double dt,
+                     std::size_t chunk, ContactTally& tally);
+  template <ContactLaw L>
+  void evaluate_eight(const L& law, const Eight& at, const ContactMaterials& materials, double dt, ContactTally& tally);
+  void gather(EightContacts& contacts, Arms& arms, const Eight& at, const ContactMaterials& materials) const;
+  void prefetch_partners(std::size_t slot) const;
+  void roll(const EightContacts& contacts, const ContactHistoryOf<Line>& history, const Line& stiffness_before,
+            const Eight& at, const ContactMaterials& materials, double dt, std::array<Line, kLine>& on_owner,
+            std::array<Line, kLine>& on_partner, ContactTally& tally) const;
+
+  ContactBodies bodies_;
+  std::vector<std::uint16_t> material_;               // per slot, into ContactMaterials
+  LineField on_partner_;                              // per slot: force, torque, elastic energies (normal, tangential)
+  std::vector<std::uint32_t> owner_at_, partner_at_;  // per slot: where the lines of its two particles begin
+  bool one_material_ = false;                         // the same in all slots
+};
+
+}  // namespace lahar::dem

@@ -1,0 +1,21 @@
+#pragma once
+// Rolling resistance of one of eight contacts, after the law, whose normal force and stiffness it needs.
+#include "dem/contact/contact_energy_sums.h"
+#include "dem/contact/contact_lanes.h"
+#include "dem/contact/rolling.h"
+
+namespace lahar::dem {
+
+/// 1 / (I + m R^2) of a sphere, 1/(kg m^2).
+inline double inverse_rolling_inertia(double inverse_mass, double radius) {
+  return inverse_mass / (1.4 * radius * radius);
+}
+
+/// The torque on i, N m. `history`: after the law; `stiffness_before` is that of the tangential spring in the step
+/// before. `state` brings the spins, the inertia and the coefficient. Advances `angle` (rad) and books what rolling
+/// holds and loses.
+[[nodiscard]] Triple roll_lane(const EightContacts& contacts, const ContactHistoryOf<Line>& history, std::size_t lane,
+                               RollingState state, double stiffness_before, double dt, Triple& angle,
+                               ContactTally& tally);
+
+}  // namespace lahar::dem

@@ -1,0 +1,188 @@
+#include "dem/contact/wall_contacts.h"
+
+#include <algorithm>
+#include <array>
+
+#include "dem/contact/rolling_lane.h"
+
+namespace lahar::dem {
+
+namespace {
+
+Triple triple(const Vec3Field& f, std::size_t i) { return {f.x[i], f.y[i], f.z[i]}; }
+Triple triple(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 vec(const Triple& t) { return {t.x, t.y, t.z}; }
+Triple lane_of(const Lines3& t, std::size_t lane) { return {t.x[lane], t.y[lane], t.z[lane]}; }
+void set(Lines3& to, std::size_t lane, const Triple& t) { to.x[lane] = t.x, to.y[lane] = t.y, to.z[lane] = t.z; }
+
+/// The range of wall slots of a chunk of particles.
+std::pair<std::uint32_t, std::uint32_t> slots_of_chunk(const ContactSlots& slots, std::size_t chunk) {
+  const std::size_t particles = slots.offset.size() - 1, first = chunk * kContactChunk;
+  return {slots.offset[first], slots.offset[std::min(first + kContactChunk, particles)]};
+}
+
+/// Distance and gradient without a call for plane walls, which are the most.
+double distance_to(const Walls& walls, std::uint32_t w, const Vec3& p) {
+  const auto* plane = std::get_if<HalfSpace>(&walls.all()[w].shape);
+  return plane != nullptr ? plane->distance(p) : walls.distance(w, p);
+}
+Vec3 gradient_of(const Walls& walls, std::uint32_t w, const Vec3& p) {
+  const auto* plane = std::get_if<HalfSpace>(&walls.all()[w].shape);
+  return plane != nullptr ? plane->normal : walls.gradient(w, p);
+}
+
+}  // namespace
+
+struct WallContacts::Work {
+  const Particles& particles;
+  ContactSlots& slots;
+  const Walls& walls;
+  const ContactMaterials& materials;
+  double dt;
+  const MeanMotion* mean;
+};
+
+/// Up to eight contacts. Idle lanes hold what was there before, which is harmless: they do not touch.
+struct WallContacts::Batch {
+  EightContacts contacts;
+  ContactHistoryOf<Line> history;
+  std::size_t count = 0;
+  std::array<std::uint32_t, kLine> slot{};
+  std::array<std::uint16_t, kLine> material{};
+
+  Batch() {  // harmless numbers in lanes that were never used
+    contacts.normal.x = contacts.inverse_mass = contacts.effective_radius = Line{} + 1.0;
+    contacts.modulus = contacts.shear_modulus = Line{} + 1.0;
+  }
+  void add(const Work& work, std::uint32_t k, double distance);
+};
+
+void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance) {
+  const Particles& p = work.particles;
+  const std::uint32_t w = work.slots.partner[k], i = work.slots.owner[k];
+  const Wall& wall = work.walls.all()[w];
+  const std::size_t lane = count++;
+  slot[lane] = k;
+  material[lane] = work.materials.index(p.material[i], wall.material);
+  const double r = p.radius[i], inverse_mass = p.inverse_mass[i];
+  const Triple v = triple(work.mean != nullptr ? work.mean->velocity : p.velocity, i);
+  const Triple spin = triple(work.mean != nullptr ? work.mean->spin : p.angular_velocity, i);
+  const Triple v_end = triple(p.velocity, i) + (0.5 * work.dt * inverse_mass) * triple(p.force, i);
+  const Triple spin_end =
+      triple(p.angular_velocity, i) + (0.5 * work.dt * 2.5 * inverse_mass / (r * r)) * triple(p.torque, i);
+  const Triple wall_velocity = triple(wall.velocity);
+  EightContacts& c = contacts;
+  c.touches[lane] = distance < r ? -1 : 0;
+  c.overlap[lane] = std::max(0.0, r - distance);
+  set(c.normal, lane, -1.0 * triple(gradient_of(work.walls, w, p.position[i])));
+  set(c.slip, lane, v - wall_velocity);
+  set(c.slip_end, lane, v_end - wall_velocity);
+  set(c.spin, lane, spin);
+  set(c.spin_end, lane, spin_end);
+  set(c.rim, lane, r * spin);  // a wall adds nothing: its spin is zero
+  set(c.rim_end, lane, r * spin_end);
+  c.inverse_mass[lane] = inverse_mass;
+  c.effective_radius[lane] = r;
+  const double* m = work.materials[material[lane]];
+  c.modulus[lane] = m[0], c.shear_modulus[lane] = m[1], c.friction[lane] = m[2], c.damping_ratio[lane] = m[3];
+  const ContactHistory h = work.slots.history[k];
+  set(history.tangential_displacement, lane, h.tangential_displacement);
+  history.tangential_stiffness[lane] = h.tangential_stiffness;
+  history.normal_force[lane] = h.normal_force;
+}
+
+template <ContactLaw L>
+[[gnu::flatten]] void WallContacts::evaluate_batch(const L& law, const Work& work, Batch& batch, ContactTally& tally) {
+  const Line stiffness_before = batch.history.tangential_stiffness;
+  for (std::size_t l = batch.count; l < kLine; ++l) batch.contacts.touches[l] = 0;
+  const EightAnswers f = dem::evaluate(batch.contacts, batch.history, law, work.dt);
+  for (std::size_t l = 0; l < batch.count; ++l) {
+    const std::uint32_t k = batch.slot[l], i = work.slots.owner[k];
+    tally.elastic_normal += f.elastic_normal[l];
+    tally.elastic_tangential += f.elastic_tangential[l];
+    tally.damping += f.damping[l];
+    tally.friction += f.friction[l];
+    const ContactHistoryOf<Line>& h = batch.history;
+    work.slots.history.set(k, {lane_of(h.tangential_displacement, l), h.tangential_stiffness[l], h.normal_force[l]});
+    Answer& answer = answers_[k];
+    answer.force = lane_of(f.force, l);
+    answer.torque = (work.particles.radius[i] - 0.5 * batch.contacts.overlap[l]) * lane_of(f.twist, l);
+    const double rolling_friction = work.materials[batch.material[l]][ContactMaterials::kRollingFriction];
+    if (rolling_friction > 0) {
+      RollingState state;
+      state.rolling_friction = rolling_friction;
+      state.spin = lane_of(batch.contacts.spin, l);  // a wall has none
+      state.spin_end = lane_of(batch.contacts.spin_end, l);
+      const double inverse_inertia =
+          inverse_rolling_inertia(batch.contacts.inverse_mass[l], batch.contacts.effective_radius[l]);
+      state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
+      answer.torque = answer.torque + roll_lane(batch.contacts, h, l, state, stiffness_before[l], work.dt,
+                                                work.slots.rolling[k], tally);
+    }
+    const bool touches = batch.contacts.touches[l] != 0;
+    work.slots.touching[k] = touches ? 1 : 0;
+    if (touches)
+      tally.wall_work += work.dt * dot(answer.force, triple(work.walls.all()[work.slots.partner[k]].velocity));
+  }
+  batch.count = 0;
+}
+
+template <ContactLaw L>
+void WallContacts::evaluate_with(const L& law, const Work& work, std::size_t chunk, ContactTally& tally) {
+  const auto [first, last] = slots_of_chunk(work.slots, chunk);
+  if (first == last) return;
+  Batch batch;
+  for (std::uint32_t k = first; k < last; ++k) {
+    const std::size_t i = work.slots.owner[k];
+    answers_[k] = Answer{};
+    const bool listed = work.particles.state[i] != ParticleState::removed;
+    const double radius = work.particles.radius[i];
+    const double distance =
+        listed ? distance_to(work.walls, work.slots.partner[k], work.particles.position[i]) : radius;
+    if (distance >= radius && work.slots.touching[k] == 0) continue;
+    batch.add(work, k, distance);
+    if (batch.count == kLine) evaluate_batch(law, work, batch, tally);
+  }
+  if (batch.count > 0) evaluate_batch(law, work, batch, tally);
+}
+
+void WallContacts::evaluate(const ContactLawChoice& law, const Particles& particles, ContactDetection& contacts,
+                            const Walls& walls, const ContactMaterials& materials, double dt, const MeanMotion* mean,
+                            std::size_t chunk, ContactTally& tally) {
+  const Work work{particles, contacts.wall_contacts(), walls, materials, dt, mean};
+  std::visit([&](const auto& l) { evaluate_with(l, work, chunk, tally); }, law);
+}
+
+void WallContacts::add_to(Particles& p, const ContactDetection& contacts, std::size_t chunk) const {
+  const ContactSlots& slots = contacts.wall_contacts();
+  const auto [first, last] = slots_of_chunk(slots, chunk);
+  for (std::uint32_t k = first; k < last; ++k) {
+    const std::size_t i = slots.owner[k];
+    const Triple f = answers_[k].force, t = answers_[k].torque;
+    p.force.x[i] += f.x, p.force.y[i] += f.y, p.force.z[i] += f.z;
+    p.torque.x[i] += t.x, p.torque.y[i] += t.y, p.torque.z[i] += t.z;
+  }
+}
+
+Vec3 WallContacts::force_on_wall(const ContactDetection& contacts, std::uint32_t wall) const {
+  const ContactSlots& slots = contacts.wall_contacts();
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < answers_.size(); ++k)
+    if (slots.partner[k] == wall) sum -= vec(answers_[k].force);
+  return sum;
+}
+
+Vec3 WallContacts::moment_on_wall(const Particles& particles, const ContactDetection& contacts, const Walls& walls,
+                                  std::uint32_t wall) const {
+  const ContactSlots& slots = contacts.wall_contacts();
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < answers_.size(); ++k) {
+    if (slots.partner[k] != wall) continue;
+    const Vec3 p = particles.position[slots.owner[k]];
+    const Vec3 at = p - walls.distance(wall, p) * walls.gradient(wall, p);
+    sum -= at.cross(vec(answers_[k].force));
+  }
+  return sum;
+}
+
+}  // namespace lahar::dem

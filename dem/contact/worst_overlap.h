@@ -1,0 +1,20 @@
+#pragma once
+// The deepest contact.
+#include "core/geometry.h"
+#include "dem/contact/contact_detection.h"
+#include "dem/particles.h"
+
+namespace lahar::dem {
+
+struct WorstOverlap {
+  double ratio = 0;  ///< overlap over the smaller radius
+  ParticleIndex particle = 0;
+  std::uint32_t partner = 0;
+  bool with_wall = false;
+};
+
+/// Looks at all contacts that touched in the last evaluation, where the particles are now. Ties go to the first.
+[[nodiscard]] WorstOverlap worst_overlap(const Particles& particles, const ContactDetection& contacts,
+                                         const Walls& walls);
+
+}  // namespace lahar::dem

@@ -1,0 +1,164 @@
+#include "dem/wires/wire_detection.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "dem/wires/wire_piece.h"
+
+namespace lahar::dem {
+
+namespace {
+
+constexpr std::uint64_t kRun = std::uint64_t{1} << 31;  // particles are fewer
+
+std::uint64_t candidate(ParticleIndex piece, ParticleIndex partner, bool run) {
+  return (static_cast<std::uint64_t>(piece) << 32) + partner + (run ? kRun : 0);
+}
+ParticleIndex piece_of(std::uint64_t c) { return static_cast<ParticleIndex>(c >> 32); }
+ParticleIndex partner_of(std::uint64_t c) { return static_cast<ParticleIndex>(c & (kRun - 1)); }
+bool is_run(std::uint64_t c) { return (c & kRun) != 0; }
+
+bool in_run(const WireSlot& slot, const WireChains& chains, ParticleIndex bead) {
+  ParticleIndex k = slot.partner;
+  for (std::uint32_t n = 0; n < slot.count; ++n, k = chains.behind(k))
+    if (k == bead) return true;
+  return false;
+}
+
+/// Whether anything that the particle's sphere or piece hangs on can move.
+bool can_move(const Particles& p, const WireChains& chains, std::size_t i) {
+  bool free = p.inverse_mass[i] > 0;
+  for (const ParticleIndex j : {chains.before(i), chains.behind(i)})
+    free = free || (j != WireChains::none && p.inverse_mass[j] > 0);
+  return free;
+}
+
+}  // namespace
+
+bool WireDetection::outdated(const Particles& particles) const {
+  return particles.size() != built_at_.size() || any_moved(particles.position, built_at_, move_limit2_);
+}
+
+/// What the neighbour list is to see: spheres around the pieces of wires; all others as they are.
+Particles WireDetection::spheres_around_pieces(const Particles& p, const WireChains& chains) const {
+  Particles s;
+  s.position = p.position;
+  s.radius = p.radius;
+  s.state = p.state;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (s.state[i] == ParticleState::removed) continue;
+    if (chains.covered()[i] != 0) s.radius[i] += WirePiece::extent(chains, p.position, i);
+    s.state[i] = can_move(p, chains, i) ? ParticleState::free : ParticleState::fixed;
+  }
+  return s;
+}
+
+/// A piece moves with three beads, each of which may move by half the least of their skins.
+void WireDetection::set_move_limits(const std::vector<double>& radius, const WireChains& chains) {
+  const auto skin = [&](std::size_t i) { return std::max(options_.relative_skin * radius[i], options_.minimum_skin); };
+  move_limit2_.resize(radius.size());
+  for (std::size_t i = 0; i < radius.size(); ++i) {
+    double least = skin(i);
+    for (const ParticleIndex j : {chains.before(i), chains.behind(i)})
+      if (j != WireChains::none) least = std::min(least, skin(j));
+    move_limit2_[i] = 0.25 * least * least;
+  }
+}
+
+double WireDetection::rebuild(const Particles& p, const WireChains& chains) {
+  std::vector<std::uint8_t> plain(p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) plain[i] = chains.covered()[i] == 0 ? 1 : 0;
+  // As with two rates: pairs of plain particles are not looked for.
+  const Particles spheres = spheres_around_pieces(p, chains);
+  neighbours_.build(spheres, PairSet{}, {.rate = Rate::fast, .slow = plain.data()});
+  built_at_ = p.position;
+  set_move_limits(spheres.radius, chains);
+  list_candidates(p, chains);
+  const auto old = std::exchange(slots_, {});
+  for (std::size_t first = 0, last = 0; first < candidates_.size(); first = last) {
+    for (last = first; last < candidates_.size() && piece_of(candidates_[last]) == piece_of(candidates_[first]);)
+      ++last;
+    std::size_t k = first;
+    for (; k < last && !is_run(candidates_[k]); ++k) {
+      WireSlot slot;
+      slot.wire = piece_of(candidates_[k]), slot.partner = partner_of(candidates_[k]);
+      slots_.push_back(slot);
+    }
+    add_runs(chains, k, last);
+  }
+  return carry_histories(old, chains);
+}
+
+void WireDetection::list_candidates(const Particles& p, const WireChains& chains) {
+  candidates_.clear();
+  const auto add_pair = [&](ParticleIndex i, ParticleIndex j) {
+    if (chains.near(i, j)) return;
+    const bool wire_i = chains.covered()[i] != 0, wire_j = chains.covered()[j] != 0;
+    if (wire_i && (!wire_j || chains.is_end(j))) candidates_.push_back(candidate(i, j, false));
+    if (wire_j && (!wire_i || chains.is_end(i))) candidates_.push_back(candidate(j, i, false));
+    if (!wire_i || !wire_j) return;
+    const auto rank = [&](ParticleIndex k) { return std::tuple(!chains.closed(k), p.body[k], k); };
+    candidates_.push_back(rank(i) < rank(j) ? candidate(i, j, true) : candidate(j, i, true));
+  };
+  for (ParticleIndex i = 0; i < p.size(); ++i)
+    for (std::uint32_t k = neighbours_.offset()[i]; k < neighbours_.offset()[i + 1]; ++k)
+      add_pair(i, neighbours_.neighbour()[k]);
+  std::sort(candidates_.begin(), candidates_.end());
+}
+
+/// The candidates [first, last) are all that one piece may touch of wires: each stretch of them becomes a run.
+void WireDetection::add_runs(const WireChains& chains, std::size_t first, std::size_t last) {
+  if (first == last) return;
+  const ParticleIndex piece = piece_of(candidates_[first]);
+  const auto listed = [&](ParticleIndex j) {
+    return j != WireChains::none &&
+           std::binary_search(candidates_.begin() + static_cast<std::ptrdiff_t>(first),
+                              candidates_.begin() + static_cast<std::ptrdiff_t>(last), candidate(piece, j, true));
+  };
+  const auto add_run = [&](ParticleIndex from) {
+    WireSlot slot;
+    slot.wire = piece, slot.partner = from;
+    ParticleIndex k = from;
+    do ++slot.count, k = chains.behind(k);
+    while (k != from && listed(k));
+    slots_.push_back(slot);
+    return k == from;
+  };
+  for (std::size_t k = first; k < last; ++k)
+    if (const ParticleIndex j = partner_of(candidates_[k]); !listed(chains.before(j))) add_run(j);
+  // What is left are rings of which every piece is a candidate: none of them has a beginning.
+  std::vector<ParticleIndex> known;
+  for (std::size_t k = slots_.size(); k-- > 0 && slots_[k].wire == piece && slots_[k].count > 0;) {
+    ParticleIndex j = slots_[k].partner;
+    for (std::uint32_t n = 0; n < slots_[k].count; ++n, j = chains.behind(j)) known.push_back(j);
+  }
+  for (std::size_t k = first; k < last && known.size() < last - first; ++k) {
+    const ParticleIndex from = partner_of(candidates_[k]);
+    if (std::find(known.begin(), known.end(), from) != known.end()) continue;
+    add_run(from);
+    ParticleIndex j = from;
+    for (std::uint32_t n = 0; n < slots_.back().count; ++n, j = chains.behind(j)) known.push_back(j);
+  }
+}
+
+double WireDetection::carry_histories(const std::vector<WireSlot>& old, const WireChains& chains) {
+  double lost = 0;
+  std::size_t row = 0;
+  for (const WireSlot& was : old) {
+    if (was.touching == 0) continue;
+    while (row < slots_.size() && slots_[row].wire < was.wire) ++row;
+    bool found = false;
+    for (std::size_t k = row; k < slots_.size() && slots_[k].wire == was.wire && !found; ++k) {
+      WireSlot& slot = slots_[k];
+      if ((slot.count == 0) != (was.count == 0) || slot.touching != 0) continue;
+      found = slot.count == 0 ? slot.partner == was.partner : in_run(slot, chains, was.last);
+      if (found) slot.history = was.history, slot.last = was.last, slot.touching = 1;
+    }
+    const Triple& d = was.history.tangential_displacement;
+    if (!found) lost += 0.5 * was.history.tangential_stiffness * dot(d, d);
+  }
+  return lost;
+}
+
+}  // namespace lahar::dem

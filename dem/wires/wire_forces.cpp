@@ -1,0 +1,240 @@
+#include "dem/wires/wire_forces.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/parallel.h"
+#include "dem/contact/damping.h"
+
+namespace lahar::dem {
+
+namespace {
+
+constexpr std::size_t kChunk = 16;     // slots; fixed, so that sums do not depend on the number of threads
+constexpr double kNarrowShare = 0.05;  // of a wire's radius; a narrowing costs about as much as ten steps
+
+/// The energy of a tangential spring.
+double held(const ContactHistory& h) {
+  return 0.5 * h.tangential_stiffness * dot(h.tangential_displacement, h.tangential_displacement);
+}
+
+}  // namespace
+
+/// What one thread needs for one contact at a time.
+struct WireForces::Scratch {
+  WirePiece piece;
+  WirePartner partner;
+  WireSphere sphere;
+  WirePatch patch;
+  WireContact contact;
+};
+
+WireForces::WireForces(const Materials& materials, ContactLawChoice law, NeighbourOptions options)
+    : law_(law), material_count_(materials.size()), detection_(options) {
+  for (int a = 0; a < static_cast<int>(materials.size()); ++a)
+    for (int b = 0; b < static_cast<int>(materials.size()); ++b) {
+      const MaterialPair& p = materials.pair(a, b);
+      pairs_.push_back({p.effective_modulus, p.effective_shear_modulus, p.friction, damping_ratio(p.restitution)});
+    }
+}
+
+void WireForces::rebuild(const Particles& particles, const Bonds& bonds) {
+  chains_.build(bonds, particles);
+  energy_.friction += detection_.rebuild(particles, chains_);
+  ++builds_;
+  pick_near(particles);
+}
+
+void WireForces::relist(const Particles& particles) {
+  energy_.friction += detection_.rebuild(particles, chains_);
+  ++builds_;
+  pick_near(particles);
+}
+
+void WireForces::narrow(const Particles& particles) {
+  if (any_moved(particles.position, narrowed_at_, narrow_limit2_)) pick_near(particles);
+}
+
+void WireForces::pick_near(const Particles& p) {
+  auto& slots = detection_.slots();
+  narrowed_at_ = p.position;
+  narrow_limit_ = std::numeric_limits<double>::infinity();
+  for (const WireSlot& s : slots) narrow_limit_ = std::min(narrow_limit_, kNarrowShare * p.radius[s.wire]);
+  parallel_for_chunks(slots.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    static thread_local Scratch scratch;
+    for (std::size_t k = first; k < last; ++k)
+      slots[k].near = slots[k].touching != 0 || find_patch_of(slots[k], p, 2 * narrow_limit_, scratch) ? 1 : 0;
+  });
+  note_near();
+}
+
+/// What follows from the slots: which are near, and whose movement counts.
+void WireForces::note_near() {
+  const auto& slots = detection_.slots();
+  near_.clear();
+  narrow_limit2_.assign(narrowed_at_.size(), std::numeric_limits<double>::infinity());
+  const double limit2 = narrow_limit_ * narrow_limit_;
+  const auto counts = [&](ParticleIndex i) {
+    for (const ParticleIndex k : {i, chains_.before(i), chains_.behind(i)})
+      if (k != WireChains::none) narrow_limit2_[k] = limit2;
+  };
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    if (slots[k].near != 0) near_.push_back(static_cast<std::uint32_t>(k));
+    counts(slots[k].wire);
+    ParticleIndex j = slots[k].partner;
+    for (std::uint32_t n = 0; n<std::max(1U, slots[k].count); ++n, j = slots[k].count> 0 ? chains_.behind(j) : j)
+      counts(j);
+  }
+}
+
+/// Fills the scratch with the patch of a slot, with its reach longer by `margin`. False if there is none.
+bool WireForces::find_patch_of(const WireSlot& slot, const Particles& p, double margin, Scratch& x) const {
+  const double reach = p.radius[slot.wire] + p.radius[slot.partner] + margin;
+  x.sphere = {slot.count == 0, slot.partner};
+  if (slot.count == 0 && p.state[slot.partner] == ParticleState::removed) return false;
+  const Triple own = triple_at(p.position, slot.wire);
+  const double extent = WirePiece::extent(chains_, p.position, slot.wire);
+  ParticleIndex near = slot.partner;
+  std::uint32_t near_piece = 0;
+  double least = -1;
+  for (std::uint32_t n = 0, k = slot.partner; n < std::max(1U, slot.count); ++n) {
+    const Triple d = triple_at(p.position, k) - own;
+    if (least < 0 || dot(d, d) < least) least = dot(d, d), near = k, near_piece = n;
+    if (slot.count > 0) k = chains_.behind(k);
+  }
+  const double far = reach + extent + (slot.count > 0 ? WirePiece::extent(chains_, p.position, near) : 0.0);
+  if (!(least < far * far)) return false;
+  x.piece = wire_piece(chains_, p.position, slot.wire);
+  x.partner.pieces.clear();
+  x.partner.centre = triple_at(p.position, slot.partner);
+  for (std::uint32_t n = 0, k = slot.partner; n < slot.count; ++n, k = chains_.behind(k))
+    x.partner.pieces.push_back(wire_piece(chains_, p.position, k));
+  bend_of(x.partner, reach);
+  const Foot hint{x.partner.centre, slot.count > 0 ? near_piece : 0, 0.5};
+  return find_patch(x.piece, x.partner, reach, extent, hint, x.patch);
+}
+
+/// Fills the scratch with the contact of a slot. False if it does not touch.
+bool WireForces::find_contact(const WireSlot& slot, const Particles& p, Scratch& x) const {
+  if (!find_patch_of(slot, p, 0, x)) return false;
+  const double r = p.radius[slot.wire];
+  describe(x.patch, x.piece, x.partner, x.sphere, r + p.radius[slot.partner], r, x.contact);
+  return true;
+}
+
+ContactState WireForces::material_state(const WireSlot& slot, const Particles& p) const {
+  const auto material = [&](ParticleIndex i) { return static_cast<std::size_t>(p.material[i]); };
+  const Pair& pair = pairs_[material(slot.wire) * material_count_ + material(slot.partner)];
+  const double r = p.radius[slot.wire], other = p.radius[slot.partner];
+  ContactState s;
+  s.effective_radius = slot.count > 0 ? effective_radius_of_wires(r, other) : effective_radius_on_sphere(r, other);
+  s.effective_modulus = pair.modulus;
+  s.effective_shear_modulus = pair.shear_modulus;
+  s.damping_ratio = pair.damping_ratio;
+  const bool one_body = p.body[slot.wire] == p.body[slot.partner];
+  s.friction = one_body ? 0.0 : pair.friction;
+  return s;
+}
+
+template <ContactLaw L>
+void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p, double dt, Scratch& x,
+                               Chunk& chunk) const {
+  if (!find_contact(slot, p, x)) {
+    if (slot.touching != 0) chunk.energy.friction += held(slot.history);
+    slot.history = {}, slot.touching = 0;
+    return;
+  }
+  const WireContact& c = x.contact;
+  ContactState s = material_state(slot, p);
+  set_motion(c, p, dt, s);
+  s.friction *= c.spread;  // Coulomb's limit is one on the resultant
+  ContactState still = s;
+  still.damping_ratio = 0;
+  ContactHistory none;
+  const double elastic = law(still, none, 0.0).normal;
+  const ContactForce f = law(s, slot.history, dt);
+  const Triple at_point =
+      f.tangential - (f.normal - elastic) * c.spread * c.normal;  // friction and dampers, on the wire
+  slot.touching = 1;
+  const auto deepest = std::max_element(x.patch.nodes.begin(), x.patch.nodes.begin() + static_cast<long>(x.patch.count),
+                                        [](const auto& a, const auto& b) { return a.overlap < b.overlap; });
+  slot.last = slot.count > 0 ? x.partner.pieces[deepest->foot.piece].beads[1] : slot.partner;
+  const auto answer = [&](const WireSide& side, double sign) {
+    const Triple moment = cross(side.lever, sign * at_point);
+    for (std::size_t k = 0; k < side.count; ++k) {
+      const WireShare& b = side.shares[k];
+      chunk.answers.push_back({b.particle, (sign * b.weight) * at_point - elastic * b.gradient, b.weight * moment});
+    }
+  };
+  answer(c.wire, 1);
+  answer(c.partner, -1);
+  chunk.energy.elastic_normal += f.elastic_normal;
+  chunk.energy.elastic_tangential += f.elastic_tangential;
+  chunk.energy.damping += f.damping_work;
+  chunk.energy.damping_of_step += f.damping_work;
+  chunk.energy.friction += f.friction_work;
+  const double ratio = x.patch.depth / std::min(p.radius[slot.wire], p.radius[slot.partner]);
+  if (ratio > chunk.worst.ratio) chunk.worst = {ratio, slot.wire, slot.last, false};
+}
+
+template <ContactLaw L>
+void WireForces::evaluate_with(const L& law, const Particles& p, double dt) {
+  auto& slots = detection_.slots();
+  chunks_.resize((near_.size() + kChunk - 1) / kChunk);
+  parallel_for_chunks(near_.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    static thread_local Scratch scratch;
+    Chunk& chunk = chunks_[first / kChunk];
+    chunk.answers.clear();
+    chunk.energy = {}, chunk.worst = {};
+    for (std::size_t k = first; k < last; ++k) evaluate_slot(law, slots[near_[k]], p, dt, scratch, chunk);
+  });
+}
+
+void WireForces::evaluate(const Particles& p, double dt) {
+  std::visit([&](const auto& law) { evaluate_with(law, p, dt); }, law_);
+  energy_.elastic_normal = energy_.elastic_tangential = energy_.damping_of_step = 0;
+  worst_ = {};
+  for (const Chunk& c : chunks_) {
+    energy_ += c.energy;
+    if (c.worst.ratio > worst_.ratio) worst_ = c.worst;
+  }
+}
+
+void WireForces::add_forces(Particles& p) const {
+  for (const Chunk& c : chunks_)
+    for (const Answer& a : c.answers) {
+      p.force.x[a.particle] += a.force.x, p.force.y[a.particle] += a.force.y, p.force.z[a.particle] += a.force.z;
+      p.torque.x[a.particle] += a.torque.x, p.torque.y[a.particle] += a.torque.y, p.torque.z[a.particle] += a.torque.z;
+    }
+}
+
+std::size_t WireForces::touching() const {
+  return static_cast<std::size_t>(
+      std::count_if(slots().begin(), slots().end(), [](const WireSlot& s) { return s.touching != 0; }));
+}
+
+/// A contact at rest: the law tells what its spring holds.
+double WireForces::energy_at_rest(const WireSlot& slot, const Particles& p) const {
+  Scratch x;
+  if (!find_contact(slot, p, x)) return 0;
+  ContactState s = material_state(slot, p);
+  s.overlap = x.contact.overlap;
+  s.effective_mass = 1;
+  ContactHistory none;
+  return std::visit([&](const auto& law) { return law(s, none, 0.0).elastic_normal; }, law_);
+}
+
+double WireForces::normal_energy(const Particles& p) const {
+  double sum = 0;
+  for (const WireSlot& s : slots()) sum += energy_at_rest(s, p);
+  return sum;
+}
+
+double WireForces::normal_energy_of(ParticleIndex sphere, const Particles& p) const {
+  double sum = 0;
+  for (const WireSlot& s : slots())
+    if (s.count == 0 && s.partner == sphere) sum += energy_at_rest(s, p);
+  return sum;
+}
+
+}  // namespace lahar::dem

@@ -1,0 +1,97 @@
+#pragma once
+// The loop over contacts of wires as smooth curves: of wires with grains and of wires with each other.
+#include <cstdint>
+#include <vector>
+
+#include "dem/contact/contact_forces.h"
+#include "dem/contact/worst_overlap.h"
+#include "dem/wires/wire_chains.h"
+#include "dem/wires/wire_contact.h"
+#include "dem/wires/wire_detection.h"
+
+namespace lahar::dem {
+
+/// How wires touch grains and each other: bead by bead, or as smooth round wires along the beads (docs/theory.md).
+enum class WireContacts : std::uint8_t { beads, capsules };
+
+/// Contacts of all wires. Their beads' contacts with walls are not among them, nor is anything between plain particles.
+/// Wires do not resist rolling.
+class WireForces {
+ public:
+  WireForces(const Materials& materials, ContactLawChoice law, NeighbourOptions options);
+
+  /// Finds the wires anew, after bonds were added or broke, and lists their contacts.
+  void rebuild(const Particles& particles, const Bonds& bonds);
+  /// True if particles have moved so far that the contacts must be listed anew.
+  [[nodiscard]] bool outdated(const Particles& particles) const { return detection_.outdated(particles); }
+  /// Picks out the slots that may touch before a particle has moved by a small share of the wires' radius, if one has.
+  void narrow(const Particles& particles);
+  /// Lists the contacts anew. Positions must be finite.
+  void relist(const Particles& particles);
+
+  /// Forces of all contacts after a step of dt (s) that brought the particles to where they are. Velocities must be
+  /// those of mid-step, `particles.force` still the sum of the step before. Wires of one body touch without friction.
+  void evaluate(const Particles& particles, double dt);
+  /// Adds what was evaluated, in the order of the contacts.
+  void add_forces(Particles& particles) const;
+
+  [[nodiscard]] const WireChains& chains() const { return chains_; }
+  [[nodiscard]] const std::vector<WireSlot>& slots() const { return detection_.slots(); }
+  [[nodiscard]] const ContactEnergy& energy() const { return energy_; }
+  [[nodiscard]] const WorstOverlap& worst_overlap() const { return worst_; }
+  [[nodiscard]] std::int64_t builds() const { return builds_; }
+  /// Contacts that touched in the last evaluation.
+  [[nodiscard]] std::size_t touching() const;
+
+  /// Energy that the normal springs hold where everything is now, J: of all contacts, or of those of one sphere.
+  [[nodiscard]] double normal_energy(const Particles& particles) const;
+  [[nodiscard]] double normal_energy_of(ParticleIndex sphere, const Particles& particles) const;
+  /// A sphere leaves with this energy of its normal springs, J.
+  void take_out(double normal_energy) { energy_.elastic_normal -= normal_energy; }
+
+  /// State of a checkpoint (wire_transfer.cpp); the wires follow from the bonds.
+  void transfer(Archive& archive, const Particles& particles, const Bonds& bonds);
+
+ private:
+  struct Pair {  // of materials
+    double modulus, shear_modulus, friction, damping_ratio;
+  };
+  struct Answer {
+    ParticleIndex particle;
+    Triple force, torque;
+  };
+  struct Chunk {
+    std::vector<Answer> answers;
+    ContactEnergy energy;
+    WorstOverlap worst;
+  };
+  struct Scratch;
+
+  bool find_contact(const WireSlot& slot, const Particles& particles, Scratch& scratch) const;
+  bool find_patch_of(const WireSlot& slot, const Particles& particles, double margin, Scratch& scratch) const;
+  [[nodiscard]] ContactState material_state(const WireSlot& slot, const Particles& particles) const;
+  template <ContactLaw L>
+  void evaluate_with(const L& law, const Particles& particles, double dt);
+  template <ContactLaw L>
+  void evaluate_slot(const L& law, WireSlot& slot, const Particles& particles, double dt, Scratch& scratch,
+                     Chunk& chunk) const;
+  void note_near();
+  void pick_near(const Particles& particles);
+  [[nodiscard]] double energy_at_rest(const WireSlot& slot, const Particles& particles) const;
+
+  ContactLawChoice law_;
+  std::size_t material_count_;
+  std::vector<Pair> pairs_;
+  WireChains chains_;
+  WireDetection detection_;
+  std::vector<std::uint32_t> near_;  // slots that may touch soon
+  Vec3Field narrowed_at_;
+  std::vector<double> narrow_limit2_;
+  double narrow_limit_ = 0;  // m
+  std::vector<Chunk> chunks_;
+  ContactEnergy energy_;
+  WorstOverlap worst_;
+  std::int64_t builds_ = 0;
+};
+
+}  // namespace lahar::dem

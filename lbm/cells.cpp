@@ -1,7 +1,0 @@
-#include "lbm/cells.h"
-
-namespace lahar::lbm {
-
-constinit const NeighbourTable kNeighbours = make_neighbour_table();
-
-}  // namespace lahar::lbm

@@ -1,0 +1,129 @@
+#pragma once
+// One block of 8 x 8 x 8 cells: populations for every cell, and optional fields only where the block needs them.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry.h"
+#include "lbm/grid/cells.h"
+#include "lbm/grid/pool.h"
+
+namespace lahar::lbm {
+
+/// Fields of blocks that hold interface cells.
+template <class Real>
+struct SurfaceFields {
+  alignas(64) Real mass[kBlockCells];        ///< lu; interface cells only, bodies in the cell included
+  alignas(64) Real fill_level[kBlockCells];  ///< 0..1; 1 in liquid, 0 in gas; of the last conversion
+  alignas(64) Real density[kBlockCells];     ///< rho - 1, written by the sweep
+  /// Bound on the relaxation rate (collision/stress_limit.h), written by exchange_surface before each sweep.
+  alignas(64) Real largest_rate[kBlockCells];
+  std::array<std::uint16_t, kBlockCells> cells;  ///< the interface cells, ascending
+  /// Interface cells without liquid around at the start of the step, written by exchange_surface.
+  std::array<bool, kBlockCells> alone;
+  std::uint64_t rows = 0;  ///< rows with interface cells, by bit y + 8 z
+  int count = 0;
+  int exposed = 0;  ///< interface cells with a bound on their relaxation rate
+};
+
+/// Fields of blocks that hold immersed bodies or feel forces of wires.
+template <class Real>
+struct BodyFields {
+  alignas(64) Real solid_fraction[kBlockCells];  ///< sum over bodies, may exceed 1 where bodies overlap
+  alignas(64) Real coverage[kBlockCells];        ///< sum over bodies of their parts in the cell's exchange
+  alignas(64) Real resistance[kBlockCells];      ///< what B follows from (collision/coverage.h)
+  alignas(64) Real momentum_x[kBlockCells];      ///< sum over bodies of coverage times velocity, lu
+  alignas(64) Real momentum_y[kBlockCells];
+  alignas(64) Real momentum_z[kBlockCells];
+  /// In: momentum given to the cell by wires or an inflow in the coming step (open_kicks). Out (by the sweep): momentum
+  /// that the fluid gave to the bodies in the cell in this step.
+  alignas(64) Real exchange_x[kBlockCells];
+  alignas(64) Real exchange_y[kBlockCells];
+  alignas(64) Real exchange_z[kBlockCells];
+  /// Velocity after the last collision, lu, in wet cells; written by the sweep for the wires to sample
+  /// (SweepParameters::keep_velocity).
+  alignas(64) Real velocity_x[kBlockCells];
+  alignas(64) Real velocity_y[kBlockCells];
+  alignas(64) Real velocity_z[kBlockCells];
+  bool used = false;      ///< a body or wire reaches the block in this step
+  bool mapped = false;    ///< the first six fields are what the body map wrote: it may leave them as they are
+  bool wired = false;     ///< they are what the map of wires wrote, without grains, and may leave as they are
+  bool edited = false;    ///< somebody else wrote into the first six fields: they are cleared before the next step
+  bool no_kicks = false;  ///< exchange holds what came out of the last step; nothing goes in
+};
+
+/// To be called before momentum is added to the exchange fields for the coming step.
+template <class Real>
+void open_kicks(BodyFields<Real>& body) {
+  if (!body.no_kicks) return;
+  for (Real* field : {body.exchange_x, body.exchange_y, body.exchange_z})
+    std::fill(field, field + kBlockCells, Real(0));
+  body.no_kicks = false;
+}
+
+/// A cell next to a wall, with its links into the wall.
+struct WallCell {
+  std::uint16_t cell;
+  std::uint16_t first_link;
+  std::uint8_t links;
+  WallSlip slip;
+  std::array<float, 3> normal;         ///< unit, out of the wall
+  std::array<float, 3> wall_velocity;  ///< lu
+  float distance;                      ///< of the cell centre from the wall, lu
+  float roughness;                     ///< k_s, lu; WallSlip::wall_model
+  std::int16_t wall = -1;              ///< index of the wall in the domain
+  /// Whether the links' pushes cancel for any velocity along the wall, as they do on a flat wall along the lattice.
+  bool even = true;
+};
+
+/// One velocity into walls in a row of cells, where what comes back is a copy of what was sent: off walls at rest and
+/// mirrors (boundary/row_reflection.h). Cells of a row are named by bits.
+struct RowLink {
+  std::uint8_t row;           ///< y + 8 z
+  std::uint8_t direction;     ///< velocity into the wall
+  std::uint8_t along;         ///< its part along a mirror where that leads to another cell, else 0
+  std::uint8_t source;        ///< velocity of what comes back: from that other cell into the wall, else `direction`
+  std::uint8_t cells;         ///< that have this link
+  std::uint8_t mirrored = 0;  ///< of them, those whose link led to another cell at the last reflection (slip_wall.h)
+};
+
+/// Where a link meets its wall; only with WallPlacement::interpolated.
+struct WallHit {
+  float share;  ///< of the link, from the cell centre
+  float push;   ///< c_i . u_wall there, lu
+};
+
+struct WallLinks {
+  std::vector<WallCell> cells;
+  std::vector<std::uint16_t> others;     ///< entries of `cells` whose links are not copies by rows
+  std::vector<RowLink> rows;             ///< the links that are
+  std::vector<std::uint8_t> directions;  ///< velocity index pointing into the wall
+  std::vector<WallHit> hits;             ///< one per direction, or empty
+  std::vector<double> gains;  ///< per cell: mass that its links will add in the coming sweep, lu (wall_balance.h)
+  double gained = 0;          ///< sum of what liquid cells got in the last sweep, lu
+  int takers = 0;             ///< entries of liquid cells whose links may add mass
+  void clear() {
+    cells.clear(), others.clear(), rows.clear(), directions.clear(), hits.clear(), gains.clear();
+    gained = 0, takers = 0;
+  }
+};
+
+template <class Real>
+struct Block {
+  static constexpr std::size_t stride = PopulationPool<Real>::stride;
+
+  std::array<CellType, kBlockCells> type;
+  std::array<bool, kBlockCells> at_rim;  ///< a neighbour is a sink: never liquid, what exceeds 1 has left
+  Real* populations = nullptr;
+  SurfaceFields<Real>* surface = nullptr;
+  BodyFields<Real>* body = nullptr;
+  WallLinks walls;
+  int wet_cells = 0;
+  std::uint64_t wet_rows = 0;  ///< rows of 8 cells along x with wet cells, by bit y + 8 z
+  std::uint64_t birth = 0;     ///< unique per created block, so that a reused index is not taken for the old block
+
+  [[nodiscard]] Real* f(int i) const { return populations + static_cast<std::size_t>(i) * stride; }
+};
+
+}  // namespace lahar::lbm

@@ -1,0 +1,70 @@
+#include "lbm/grid/domain.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/check.h"
+
+namespace lahar::lbm {
+
+Domain::Domain(DomainSpec spec) : spec_(std::move(spec)) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto low = static_cast<std::size_t>(2 * axis), high = low + 1;
+    const bool periodic = spec_.faces[low] == FaceKind::periodic;
+    require(periodic == (spec_.faces[high] == FaceKind::periodic), "Domain: an axis is periodic on one side only");
+    const double exact = (spec_.upper[axis] - spec_.lower[axis]) / spec_.cell_size;
+    cells_[axis] = static_cast<int>(std::ceil(exact - 1e-6));
+    first_[axis] = periodic ? 0 : 1;
+    origin_[axis] = spec_.lower[axis] - first_[axis] * spec_.cell_size;
+    if (!periodic) continue;
+    require(cells_[axis] % kBlockWidth == 0, "Domain: a periodic axis needs a multiple of 8 cells");
+    period_[axis] = cells_[axis] / kBlockWidth;
+  }
+  for (int face = 0; face < 6; ++face) {
+    if (spec_.faces[static_cast<std::size_t>(face)] != FaceKind::closed) continue;
+    const int axis = face / 2;
+    Vec3 normal = Vec3::Zero();
+    normal[axis] = face % 2 == 0 ? 1 : -1;
+    spec_.walls.add({"domain face", HalfSpace{face % 2 == 0 ? spec_.lower : spec_.upper, normal}});
+  }
+}
+
+bool Domain::outside_open_face(const Vec3i& cell) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto low = static_cast<std::size_t>(2 * axis);
+    if (cell[axis] < first_[axis] && spec_.faces[low] == FaceKind::open) return true;
+    if (cell[axis] >= first_[axis] + cells_[axis] && spec_.faces[low + 1] == FaceKind::open) return true;
+  }
+  return false;
+}
+
+double Domain::wall_share(const Vec3& from, const Vec3& into) const {
+  double low = 0, high = 1, f_low = spec_.walls.nearest(from).distance, f_high = spec_.walls.nearest(into).distance;
+  // Regula falsi with the Illinois rule: exact at once on a plane.
+  int side = 0;
+  double t = 0.5;
+  for (int k = 0; k < 30 && high - low > 1e-12; ++k) {
+    t = (low * f_high - high * f_low) / (f_high - f_low);
+    const double f = spec_.walls.nearest(from + t * (into - from)).distance;
+    if (std::abs(f) < 1e-12 * spec_.cell_size) break;
+    if (f > 0) {
+      low = t, f_low = f;
+      if (side == 1) f_high /= 2;
+      side = 1;
+    } else {
+      high = t, f_high = f;
+      if (side == -1) f_low /= 2;
+      side = -1;
+    }
+  }
+  return std::clamp(t, 1e-6, 1.0);
+}
+
+CellType Domain::classify(const Vec3i& cell) const {
+  const Vec3 p = centre(cell);
+  for (std::size_t w = 0; w < spec_.walls.all().size(); ++w)
+    if (spec_.walls.distance(w, p) < 0) return CellType::wall;
+  return outside_open_face(cell) ? CellType::sink : CellType::gas;
+}
+
+}  // namespace lahar::lbm

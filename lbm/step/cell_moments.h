@@ -1,0 +1,29 @@
+#pragma once
+// Density and velocity of a cell between steps, from what it sent out in the last one (post-collision, forces
+// included).
+#include "lbm/grid/fluid_grid.h"
+
+namespace lahar::lbm {
+
+template <class Real>
+struct CellMoments {
+  Real drho = 0;          ///< rho - 1
+  Real u[3] = {0, 0, 0};  ///< lu
+};
+
+/// The cell's neighbours must exist (they do for wet cells).
+template <class Real>
+CellMoments<Real> outgoing_moments(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
+  Real drho = grid.block(place.block).f(0)[place.cell];
+  Real j[3] = {0, 0, 0};
+  for (int a = 1; a < D3Q19::q; a += 2) {
+    const auto pair = grid.access(place, a, parity);
+    const Real fa = *pair.outgoing_a, fb = *pair.outgoing_b;
+    drho += fa + fb;
+    for (int k = 0; k < 3; ++k) j[k] += static_cast<Real>(D3Q19::c[a][k]) * (fa - fb);
+  }
+  const Real inverse = Real(1) / (Real(1) + drho);
+  return {drho, {j[0] * inverse, j[1] * inverse, j[2] * inverse}};
+}
+
+}  // namespace lahar::lbm

@@ -1,0 +1,200 @@
+// How liquid gets into the fluid before the first step.
+#include <algorithm>
+#include <set>
+
+#include "lbm/collision/equilibrium.h"
+#include "lbm/free_surface/surface_exchange.h"
+#include "lbm/step/fluid.h"
+
+namespace lahar::lbm {
+
+namespace {
+
+/// The part of population i that carries a stress (second moments less their equilibrium): w_i 9/2 (c c - 1/3) : S.
+double stress_part(int i, const Mat3& stress) {
+  const Vec3 c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+  return 4.5 * D3Q19::w(i) * (c.dot(stress * c) - stress.trace() / 3);
+}
+
+}  // namespace
+
+template <class Real>
+void Fluid<Real>::initialize(CellPlace place, double drho, const Vec3& u, const Mat3& stress) {
+  grid_.require_neighbours(place);
+  const auto r = static_cast<Real>(drho), x = static_cast<Real>(u.x()), y = static_cast<Real>(u.y()),
+             z = static_cast<Real>(u.z());
+  const auto population = [&](int i) { return equilibrium(i, r, x, y, z) + static_cast<Real>(stress_part(i, stress)); };
+  grid_.block(place.block).f(0)[place.cell] = population(0);
+  for (int a = 1; a < D3Q19::q; a += 2) {
+    const auto pair = grid_.access(place, a, parameters_.parity);
+    const Real fa = population(a), fb = population(a + 1);
+    // What the cell sends out is what its neighbours receive; from neighbours that send nothing it receives its own.
+    *pair.outgoing_a = fa;
+    *pair.outgoing_b = fb;
+    if (!is_wet(grid_.type(grid_.neighbour(place, a)))) *pair.incoming_b = fb;
+    if (!is_wet(grid_.type(grid_.neighbour(place, a + 1)))) *pair.incoming_a = fa;
+  }
+}
+
+namespace {
+
+/// rho - 1 of liquid at rest under the top of its region (z is the direction of depth): dp = rho g dh with p = cs^2
+/// rho, so rho = exp(3 g h).
+double resting_density(double z, const LiquidRegion& region, double gravity_z, const LatticeUnits& units) {
+  const double depth_lu = std::max(0.0, region.upper.z() - z) / units.cell_size;
+  return std::max(0.0, std::expm1(-3 * units.acceleration_to_lu(gravity_z) * depth_lu));
+}
+
+/// Volume of the part of a cell that lies in a box, as a fraction of the cell.
+double overlap_fraction(const Vec3& centre, double dx, const LiquidRegion& r) {
+  double fraction = 1;
+  for (int a = 0; a < 3; ++a) {
+    const double low = std::max(centre[a] - dx / 2, r.lower[a]), high = std::min(centre[a] + dx / 2, r.upper[a]);
+    fraction *= std::clamp((high - low) / dx, 0.0, 1.0);
+  }
+  return fraction;
+}
+
+/// The same of a body, from its signed distance in eight parts of the cell: exact where the surface is flat and lies
+/// along the lattice.
+double body_fraction(const Vec3& centre, double dx, const Shape& body) {
+  double fraction = 0;
+  for (int k = 0; k < 8; ++k) {
+    const Vec3 part = centre + dx / 4 * Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
+    const double d = std::visit([&](const auto& s) { return s.distance(part); }, body);
+    fraction += std::clamp(0.5 - d / (dx / 2), 0.0, 1.0) / 8;
+  }
+  return fraction;
+}
+
+}  // namespace
+
+template <class Real>
+void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
+  const double dx = units_.cell_size;
+  std::vector<BlockIndex> touched;
+  std::vector<std::pair<CellPlace, const LiquidRegion*>> wet;
+  for (const auto& region : regions) {
+    std::set<BlockIndex> filled;  // along a periodic axis the block beyond the end is the first one again
+    const Vec3i low = block_of(grid_.domain().cell_at(region.lower)),
+                high = block_of(grid_.domain().cell_at(region.upper));
+    for (int x = low.x(); x <= high.x(); ++x)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int z = low.z(); z <= high.z(); ++z) {
+          const BlockIndex b = grid_.require_block({x, y, z});
+          if (!filled.insert(b).second) continue;
+          touched.push_back(b);
+          for (int n = 0; n < kBlockCells; ++n) {
+            Block<Real>& block = grid_.block(b);
+            CellType& type = block.type[static_cast<std::size_t>(n)];
+            const double fraction = region.body ? body_fraction(grid_.centre(b, n), dx, *region.body)
+                                                : overlap_fraction(grid_.centre(b, n), dx, region);
+            if (type == CellType::wall || type == CellType::sink || fraction < 1e-6) continue;
+            SurfaceFields<Real>& surface = grid_.require_surface(b);
+            if (type == CellType::gas) wet.push_back({{b, n}, &region});
+            type = CellType::interface;
+            surface.fill_level[n] = std::min(Real(1), surface.fill_level[n] + static_cast<Real>(fraction));
+            surface.mass[n] =
+                surface.fill_level[n] *
+                static_cast<Real>(1 + resting_density(grid_.centre(b, n).z(), region, options_.gravity.z(), units_));
+          }
+        }
+  }
+  // Between two steps cells send out what half of a step's weight has been added to: without it water at rest would
+  // start with a jolt of g/2 and ring.
+  const Vec3 half_force = 0.5 * Vec3(parameters_.gravity[0], parameters_.gravity[1], parameters_.gravity[2]);
+  for (const auto& [place, region] : wet) {
+    const double drho =
+        resting_density(grid_.centre(place.block, place.cell).z(), *region, options_.gravity.z(), units_);
+    initialize(place, drho, units_.velocity_to_lu(1.0) * region->velocity + half_force);
+    SurfaceFields<Real>& surface = *grid_.block(place.block).surface;
+    surface.density[place.cell] = static_cast<Real>(drho);
+  }
+  classify_filled(touched);
+  for (const BlockIndex b : touched)
+    if (grid_.block(b).surface) note_densities(grid_, b, parameters_.parity);
+  reflect();  // what is on its way into a wall at the start comes back: without it the mass would change
+  open_ledger();
+}
+
+/// Full cells without a gas neighbour are liquid; all lists are made.
+template <class Real>
+void Fluid<Real>::classify_filled(std::vector<BlockIndex>& touched) {
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  std::vector<CellPlace> full;
+  for (const BlockIndex b : touched) {
+    const Block<Real>& block = grid_.block(b);
+    for (int n = 0; n < kBlockCells; ++n) {
+      const auto at = static_cast<std::size_t>(n);
+      if (block.type[at] != CellType::interface || block.at_rim[at] || block.surface->fill_level[n] < Real(0.999999))
+        continue;
+      bool closed = true;
+      for (int i = 1; i < D3Q19::q; ++i) {
+        const CellType t = grid_.type(grid_.neighbour({b, n}, i));
+        closed = closed && t != CellType::gas && t != CellType::sink;
+      }
+      if (closed) full.push_back({b, n});
+    }
+  }
+  for (const CellPlace& p : full) {
+    grid_.block(p.block).type[static_cast<std::size_t>(p.cell)] = CellType::liquid;
+    grid_.block(p.block).surface->mass[p.cell] = 0;
+  }
+  for (const BlockIndex b : touched) grid_.relist(b);
+}
+
+/// Stress after a collision that a velocity field keeps up: (1 - 1/tau) S with S = -2/3 tau D (Chapman-Enskog) and D
+/// the deviator of the strain rate, from differences over one cell.
+template <class Real>
+Mat3 Fluid<Real>::flow_stress(const std::function<Vec3(const Vec3&)>& velocity_lu, const Vec3& centre) const {
+  Mat3 gradient;
+  for (int a = 0; a < 3; ++a) {
+    const Vec3 half = 0.5 * units_.cell_size * Vec3::Unit(a);
+    gradient.col(a) = velocity_lu(centre + half) - velocity_lu(centre - half);
+  }
+  const Mat3 strain = 0.5 * (gradient + gradient.transpose());
+  return -2.0 / 3.0 * (parameters_.tau - 1) * (strain - strain.trace() / 3 * Mat3::Identity());
+}
+
+template <class Real>
+void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& velocity_lu,
+                                  const std::function<double(const Vec3&)>& drho, Start start) {
+  const Vec3i first = grid_.domain().first(), last = first + grid_.domain().cells() - Vec3i::Ones();
+  const Vec3i low = block_of(first), high = block_of(last);
+  std::vector<CellPlace> wet;
+  std::vector<BlockIndex> touched;
+  for (int x = low.x(); x <= high.x(); ++x)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int z = low.z(); z <= high.z(); ++z) {
+        const BlockIndex b = grid_.require_block({x, y, z});
+        touched.push_back(b);
+        for (int n = 0; n < kBlockCells; ++n) {
+          CellType& type = grid_.block(b).type[static_cast<std::size_t>(n)];
+          if (type != CellType::gas) continue;
+          type = CellType::liquid;
+          wet.push_back({b, n});
+        }
+      }
+  for (const CellPlace& p : wet) {
+    const Vec3 centre = grid_.centre(p.block, p.cell);
+    initialize(p, drho(centre), velocity_lu(centre),
+               start == Start::with_stress ? flow_stress(velocity_lu, centre) : Mat3(Mat3::Zero()));
+  }
+  for (const BlockIndex b : touched) grid_.relist(b);
+  reflect();
+  open_ledger();
+}
+
+#define LAHAR_INSTANTIATE(Real)                                                                       \
+  template void Fluid<Real>::initialize(CellPlace, double, const Vec3&, const Mat3&);                 \
+  template void Fluid<Real>::classify_filled(std::vector<BlockIndex>&);                               \
+  template Mat3 Fluid<Real>::flow_stress(const std::function<Vec3(const Vec3&)>&, const Vec3&) const; \
+  template void Fluid<Real>::fill(const std::vector<LiquidRegion>&);                                  \
+  template void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>&,                 \
+                                             const std::function<double(const Vec3&)>&, Start);
+LAHAR_INSTANTIATE(float)
+LAHAR_INSTANTIATE(double)
+#undef LAHAR_INSTANTIATE
+
+}  // namespace lahar::lbm

@@ -1,0 +1,264 @@
+#pragma once
+// The body of the sweep, instantiated per number type and collision operator (sweep_float.cpp, sweep_double.cpp).
+#include <experimental/simd>
+#include <limits>
+
+#include "core/denormals.h"
+#include "lbm/collision/bgk.h"
+#include "lbm/collision/central_moments.h"
+#include "lbm/collision/smagorinsky.h"
+#include "lbm/collision/solid_operators.h"
+#include "lbm/collision/stress_limit.h"
+#include "lbm/collision/trt.h"
+#include "lbm/collision/wall_placing.h"
+#include "lbm/rheology/herschel_bulkley.h"
+#include "lbm/step/gather.h"
+#include "lbm/step/sweep.h"
+
+namespace lahar::lbm {
+
+/// Rows by bit y + 8 z.
+inline constexpr std::uint64_t kAllRows = ~std::uint64_t{0};
+
+/// Numbers of a sweep in the kernel's type, spread over a vector.
+template <class V, class Viscosity>
+struct Uniform {
+  Viscosity viscosity;
+  V gravity[3], stress_limit;
+  V alpha, beta, gamma, cap, largest;  ///< CoverageLaw
+  V fade;                              ///< 1 for SolidOperator::faded
+  bool turned, holdych;                ///< the solid operator is another one
+  bool keep_velocity;
+};
+
+/// Stands for exchange fields that nothing was written to.
+template <class Real>
+inline constexpr std::array<Real, kBlockCells> kNoKicks alignas(64){};
+
+template <class V, class Viscosity>
+Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
+  using Real = typename V::value_type;
+  const auto real = [](double x) { return V(static_cast<Real>(x)); };
+  double largest_stress;
+  if constexpr (Viscosity::flow_law)
+    largest_stress = stress_limit(p.rheology);
+  else
+    largest_stress = stress_limit(p.tau);
+  return {Viscosity::of(p),
+          {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])},
+          real(largest_stress),
+          real(p.coverage.alpha),
+          real(p.coverage.beta),
+          real(p.coverage.gamma),
+          real(p.coverage.cap),
+          real(p.coverage.largest),
+          real(p.solid_operator == SolidOperator::faded),
+          turns_populations(p.solid_operator),
+          p.solid_operator == SolidOperator::holdych,
+          p.keep_velocity};
+}
+
+template <class Real, bool kMixed, bool kBody>
+class BlockKernel {
+ public:
+  /// A row or two.
+  using V = std::conditional_t<stdx::native_simd<Real>::size() == 2 * kBlockWidth, stdx::native_simd<Real>, Row<Real>>;
+  static constexpr int width = static_cast<int>(V::size());
+
+  template <class Operator, template <class> class Viscosity>
+  static SweepNote run(Block<Real>& block, const std::array<Block<Real>*, 27>& around, const SweepParameters& p) {
+    const FlushDenormals flush;
+    const std::uint64_t rows = kMixed ? whole_vectors(block.wet_rows) : kAllRows;
+    alignas(64) Real nowhere[kBlockCells];
+    Real* home[D3Q19::pairs];
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) home[pair] = block.f(p.parity.home(D3Q19::forward(pair)));
+    const AwayPopulations<Real> away(around, p.parity, nowhere);
+    const auto uniform = make_uniform<V, Viscosity<V>>(p);
+    alignas(64) Real wet[kMixed ? kBlockCells : 1];
+    if constexpr (kMixed)
+      for (int n = 0; n < kBlockCells; ++n)
+        wet[n] = is_wet(block.type[static_cast<std::size_t>(n)]) ? Real(1) : Real(0);
+    Watch watch;
+    for (int n = 0; n < kBlockCells; n += width)
+      if (!kMixed || rows >> (n / kBlockWidth) & 1) collide_cells<Operator>(block, home, away, wet, n, uniform, watch);
+    return watch.note(block);
+  }
+
+ private:
+  /// What the collisions of a block see.
+  struct Watch {
+    V fastest{0}, compression{0};
+    int limited = 0, held_back = 0;
+    bool broken = false;
+
+    [[gnu::always_inline]] void see(const Moments<V>& m, const Departure<V>& d) {
+      compression = stdx::max(compression, stdx::abs(m.drho));
+      fastest = stdx::max(fastest, d.square);
+      const auto over = too_fast(d);
+      if (stdx::none_of(over)) [[likely]]
+        return;
+      held_back += stdx::popcount(over);
+      broken = broken || stdx::any_of(!stdx::isfinite(d.square));
+    }
+
+    [[nodiscard]] SweepNote note(const Block<Real>& block) const {
+      const double square = broken ? std::numeric_limits<double>::infinity() : static_cast<double>(stdx::hmax(fastest));
+      return {block.wet_cells, limited, block.surface ? block.surface->exposed : 0,
+              held_back,       square,  static_cast<double>(stdx::hmax(compression))};
+    }
+  };
+
+  /// The rows that vectors with a wet cell span: a vector of 16 takes two rows.
+  static std::uint64_t whole_vectors(std::uint64_t rows) {
+    if constexpr (width <= kBlockWidth) return rows;
+    static_assert(width <= 2 * kBlockWidth);
+    constexpr std::uint64_t even = 0x5555555555555555U;
+    const std::uint64_t first = (rows | rows >> 1) & even;
+    return first | first << 1;
+  }
+
+  template <class Operator, class Uniforms>
+  [[gnu::always_inline]] static void collide_cells(Block<Real>& block, Real* const (&home)[D3Q19::pairs],
+                                                   const AwayPopulations<Real>& away, const Real* wet, int n,
+                                                   const Uniforms& uniform, Watch& watch) {
+    V f[D3Q19::q];
+    f[0] = V(block.f(0) + n, stdx::vector_aligned);
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) f[2 * pair + 1] = V(home[pair] + n, stdx::vector_aligned);
+    const Rows rows = Rows::at(n, width / kBlockWidth);
+    for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+      f[2 * P + 2] = away.template pair<P>().template load<V>(rows);
+    });
+    const auto dry = [&] {
+      if constexpr (kMixed)
+        return V(wet + n, stdx::vector_aligned) == V(0);
+      else
+        return typename V::mask_type(false);
+    }();
+    if constexpr (kMixed)
+      for (V& population : f) stdx::where(dry, population) = V(0);
+    const Moments<V> m = moments(f);
+    CellForcing<V> force;
+    if constexpr (kMixed)
+      if (block.surface) {
+        m.drho.copy_to(block.surface->density + n, stdx::vector_aligned);
+        if constexpr (Operator::bounds_stress)
+          force.largest_rate = V(block.surface->largest_rate + n, stdx::vector_aligned);
+      }
+    if constexpr (Operator::bounds_stress) limit_stress(watch, f, uniform.stress_limit, m, force);
+    add_forcing(block, n, uniform, m, force);
+    if constexpr (kBody && kMixed) {
+      stdx::where(dry, force.coverage_weight) = V(0);
+      for (V& k : force.kick) stdx::where(dry, k) = V(0);
+    }
+    Departure<V> after;
+    bool turned = false;
+    if constexpr (kBody && std::is_same_v<std::remove_cvref_t<decltype(uniform.viscosity)>, Newtonian<V>>)
+      turned = uniform.turned;
+    if (turned) [[unlikely]] {
+      if constexpr (kBody) {
+        after = velocity_after(m, force);
+        collide_turned<Operator>(f, m, force, uniform.viscosity, uniform.holdych);
+      }
+    } else {
+      after = Operator::collide(f, m, force, uniform.viscosity);
+    }
+    watch.see(m, after);
+    if constexpr (kBody) record_exchange(block, n, m, force, uniform, after);
+    // Dry cells store what came of rest: it goes to places that walls or the surface set before a wet cell reads them.
+    f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);
+    for_each_pair([&]<int P, int CX, int CY, int CZ>()
+                      __attribute__((always_inline)) { away.template pair<P>().store(rows, f[2 * P + 1]); });
+  }
+
+  /// Bounds the stress of cells that strain too fast, and counts them: rare, hence the test of the squares first.
+  [[gnu::always_inline]] static void limit_stress(Watch& watch, const V (&f)[D3Q19::q], const V& largest,
+                                                  const Moments<V>& m, CellForcing<V>& force) {
+    const Symmetric<V> s = stress(f, m);
+    const V limit = largest * (V(1) + m.drho);
+    const auto over = square(s) > limit * limit;
+    if (stdx::none_of(over)) [[likely]]
+      return;
+    force.stress_share = limited_stress_share(s, m.inverse_density, largest);
+    watch.limited += stdx::popcount(over);
+  }
+
+  /// Gravity acts on all that the populations stand for, liquid and displaced liquid; the bodies' buoyancy is the
+  /// weight of the latter (coupling/grains/body_map.h).
+  template <class Uniforms>
+  [[gnu::always_inline]] static void add_forcing(const Block<Real>& block, int n, const Uniforms& uniform,
+                                                 const Moments<V>& m, CellForcing<V>& force) {
+    if constexpr (kBody) {
+      const BodyFields<Real>& body = *block.body;
+      const V tiny(Real(1e-12));
+      const V sum(body.coverage + n, stdx::vector_aligned);
+      const V inverse = V(1) / stdx::max(sum, tiny);
+      force.coverage_weight = coverage_weight(V(body.resistance + n, stdx::vector_aligned), uniform.alpha, uniform.beta,
+                                              uniform.gamma, uniform.cap, uniform.largest);
+      force.fade = uniform.fade * force.coverage_weight;
+      stdx::where(sum > V(0), force.near_body) = V(1);
+      force.solid_velocity[0] = V(body.momentum_x + n, stdx::vector_aligned) * inverse;
+      force.solid_velocity[1] = V(body.momentum_y + n, stdx::vector_aligned) * inverse;
+      force.solid_velocity[2] = V(body.momentum_z + n, stdx::vector_aligned) * inverse;
+      const Real* const none = kNoKicks<Real>.data();
+      const Real* const kicks[3] = {body.no_kicks ? none : body.exchange_x, body.no_kicks ? none : body.exchange_y,
+                                    body.no_kicks ? none : body.exchange_z};
+      for (int a = 0; a < 3; ++a) force.kick[a] = V(kicks[a] + n, stdx::vector_aligned) * m.inverse_density;
+    } else {
+      force.coverage_weight = V(0);
+      for (int a = 0; a < 3; ++a) force.solid_velocity[a] = force.kick[a] = V(0);
+    }
+    for (int a = 0; a < 3; ++a) force.acceleration[a] = uniform.gravity[a];
+  }
+
+  /// Momentum that the fluid gives to the bodies of the cell, B rho (u + a - u_s), and the velocity after collision.
+  /// The operator of Holdych gives B rho (2 (u - u_s) + a).
+  template <class Uniforms>
+  [[gnu::always_inline]] static void record_exchange(Block<Real>& block, int n, const Moments<V>& m,
+                                                     const CellForcing<V>& force, const Uniforms& uniform,
+                                                     const Departure<V>& after) {
+    const V weight = force.coverage_weight * (V(1) + m.drho);
+    Real* const out[3] = {block.body->exchange_x, block.body->exchange_y, block.body->exchange_z};
+    Real* const velocity[3] = {block.body->velocity_x, block.body->velocity_y, block.body->velocity_z};
+    for (int a = 0; a < 3; ++a) {
+      V loss = m.u[a] + force.acceleration[a] - force.solid_velocity[a], velocity_a = after.v[a];
+      if (uniform.holdych) [[unlikely]] {
+        const V slip = m.u[a] - force.solid_velocity[a];
+        loss += slip, velocity_a -= force.coverage_weight * slip;
+      }
+      (weight * loss).copy_to(out[a] + n, stdx::vector_aligned);
+      if (uniform.keep_velocity) velocity_a.copy_to(velocity[a] + n, stdx::vector_aligned);
+    }
+  }
+};
+
+template <class Real, bool kMixed, bool kBody, class Operator>
+BlockSweep<Real> pick_viscosity(const SweepParameters& p) {
+  using Kernel = BlockKernel<Real, kMixed, kBody>;
+  if (p.rheology.law == FlowLaw::bingham) return &Kernel::template run<Operator, Bingham>;
+  if (p.rheology.law == FlowLaw::herschel_bulkley) return &Kernel::template run<Operator, HerschelBulkley>;
+  return p.smagorinsky > 0 ? &Kernel::template run<Operator, Smagorinsky> : &Kernel::template run<Operator, Newtonian>;
+}
+
+template <class Real, bool kMixed, bool kBody>
+BlockSweep<Real> pick_operator(const SweepParameters& p) {
+  switch (p.collision) {
+    case CollisionOperator::bgk:
+      return pick_viscosity<Real, kMixed, kBody, Bgk>(p);
+    case CollisionOperator::trt:
+      return pick_viscosity<Real, kMixed, kBody, Trt>(p);
+    case CollisionOperator::central_moments:
+      break;
+  }
+  if constexpr (kBody)
+    if (p.places_walls) return pick_viscosity<Real, kMixed, kBody, WallPlacing>(p);
+  return pick_viscosity<Real, kMixed, kBody, CentralMoments>(p);
+}
+
+template <class Real>
+BlockSweep<Real> choose_sweep(const SweepParameters& p, bool mixed, bool bodies) {
+  if (bodies) return mixed ? pick_operator<Real, true, true>(p) : pick_operator<Real, false, true>(p);
+  return mixed ? pick_operator<Real, true, false>(p) : pick_operator<Real, false, false>(p);
+}
+
+}  // namespace lahar::lbm

@@ -1,7 +1,0 @@
-#include "lbm/sweep_kernel.h"
-
-namespace lahar::lbm {
-
-template BlockSweep<double> choose_sweep<double>(const SweepParameters&, bool, bool);
-
-}  // namespace lahar::lbm

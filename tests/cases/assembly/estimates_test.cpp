@@ -1,0 +1,94 @@
+#include "cases/assembly/estimates.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::cases {
+namespace {
+
+using scene::case_file;
+using scene::load;
+
+TEST(Estimates, SpeedOfAFreeFall) {
+  // From the top of the column, 0.6 m above the floor of the domain.
+  EXPECT_NEAR(expected_max_speed(load(case_file("dam_break/scene.toml"))), std::sqrt(2 * 9.81 * 0.6), 1e-12);
+  EXPECT_EQ(expected_max_speed(load(case_file("dam_break/scene.toml"), {"fluid.max_speed_m_s=2"})), 2);
+  EXPECT_NEAR(expected_max_speed(load(case_file("dam_break/scene.toml"), {"fluid.region[0].velocity_m_s=[3, 0, 4]"})),
+              std::sqrt(25 + 2 * 9.81 * 0.6), 1e-12);
+}
+
+TEST(Estimates, SpeedDownASlope) {
+  const double angle = 35 * std::numbers::pi / 180;
+  const double drop = 5.6 * std::sin(angle) + 0.75 * std::cos(angle);
+  const scene::Scene debris = scene::debris_flow();
+  EXPECT_NEAR(expected_max_speed(debris), std::sqrt(2 * 9.81 * drop), 1e-12);
+  EXPECT_NEAR(fluid_time_step(debris), 0.1 * 0.01 / expected_max_speed(debris), 1e-18);
+}
+
+TEST(Estimates, CountsOfThePaper) {
+  const scene::Scene debris = scene::debris_flow();
+  EXPECT_EQ(net_columns(debris.barrier.net), 30);
+  EXPECT_EQ(net_rows(debris.barrier.net), 16);
+  EXPECT_EQ(barrier_beads(debris.barrier), 480 * 36 + 905);  // cables: 5.52 m of 6.1 mm beads
+  EXPECT_EQ(grain_count(debris), 3260 + 1481);
+  EXPECT_EQ(smallest_grain(debris), 0.04);
+}
+
+TEST(Estimates, LimitsOfThePaper) {
+  // Rayleigh times 2.07e-5 s (40 mm grains) and 1.47e-5 s (beads); bonds sqrt(0.4 m / K) less 2 % damping.
+  const SolidsLimits limits = solids_limits(scene::debris_flow());
+  EXPECT_NEAR(limits.grain_rayleigh, 2.07e-5, 0.01e-5);
+  EXPECT_NEAR(limits.bead_rayleigh, 1.47e-5, 0.01e-5);
+  const double mass = 7800 * std::numbers::pi / 6 * std::pow(0.0061, 3), area = std::numbers::pi * 0.00305 * 0.00305;
+  const double damping = std::sqrt(1 + 0.02 * 0.02) - 0.02;
+  EXPECT_NEAR(limits.ring_bond, std::sqrt(0.4 * mass / (3e11 * area)) * damping, 1e-10);
+  EXPECT_NEAR(limits.cable_bond, std::sqrt(0.4 * mass / (8e11 * area)) * damping, 1e-10);
+}
+
+TEST(Estimates, LinearContactsAreLimitedByTheirOwnDuration) {
+  // Half a period of the smallest grains (40 mm, 2500 kg/m3) against each other, pi sqrt(m / 2 k).
+  scene::Scene debris = scene::debris_flow();
+  debris.solids.contact_law = scene::ContactLaw::linear;
+  debris.solids.normal_stiffness = 1e6;
+  double density = 0;
+  for (const auto& size : debris.grains.packings[0].sizes)
+    if (size.diameter < 0.05) density = size.density;
+  const double mass = density * std::numbers::pi / 6 * std::pow(0.04, 3);
+  EXPECT_NEAR(solids_limits(debris).grain_rayleigh, std::numbers::pi * std::sqrt(0.5 * mass / 1e6), 1e-12);
+}
+
+TEST(Estimates, SofteningLengthensTheLimits) {
+  const SolidsLimits hard = solids_limits(scene::debris_flow());
+  scene::Scene softened = scene::debris_flow();
+  softened.solids.contact_modulus_scale = 0.01;
+  softened.solids.bond_stiffness_scale = 0.04;
+  const SolidsLimits soft = solids_limits(softened);
+  EXPECT_NEAR(soft.grain_rayleigh / hard.grain_rayleigh, 10, 1e-9);
+  EXPECT_NEAR(soft.bead_rayleigh / hard.bead_rayleigh, 10, 1e-9);
+  EXPECT_NEAR(soft.cable_bond / hard.cable_bond, 5, 1e-9);
+}
+
+TEST(Estimates, TimeStepIsTheSmallerShare) {
+  scene::Scene debris = scene::debris_flow();
+  const SolidsLimits limits = solids_limits(debris);
+  EXPECT_DOUBLE_EQ(solids_time_step(debris),
+                   std::min(0.2 * limits.damped_share * limits.bead_rayleigh, 0.7 * limits.cable_bond));
+  debris.solids.time_step = 5e-7;
+  EXPECT_EQ(solids_time_step(debris), 5e-7);
+  EXPECT_EQ(solids_time_step(load(case_file("dam_break/scene.toml"))), std::numeric_limits<double>::infinity());
+}
+
+TEST(Estimates, WholeSubstepsFit) {
+  EXPECT_EQ(substeps(1e-4, 1e-5), 10);
+  EXPECT_EQ(substeps(1e-4, 0.99e-5), 11);
+  EXPECT_EQ(substeps(1e-4, 1), 1);
+  EXPECT_EQ(substeps(0.3, 0.1), 3);  // 0.3 / 0.1 is a little less than 3, and 0.1 + 0.2 a little more
+}
+
+}  // namespace
+}  // namespace lahar::cases

@@ -1,0 +1,71 @@
+#include "cases/assembly/net_spec.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::scene {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+TEST(NetSpec, TheNetOfThePaper) {
+  const barrier::RingNetSpec spec = make_net_spec(debris_flow());
+  EXPECT_EQ(spec.origin, Vec3(4.1, 0, 0));
+  EXPECT_EQ(spec.normal, Vec3(1, 0, 0));
+  EXPECT_EQ(spec.ring.axial.stiffness[0], 3e11);
+  EXPECT_EQ(spec.cable.shear_stiffness, 8e11);
+  EXPECT_EQ(spec.dissipator.axial.stiffness, (std::array<double, 3>{8e11, 8e10, 8e10}));
+  EXPECT_EQ(spec.dissipator.axial.force_limit, (std::array<double, 2>{2000, infinite}));
+  EXPECT_EQ(spec.dissipator.bond_radius, 0.00305);
+  EXPECT_EQ(spec.ring.damping_ratio, 0.02);
+  EXPECT_TRUE(spec.lower.support.fixed_all);
+  EXPECT_TRUE(spec.lower.support.dissipators_at.empty());
+  EXPECT_EQ(spec.left.support.fixed_at, (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(spec.upper.support.dissipators_at, (std::vector<double>{0, 1}));
+}
+
+TEST(NetSpec, ScaleActsOnEveryStiffnessAndNotOnForceLimits) {
+  const barrier::RingNetSpec spec = make_net_spec(
+      load(case_file("hanging_net/scene.toml"),
+           {"solids.bond_stiffness_scale=0.5", "barrier.bonds.dissipator_stiffness_N_m3=[8e10, 2e9, 6e9]",
+            "barrier.bonds.dissipator_force_limit_N=[100, 200]", "barrier.bonds.plastic_unloading=true"}));
+  EXPECT_EQ(spec.ring.axial.stiffness[0], 1.5e11);
+  EXPECT_EQ(spec.cable.shear_stiffness, 4e11);
+  EXPECT_EQ(spec.dissipator.axial.stiffness, (std::array<double, 3>{4e10, 1e9, 3e9}));
+  EXPECT_EQ(spec.dissipator.axial.force_limit, (std::array<double, 2>{100, 200}));
+  EXPECT_TRUE(spec.dissipator.axial.plastic_unloading);
+}
+
+TEST(NetSpec, WithoutDissipatorsCablesAreWireThroughout) {
+  const barrier::RingNetSpec spec =
+      make_net_spec(load(case_file("hanging_net/scene.toml"),
+                         {"barrier.bonds.dissipator_stiffness_N_m3=[]", "barrier.bonds.dissipator_force_limit_N=[]"}));
+  EXPECT_TRUE(spec.upper.support.dissipators_at.empty());
+  EXPECT_EQ(spec.upper.support.fixed_at, (std::vector<double>{0, 1}));
+  EXPECT_FALSE(spec.lower.support.fixed_all);
+}
+
+TEST(NetSpec, CablesAreFixedAndBrakedWhereTheSceneSays) {
+  const barrier::RingNetSpec spec =
+      make_net_spec(load(case_file("hanging_net/scene.toml"),
+                         {"barrier.bonds.dissipator_places=[0.1, 0.9]", "barrier.anchors.cable_places=[0, 0.3, 1]",
+                          "barrier.anchors.lateral_cable_middles_fixed=true"}));
+  EXPECT_EQ(spec.upper.support.dissipators_at, (std::vector<double>{0.1, 0.9}));
+  EXPECT_EQ(spec.lower.support.fixed_at, (std::vector<double>{0, 0.3, 1}));
+  EXPECT_EQ(spec.left.support.fixed_at, (std::vector<double>{0, 0.3, 0.5, 1}));
+}
+
+TEST(NetSpec, ALyingNet) {
+  const barrier::RingNetSpec spec =
+      make_net_spec(load(case_file("hanging_net/scene.toml"),
+                         {"barrier.net.width_direction=[2, 0, 0]", "barrier.net.height_direction=[0, 3, 0]",
+                          "domain.lower_m=[-1, -1, -1]", "domain.upper_m=[1, 1, 1]"}));
+  EXPECT_EQ(spec.across, Vec3(1, 0, 0));
+  EXPECT_EQ(spec.normal, Vec3(0, 0, 1));
+}
+
+}  // namespace
+}  // namespace lahar::scene

@@ -1,0 +1,51 @@
+#include "cases/assembly/rigid_barrier.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/assembly/geometry.h"
+#include "cases/scene/writer.h"
+#include "tests/cases/scene/rejections.h"
+
+namespace lahar::scene {
+namespace {
+
+const std::vector<std::string> kSlits{"rigid_barrier.enabled=true",     "rigid_barrier.origin_m=[0.2, 0, 0]",
+                                      "rigid_barrier.width_m=0.38",     "rigid_barrier.height_m=0.1",
+                                      "rigid_barrier.thickness_m=0.02", "rigid_barrier.material=steel",
+                                      "rigid_barrier.slits=3",          "rigid_barrier.slit_width_m=0.02"};
+
+std::vector<std::string> with(std::vector<std::string> set, const std::string& more) {
+  set.push_back(more);
+  return set;
+}
+
+TEST(RigidBarrier, BecomesPiersWithSlitsBetween) {
+  const Scene scene = load(case_file("hanging_net/scene.toml"), kSlits);
+  ASSERT_EQ(scene.walls.size(), 4u);
+  EXPECT_EQ(scene.walls[3].name, "rigid_barrier_3");
+  const Walls walls = make_walls(scene);
+  const double pier = (0.38 - 3 * 0.02) / 4;
+  for (int k = 0; k < 3; ++k) {
+    const double slit = (k + 1) * pier + (k + 0.5) * 0.02;
+    EXPECT_NEAR(walls.nearest(Vec3(0.21, slit, 0.05)).distance, 0.01, 1e-12) << k;
+    EXPECT_LT(walls.nearest(Vec3(0.21, slit + 0.011, 0.05)).distance, 0) << k;
+  }
+  EXPECT_NEAR(scene.walls[3].upper.y(), 0.38, 1e-12);
+}
+
+TEST(RigidBarrier, TheResolvedSceneHasItsWallsOnce) {
+  const Scene scene = load(case_file("hanging_net/scene.toml"), kSlits);
+  const ScratchFolder folder;
+  const auto file = folder.write("again.toml", to_toml(scene));
+  EXPECT_EQ(load(file, {}), scene);
+}
+
+TEST(RigidBarrier, RefusesSlitsThatLeaveNothing) {
+  const auto file = case_file("hanging_net/scene.toml");
+  expect_rejection(file, {with(kSlits, "rigid_barrier.slit_width_m=0.2"), "rigid_barrier.slits", "leave nothing"});
+  expect_rejection(file, {with(kSlits, "rigid_barrier.slit_width_m=0"), "rigid_barrier.slit_width_m", "is 0"});
+  expect_rejection(file, {with(kSlits, "rigid_barrier.height_m=0"), "rigid_barrier.height_m", "above 0"});
+}
+
+}  // namespace
+}  // namespace lahar::scene

@@ -1,0 +1,114 @@
+#include "cases/runner/check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::cases {
+namespace {
+
+using scene::case_file;
+using scene::load;
+
+bool warns(const CheckReport& report, const std::string& part) {
+  for (const std::string& w : report.warnings)
+    if (w.find(part) != std::string::npos) return true;
+  return false;
+}
+
+TEST(Check, FiguresOfTheDamBreak) {
+  const scene::Scene dam = load(case_file("dam_break/scene.toml"));
+  const CheckReport report = check_scene(dam);
+  ASSERT_TRUE(report.fluid.has_value());
+  EXPECT_FALSE(report.solids.has_value());
+  const FluidFigures& f = *report.fluid;
+  EXPECT_EQ(f.domain_cells, 80 * 15 * 40);
+  EXPECT_NEAR(f.liquid_cells, 15 * 15 * 30, 1e-6);
+  EXPECT_EQ(f.start_blocks, 3 * 3 * 4);
+  EXPECT_NEAR(f.mach, std::sqrt(3.0) * 0.1, 1e-12);
+  EXPECT_NEAR(f.compressibility_error, 0.03, 1e-12);
+  EXPECT_NEAR(f.lattice_viscosity, 1e-6 * f.time_step / (0.02 * 0.02), 1e-18);
+  EXPECT_NEAR(f.tau, 0.5 + 3 * f.lattice_viscosity, 1e-15);
+  EXPECT_NEAR(f.reynolds, std::sqrt(2 * 9.81 * 0.6) * 0.6 / 1e-6, 1e-3);
+  EXPECT_NEAR(f.froude, std::sqrt(2.0), 1e-12);  // sqrt(2 g h) / sqrt(g h)
+  EXPECT_NEAR(f.bond, 1000 * 9.81 * 0.36 / 0.0728, 1e-6);
+  EXPECT_EQ(f.steps, std::ceil(0.6 / f.time_step));
+  EXPECT_TRUE(report.warnings.empty()) << testing::PrintToString(report.warnings);
+}
+
+TEST(Check, FiguresOfTheDebrisFlow) {
+  const CheckReport report = check_scene(scene::debris_flow());
+  ASSERT_TRUE(report.fluid && report.solids);
+  EXPECT_NEAR(report.solids->time_step * static_cast<double>(report.solids->substeps), report.fluid->time_step, 1e-15);
+  EXPECT_NEAR(*report.solids->cells_per_smallest_grain, 4, 1e-12);
+  EXPECT_NEAR(*report.solids->cells_per_wire, 0.61, 1e-12);
+  EXPECT_GT(report.run_time, 0);
+}
+
+TEST(Check, DoubleTakesTwiceTheMemory) {
+  const double single = check_scene(load(case_file("dam_break/scene.toml"))).fluid->start_bytes;
+  const double twice =
+      check_scene(load(case_file("dam_break/scene.toml"), {"run.precision=double"})).fluid->start_bytes;
+  EXPECT_NEAR(twice / single, 2, 0.1);
+}
+
+TEST(Check, MoreThreadsAreFaster) {
+  const scene::Scene debris = scene::debris_flow();
+  EXPECT_NEAR(check_scene(debris, 1).run_time / check_scene(debris, 4).run_time, 4, 1e-9);
+}
+
+TEST(Warnings, Fluid) {
+  const auto report = [](std::vector<std::string> set) {
+    return check_scene(load(case_file("dam_break/scene.toml"), set));
+  };
+  EXPECT_TRUE(warns(report({"run.output_interval_s=1"}), "run.output_interval_s (1 s) is longer than the run"));
+  EXPECT_TRUE(warns(report({"run.series_interval_s=1"}), "run.series_interval_s"));
+  EXPECT_TRUE(warns(report({"run.image_interval_s=1"}), "run.image_interval_s"));
+  EXPECT_TRUE(warns(report({"fluid.collision=bgk"}), "unstable"));
+  EXPECT_FALSE(warns(report({"fluid.collision=bgk", "fluid.smagorinsky=0.16"}), "unstable"));
+  EXPECT_TRUE(warns(report({"fluid.lattice_velocity=0.2"}), "Ma = 0.35"));
+  EXPECT_TRUE(warns(report({"fluid.cell_size_m=0.2"}), "cells deep"));
+}
+
+TEST(Warnings, Solids) {
+  const auto report = [](auto change) {
+    scene::Scene debris = scene::debris_flow();
+    change(debris);
+    return check_scene(debris);
+  };
+  using S = scene::Scene;
+  EXPECT_TRUE(warns(report([](S& s) { s.solids.time_step = 1e-4; }), "above the critical time step"));
+  EXPECT_FALSE(warns(report([](S& s) { s.solids.time_step = 1e-7; }), "critical"));
+  EXPECT_TRUE(
+      warns(report([](S& s) { s.solids.contact_modulus_scale = 0.5; }), "contacts are softened: moduli times 0.5"));
+  EXPECT_TRUE(warns(report([](S& s) { s.solids.bond_stiffness_scale = 0.5; }), "bonds are softened"));
+  EXPECT_TRUE(warns(report([](S& s) { s.coupling.enabled = false; }), "do not feel each other"));
+  EXPECT_TRUE(warns(report([](S& s) { s.coupling.wire_drag = false; }), "water does not feel the net"));
+  EXPECT_TRUE(warns(report([](S& s) { s.coupling.body_weighting = scene::BodyWeighting::noble_torczynski; }),
+                    "lets water through"));
+  EXPECT_TRUE(warns(report([](S& s) { s.fluid.cell_size = 0.02; }), "2.0 cells across"));
+  EXPECT_TRUE(warns(report([](S& s) { s.grains.packings[0].target_height = 0.5; }), "more than random packings"));
+  EXPECT_TRUE(warns(report([](S& s) { s.contacts.erase(s.contacts.begin() + 2); }),
+                    "no [[contact]] for \"rock\" and \"steel\""));
+  EXPECT_FALSE(warns(report([](S&) {}), "no [[contact]]"));
+}
+
+TEST(Warnings, GrainsWithoutWalls) {
+  EXPECT_TRUE(warns(check_scene(load(case_file("bouncing_sphere/scene.toml"), {"wall=[]"})), "nothing holds them"));
+  EXPECT_FALSE(warns(check_scene(load(case_file("bouncing_sphere/scene.toml"))), "nothing holds them"));
+}
+
+TEST(ReportText, NamesFiguresAndWarnings) {
+  scene::Scene debris = scene::debris_flow();
+  debris.solids.contact_modulus_scale = 0.1;
+  const std::string text = report_text(debris, check_scene(debris));
+  for (const char* part :
+       {"debris_flow: ", "cells ", "memory", "time step", "tau", "Ma ", "Re, Fr, Bo", "Rayleigh time, beads",
+        "bond limit, cables", "steps in a fluid step", "cells per wire", "run time", "warning: contacts"})
+    EXPECT_NE(text.find(part), std::string::npos) << part;
+}
+
+}  // namespace
+}  // namespace lahar::cases

@@ -1,0 +1,63 @@
+#include "cases/runner/output_folder.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/scene/writer.h"
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::cases {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::size_t count(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+}
+
+TEST(OutputFolder, IsMadeWithItsParents) {
+  const scene::ScratchFolder scratch;
+  prepare_output(scratch.path() / "a/b", false);
+  EXPECT_TRUE(fs::is_directory(scratch.path() / "a/b"));
+  prepare_output(scratch.path() / "a/b", false);  // empty: may be used
+  EXPECT_EQ(count(scratch.path() / "a/b"), 0u);
+}
+
+TEST(OutputFolder, ForeignFilesAreNeverTouched) {
+  const scene::ScratchFolder scratch;
+  scratch.write("thesis.txt", "years of work");
+  scratch.write("summary.json", "mine");
+  EXPECT_THROW(prepare_output(scratch.path(), false), InputError);
+  EXPECT_THROW(prepare_output(scratch.path(), true), InputError);
+  EXPECT_EQ(count(scratch.path()), 2u);
+}
+
+TEST(OutputFolder, AFormerRunIsReplacedOnlyOnDemand) {
+  const scene::ScratchFolder scratch;
+  scratch.write("scene.resolved.toml", std::string(scene::resolved_mark) + "\n");
+  for (const char* name :
+       {"summary.json", "run.log", "fluid_000010.vdb", "image_000001.png", "particles.h5", "notes.txt"})
+    scratch.write(name, "old");
+  EXPECT_THROW(prepare_output(scratch.path(), false), InputError);
+  EXPECT_EQ(count(scratch.path()), 7u);
+  prepare_output(scratch.path(), true);
+  EXPECT_EQ(count(scratch.path()), 1u);
+  EXPECT_TRUE(fs::exists(scratch.path() / "notes.txt"));
+}
+
+TEST(OutputFolder, AUsersResolvedSceneIsNoRun) {
+  const scene::ScratchFolder scratch;
+  scratch.write("scene.resolved.toml", "[scene]\n");
+  EXPECT_FALSE(holds_run(scratch.path()));
+  EXPECT_THROW(prepare_output(scratch.path(), true), InputError);
+}
+
+TEST(OutputFolder, AFileInTheWay) {
+  const scene::ScratchFolder scratch;
+  const fs::path file = scratch.write("file", "x");
+  EXPECT_THROW(prepare_output(file, true), InputError);
+  EXPECT_THROW(prepare_output(file / "below", true), InputError);
+  EXPECT_EQ(scene::file_text(file), "x");
+}
+
+}  // namespace
+}  // namespace lahar::cases

@@ -1,0 +1,180 @@
+// Runs that were stopped and went on, in their folder.
+#include "cases/runner/resume.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "cases/files/hdf5_file.h"
+#include "cases/files/series_reader.h"
+#include "cases/runner/checkpoint.h"
+#include "cases/runner/run.h"
+#include "core/check.h"
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::cases {
+namespace {
+
+const std::vector<std::string> kCoarse{"fluid.cell_size_m=0.04", "run.duration_s=0.3", "run.output_interval_s=0.04",
+                                       "run.series_interval_s=0.01"};
+
+class Resume : public testing::Test {
+ protected:
+  RunResult run(const std::string& name, std::vector<std::string> set = {}) {
+    set.insert(set.begin(), kCoarse.begin(), kCoarse.end());
+    return run_to_folder(scene::load(scene::case_file("dam_break/scene.toml"), set),
+                         {.out = folder(name), .threads = 1, .quiet = true}, run_scene);
+  }
+  RunResult resume(const std::string& name, const std::vector<std::string>& set = {}) {
+    return run_to_folder(load_resumed(folder(name), set),
+                         {.out = folder(name), .threads = 1, .quiet = true, .resume = true}, run_scene);
+  }
+  [[nodiscard]] std::filesystem::path folder(const std::string& name) const { return scratch_.path() / name; }
+  [[nodiscard]] std::size_t files(const std::string& name) const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder(name)), {}));
+  }
+  /// The message of the one mistake that resuming with `set` makes.
+  std::string mistake(const std::string& name, const std::vector<std::string>& set = {}) {
+    try {
+      resume(name, set);
+    } catch (const InputError& e) {
+      EXPECT_EQ(e.mistakes().size(), 1U);
+      return e.what();
+    }
+    return "none";
+  }
+  scene::ScratchFolder scratch_;
+};
+
+void expect_same_series(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const Series one = read_series(a / "series.h5"), two = read_series(b / "series.h5");
+  EXPECT_EQ(one.time_s, two.time_s);
+  ASSERT_EQ(one.columns.size(), two.columns.size());
+  for (std::size_t c = 0; c < one.columns.size(); ++c)
+    EXPECT_EQ(one.columns[c].values, two.columns[c].values) << one.columns[c].name;
+}
+
+TEST_F(Resume, ALongerRunIsTheSameAsOneInOnePiece) {
+  const RunResult whole = run("whole");
+  const RunResult part = run("part", {"run.duration_s=0.137"});
+  const std::size_t frames = files("part");
+  const RunResult rest = resume("part", {"run.duration_s=0.3"});
+  EXPECT_EQ(whole.summary.metrics, rest.summary.metrics);
+  EXPECT_EQ(whole.summary.simulated_seconds, rest.summary.simulated_seconds);
+  EXPECT_EQ(whole.summary.performance.wet_cells_max, rest.summary.performance.wet_cells_max);
+  EXPECT_GT(rest.summary.wall_seconds, part.summary.wall_seconds);
+  expect_same_series(folder("whole"), folder("part"));
+  EXPECT_GT(files("part"), frames);
+  EXPECT_EQ(files("part"), files("whole"));  // the last frame of the part was written again with its own number
+  EXPECT_EQ(scene::file_text(folder("whole") / "fluid_000005.vdb").size(),
+            scene::file_text(folder("part") / "fluid_000005.vdb").size());
+  const std::string log = scene::file_text(folder("part") / "run.log");
+  EXPECT_LT(log.find("done at"), log.find("goes on from the checkpoint of t = 0.1"));
+  EXPECT_EQ(scene::load(folder("part") / "scene.resolved.toml").run.duration, 0.3);
+}
+
+TEST_F(Resume, WhatWasWrittenAfterTheCheckpointIsDropped) {
+  run("whole");
+  run("killed", {"run.checkpoint_interval_s=0.2"});
+  // As if the run had been killed at its end: the checkpoint of the end is gone, that of 0.2 s is there.
+  run("early", {"run.checkpoint_interval_s=0.2", "run.duration_s=0.2"});
+  std::filesystem::copy_file(folder("early") / kCheckpointFile, folder("killed") / kCheckpointFile,
+                             std::filesystem::copy_options::overwrite_existing);
+  std::ofstream(folder("killed") / "fluid_000099.vdb") << "later";
+  std::ofstream(folder("killed") / "fluid_99_notes.txt") << "mine";
+  resume("killed");
+  expect_same_series(folder("whole"), folder("killed"));
+  EXPECT_FALSE(std::filesystem::exists(folder("killed") / "fluid_000099.vdb"));
+  EXPECT_TRUE(std::filesystem::exists(folder("killed") / "fluid_99_notes.txt"));
+}
+
+TEST_F(Resume, AFinishedRunHasNothingLeftToDo) {
+  const RunResult whole = run("out");
+  const Series before = read_series(folder("out") / "series.h5");
+  const RunResult again = resume("out");
+  EXPECT_EQ(whole.summary.metrics, again.summary.metrics);
+  EXPECT_EQ(before.time_s, read_series(folder("out") / "series.h5").time_s);
+}
+
+TEST_F(Resume, ParticlesGoOn) {
+  const auto bounce = [&](const std::string& name, const char* duration) {
+    return run_to_folder(scene::load(scene::case_file("bouncing_sphere/scene.toml"),
+                                     {std::string("run.duration_s=") + duration, "run.output_interval_s=0.05"}),
+                         {.out = folder(name), .threads = 1, .quiet = true}, run_scene);
+  };
+  const RunResult whole = bounce("whole", "0.4");
+  bounce("part", "0.23");
+  const RunResult rest = resume("part", {"run.duration_s=0.4"});
+  EXPECT_EQ(whole.summary.metrics, rest.summary.metrics);
+  expect_same_series(folder("whole"), folder("part"));
+  const Hdf5File one = Hdf5File::open_for_reading(folder("whole") / "particles.h5");
+  const Hdf5File two = Hdf5File::open_for_reading(folder("part") / "particles.h5");
+  ASSERT_EQ(one.members("/frames"), two.members("/frames"));
+  for (const std::string& frame : one.members("/frames"))
+    EXPECT_EQ(one.read<float>("/frames/" + frame + "/position"), two.read<float>("/frames/" + frame + "/position"));
+}
+
+TEST_F(Resume, OnlyWhatLeavesThePhysicsAloneMayBeSet) {
+  run("out", {"run.duration_s=0.05"});
+  const std::string text = mistake("out", {"fluid.smagorinsky=0.2"});
+  EXPECT_TRUE(text.starts_with("--set fluid.smagorinsky=0.2:1:1: cannot change")) << text;
+  EXPECT_NE(text.find("run.duration_s"), std::string::npos);
+  EXPECT_NE(mistake("out", {"run.precision=double"}).find("is of another scene"), std::string::npos);
+  EXPECT_NE(mistake("out", {"run.duration_s=0.01"}).find("expected at least"), std::string::npos);
+}
+
+TEST_F(Resume, AnotherSceneInTheFolderIsRefused) {
+  run("out", {"run.duration_s=0.05"});
+  std::string text = scene::file_text(folder("out") / "scene.resolved.toml");
+  const auto at = text.find("density_kg_m3 = 1000");
+  ASSERT_NE(at, std::string::npos);
+  std::ofstream(folder("out") / "scene.resolved.toml") << text.replace(at, 20, "density_kg_m3 = 1001");
+  const std::string why = mistake("out");
+  EXPECT_NE(why.find("checkpoint.h5:1:1: is of another scene ([fluid] density_kg_m3 = 1001"), std::string::npos) << why;
+}
+
+TEST_F(Resume, DamageIsFoundAndNamed) {
+  run("out", {"run.duration_s=0.05"});
+  const auto file = folder("out") / kCheckpointFile;
+  const auto size = std::filesystem::file_size(file);
+  {
+    std::fstream out(file, std::ios::in | std::ios::out | std::ios::binary);
+    out.seekp(static_cast<std::streamoff>(size / 2));
+    out.write("damage", 6);
+  }
+  std::string why = mistake("out");
+  EXPECT_NE(why.find("checkpoint.h5:1:1: is damaged"), std::string::npos) << why;
+  std::filesystem::resize_file(file, size / 3);
+  EXPECT_NE(mistake("out").find("checkpoint.h5:1:1: is damaged"), std::string::npos);
+  std::filesystem::remove(file);
+  EXPECT_NE(mistake("out").find("there is no such file"), std::string::npos);
+  EXPECT_NE(mistake("nowhere").find("holds no run"), std::string::npos);
+}
+
+TEST_F(Resume, AnotherFormatIsRefused) {
+  run("out", {"run.duration_s=0.05"});
+  {
+    Hdf5File file = Hdf5File::create(folder("out") / kCheckpointFile);
+    file.set_attribute("/", "format", 99.0);
+    file.set_attribute("/", "time_s", 0.1), file.set_attribute("/", "last_row_s", 0.1);
+    file.set_attribute("/", "version", std::string("9.9")), file.set_attribute("/", "commit", std::string("abc"));
+  }
+  const std::string expected =
+      "is of format 99, written by Lahar 9.9 (abc), expected format " + std::to_string(kCheckpointFormat);
+  EXPECT_NE(mistake("out").find(expected), std::string::npos);
+}
+
+TEST_F(Resume, AFailedRunKeepsAndNamesItsLastCheckpoint) {
+  try {
+    run("out", {"run.checkpoint_interval_s=0.01", "run.duration_s=2", "fluid.max_speed_m_s=0.25"});
+    FAIL() << "the step is far too long";
+  } catch (const NumericalFailure& e) {
+    EXPECT_NE(std::string(e.what()).find("checkpoint.h5 of t = "), std::string::npos) << e.what();
+  }
+  EXPECT_TRUE(last_checkpoint(folder("out")).has_value());
+  EXPECT_THROW(resume("out"), NumericalFailure);  // it goes on, into the same failure
+}
+
+}  // namespace
+}  // namespace lahar::cases

@@ -1,0 +1,66 @@
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cases/runner/machine.h"
+#include "cases/runner/output_folder.h"
+#include "cases/runner/run.h"
+#include "core/parallel.h"
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::cases {
+namespace {
+
+scene::Scene bouncing() { return scene::load(scene::case_file("bouncing_sphere/scene.toml")); }
+
+RunOptions quiet_into(const std::filesystem::path& out) { return {.out = out, .threads = 1, .quiet = true}; }
+
+TEST(RunToFolder, LeavesSceneLogAndSummary) {
+  const scene::ScratchFolder scratch;
+  int threads = 0;
+  const Runner runner = [&](const scene::Scene&, const RunOptions& options, RunMonitor& monitor) {
+    EXPECT_TRUE(std::filesystem::exists(options.out / "scene.resolved.toml"));
+    monitor.log.info("hello from the solver");
+    threads = thread_count();
+    RunResult result;
+    result.summary.simulated_seconds = 1;
+    result.summary.metrics["bounce_height_m"] = 0.3;
+    return result;
+  };
+  run_to_folder(bouncing(), quiet_into(scratch.path() / "out"), runner);
+  EXPECT_EQ(threads, 1);
+  EXPECT_TRUE(holds_run(scratch.path() / "out"));
+  EXPECT_TRUE(scene::load(scratch.path() / "out/scene.resolved.toml") == bouncing());
+  const auto json = nlohmann::json::parse(scene::file_text(scratch.path() / "out/summary.json"));
+  EXPECT_EQ(json["case"], "bouncing_sphere");
+  EXPECT_EQ(json["version"], version());
+  EXPECT_EQ(json["precision"], "float");
+  EXPECT_EQ(json["metrics"]["bounce_height_m"], 0.3);
+  EXPECT_GT(json["performance"]["peak_rss_bytes"].get<double>(), 1e6);
+  const std::string log = scene::file_text(scratch.path() / "out/run.log");
+  EXPECT_NE(log.find("hello from the solver"), std::string::npos);
+  EXPECT_NE(log.find("warning: contacts are softened"), std::string::npos);
+}
+
+TEST(RunToFolder, AFailureIsLoggedAndPassedOn) {
+  const scene::ScratchFolder scratch;
+  const Runner runner = [](const scene::Scene&, const RunOptions&, RunMonitor&) -> RunResult {
+    throw NumericalFailure("cell (1, 2, 3)", 17, "not a number");
+  };
+  EXPECT_THROW(run_to_folder(bouncing(), quiet_into(scratch.path() / "out"), runner), NumericalFailure);
+  EXPECT_FALSE(std::filesystem::exists(scratch.path() / "out/summary.json"));
+  EXPECT_NE(scene::file_text(scratch.path() / "out/run.log").find("error: cell (1, 2, 3), step 17: not a number"),
+            std::string::npos);
+}
+
+TEST(RunToFolder, RefusesBeforeItRuns) {
+  const scene::ScratchFolder scratch;
+  scratch.write("mine.txt", "x");
+  bool ran = false;
+  const Runner runner = [&](const scene::Scene&, const RunOptions&, RunMonitor&) { return ran = true, RunResult{}; };
+  EXPECT_THROW(run_to_folder(bouncing(), quiet_into(scratch.path()), runner), InputError);
+  EXPECT_FALSE(ran);
+}
+
+}  // namespace
+}  // namespace lahar::cases

@@ -1,0 +1,123 @@
+#include "cases/scene/document.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::scene {
+namespace {
+
+std::string the_mistake(const std::vector<std::string>& mistakes) {
+  return mistakes.size() == 1 ? mistakes[0] : "not one but " + testing::PrintToString(mistakes);
+}
+
+TEST(Document, MissingFile) {
+  const ScratchFolder scratch;
+  EXPECT_EQ(the_mistake(mistakes_in(scratch.path() / "none.toml")),
+            "none.toml:0:0: there is no such file, expected a scene (TOML)");
+}
+
+TEST(Document, DirectoryInsteadOfFile) {
+  const ScratchFolder scratch;
+  EXPECT_NE(the_mistake(mistakes_in(scratch.path())).find(":0:0: is a directory, expected a scene file (TOML)"),
+            std::string::npos);
+}
+
+TEST(Document, DeviceInsteadOfFile) {
+  EXPECT_EQ(the_mistake(mistakes_in("/dev/null")), "null:0:0: is no ordinary file, expected a scene file (TOML)");
+}
+
+TEST(Document, EmptyFileMissesItsTables) {
+  EXPECT_EQ(mistakes_in_text(""),
+            (std::vector<std::string>{"scene.toml:1:1: scene.name is missing, expected a string",
+                                      "scene.toml:1:1: run.duration_s is missing, expected a number above 0",
+                                      "scene.toml:1:1: domain.lower_m is missing, expected three numbers [x, y, z]",
+                                      "scene.toml:1:1: domain.upper_m is missing, expected three numbers [x, y, z]",
+                                      "scene.toml:1:1: the scene is empty, expected a fluid, grains or a barrier"}));
+}
+
+TEST(Document, SyntaxErrorsAreLocated) {
+  const std::string text = the_mistake(mistakes_in_text("[scene]\nname = \"x\"\n[run]\nduration_s = = 1\n"));
+  EXPECT_TRUE(text.starts_with("scene.toml:4:14: syntax: ")) << text;
+  EXPECT_TRUE(text.ends_with(", expected TOML")) << text;
+}
+
+TEST(Document, KeyGivenTwice) {
+  const std::string text = the_mistake(mistakes_in_text("[run]\nduration_s = 1\nduration_s = 2\n"));
+  EXPECT_TRUE(text.starts_with("scene.toml:3:")) << text;
+}
+
+TEST(Document, NotUtf8) {
+  const std::string text = the_mistake(mistakes_in_text("[scene]\nname = \"\xff\xfe\"\n"));
+  EXPECT_TRUE(text.starts_with("scene.toml:2:8: syntax: ")) << text;
+}
+
+TEST(Document, TenMegabytesOfNoise) {
+  std::string noise(10 << 20, ' ');
+  std::uint32_t state = 1;
+  for (char& c : noise) {
+    state = state * 1664525u + 1013904223u;
+    c = static_cast<char>(state >> 24);
+  }
+  const std::string text = the_mistake(mistakes_in_text(noise));
+  EXPECT_TRUE(text.starts_with("scene.toml:1:2: syntax: ")) << text.substr(0, 200);
+}
+
+TEST(Document, DeepNesting) {
+  const std::string text = the_mistake(mistakes_in_text("a = " + std::string(1 << 20, '[')));
+  EXPECT_NE(text.find("syntax: "), std::string::npos) << text.substr(0, 200);
+}
+
+TEST(Document, BaseFillsWhatIsLeftOpenAndListsAreReplaced) {
+  const ScratchFolder scratch;
+  scratch.write("base.toml", small_scene);
+  scratch.write("middle.toml", "[scene]\nbase = \"base.toml\"\nname = \"middle\"\n[run]\nseed = 5\n");
+  const auto top = scratch.write("top.toml", R"([scene]
+base = "middle.toml"
+title = "top"
+[run]
+duration_s = 9
+[[grains.sphere]]
+position_m = [0.1, 0.2, 0.3]
+diameter_m = 0.05
+density_kg_m3 = 1000
+material = "rock"
+)");
+  const Scene scene = load(top);
+  EXPECT_EQ(scene.identity.name, "middle");
+  EXPECT_EQ(scene.identity.title, "top");
+  EXPECT_FALSE(scene.identity.base.has_value());
+  EXPECT_EQ(scene.run.duration, 9);
+  EXPECT_EQ(scene.run.seed, 5);
+  EXPECT_EQ(scene.domain.upper, Vec3(1, 1, 1));
+  ASSERT_EQ(scene.grains.spheres.size(), 1u);
+  EXPECT_EQ(scene.grains.spheres[0].position, Vec3(0.1, 0.2, 0.3));
+}
+
+TEST(Document, MistakesInABaseAreLocatedThere) {
+  const ScratchFolder scratch;
+  std::string base = small_scene;
+  base.replace(base.find("duration_s = 1.0"), 16, "duration_s = \"x\"");
+  scratch.write("base.toml", base);
+  const auto top = scratch.write("top.toml", "[scene]\nbase = \"base.toml\"\n[run]\nsede = 3\n");
+  const auto all = mistakes_in(top);
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[0], "base.toml:4:14: run.duration_s is a string, expected a number above 0");
+  EXPECT_TRUE(all[1].starts_with("top.toml:4:1: unknown key \"sede\" in [run] (did you mean \"seed\"?)")) << all[1];
+}
+
+TEST(Document, BasesThatAreNotThereOrLeadRound) {
+  const ScratchFolder scratch;
+  const auto lost = scratch.write("lost.toml", "[scene]\nbase = \"nowhere.toml\"\n");
+  EXPECT_TRUE(the_mistake(mistakes_in(lost)).starts_with("lost.toml:2:8: scene.base is"));
+  const auto loop = scratch.write("loop.toml", "[scene]\nbase = \"loop.toml\"\n");
+  EXPECT_EQ(the_mistake(mistakes_in(loop)), "loop.toml:2:8: scene.base: expected a chain of at most 8");
+  const auto number = scratch.write("number.toml", small_scene + "[gravity]\n");
+  EXPECT_EQ(the_mistake(mistakes_in(number, {"scene.base=3"})),
+            "--set scene.base=3:1:1: scene.base is a whole number, expected a string");
+}
+
+}  // namespace
+}  // namespace lahar::scene

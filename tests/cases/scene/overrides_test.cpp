@@ -1,0 +1,75 @@
+#include "cases/scene/overrides.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::scene {
+namespace {
+
+TEST(ParsePath, SplitsKeysAndIndices) {
+  const std::vector<PathStep> path = parse_path("grains.packing[0].sizes[12].count");
+  ASSERT_EQ(path.size(), 6u);
+  EXPECT_EQ(path[1].key, "packing");
+  EXPECT_TRUE(path[2].key.empty());
+  EXPECT_EQ(path[4].index, 12u);
+  EXPECT_EQ(path[5].key, "count");
+}
+
+TEST(ParsePath, RefusesWhatIsNoPath) {
+  for (const char* text : {"", ".", "a.", ".a", "a..b", "a[", "a[]", "a[x]", "a[1", "a[-1]", "[0]", "a b", "a[0]b"})
+    EXPECT_TRUE(parse_path(text).empty()) << text;
+}
+
+TEST(Overrides, ChangeNumbersWordsListsAndNestedTables) {
+  const Scene scene =
+      load(case_file("debris_flow/scene.toml"),
+           {"run.duration_s=2", "run.precision=double", "fluid.collision = \"trt\"", "domain.upper_m=[6, 1.8, 2]",
+            "grains.packing[0].sizes[1].count=7", "wall[0].slip=free_slip", "coupling.wire_drag=false",
+            "materials.rock.youngs_modulus_Pa=1e9"});
+  EXPECT_EQ(scene.run.duration, 2);
+  EXPECT_EQ(scene.run.precision, Precision::float64);
+  EXPECT_EQ(scene.fluid.collision, Collision::trt);
+  EXPECT_EQ(scene.domain.upper, Vec3(6, 1.8, 2));
+  EXPECT_EQ(scene.grains.packings[0].sizes[1].count, 7);
+  EXPECT_EQ(scene.walls[0].slip, WallSlip::free_slip);
+  EXPECT_FALSE(scene.coupling.wire_drag);
+  EXPECT_EQ(scene.materials[0].youngs_modulus, 1e9);
+}
+
+TEST(Overrides, LaterOnesWin) {
+  EXPECT_EQ(load_text(small_scene, {"run.duration_s=2", "run.duration_s=3"}).run.duration, 3);
+}
+
+TEST(Overrides, MakeTablesAndAppendToLists) {
+  const Scene scene = load_text(small_scene, {"gravity.slope_deg=10", "grains.sphere[1].position_m=[0.2, 0.2, 0.2]",
+                                              "grains.sphere[1].diameter_m=0.1", "grains.sphere[1].density_kg_m3=1",
+                                              "grains.sphere[1].material=rock"});
+  EXPECT_EQ(scene.gravity.slope_deg, 10);
+  ASSERT_EQ(scene.grains.spheres.size(), 2u);
+  EXPECT_EQ(scene.grains.spheres[1].position, Vec3(0.2, 0.2, 0.2));
+}
+
+TEST(Overrides, WrongValuesAreLocatedAtTheOverride) {
+  EXPECT_EQ(mistakes_in_text(small_scene, {"run.duration_s=-1"}),
+            std::vector<std::string>{"--set run.duration_s=-1:1:1: run.duration_s is -1, expected a number above 0"});
+  const auto unknown = mistakes_in_text(small_scene, {"run.durtaion_s=1"});
+  ASSERT_EQ(unknown.size(), 1u);
+  EXPECT_TRUE(
+      unknown[0].starts_with("--set run.durtaion_s=1:1:1: unknown key \"durtaion_s\" in [run] (did you mean "
+                             "\"duration_s\"?)"))
+      << unknown[0];
+}
+
+TEST(Overrides, SenselessOnesAreAllReported) {
+  const auto all = mistakes_in_text(small_scene, {"run.duration_s", "=1", "run.duration_s=[1", "run.duration_s.x=1",
+                                                  "grains.sphere[5].fixed=true", "run[0]=1", "run.seed=1\nx=2"});
+  ASSERT_EQ(all.size(), 7u);
+  const std::string joined = testing::PrintToString(all);
+  for (const char* part : {"has no \"=\"", "is no key path", "is no TOML value", "inside a number", "past the end",
+                           "index [0] into a table", "has a line break"})
+    EXPECT_NE(joined.find(testing::PrintToString(std::string(part)).substr(1, 8)), std::string::npos) << part << joined;
+}
+
+}  // namespace
+}  // namespace lahar::scene

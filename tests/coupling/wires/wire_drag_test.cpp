@@ -1,0 +1,92 @@
+#include "coupling/wires/wire_drag.h"
+
+#include <gtest/gtest.h>
+
+#include "coupling/grains/body_fields.h"
+#include "coupling/wires/drag_law.h"
+#include "tests/coupling/tanks.h"
+
+namespace lahar::coupling {
+namespace {
+
+/// A straight wire of touching beads along an axis, through the middle of a box.
+struct StraightWire {
+  dem::Particles particles;
+  dem::Bonds bonds;
+  StraightWire(int beads, double diameter, const Vec3& start, const Vec3& along) {
+    dem::BondSort sort;
+    sort.axial.stiffness = {1e9, 1e9, 1e9};
+    sort.bond_radius = diameter / 2;
+    bonds.add_sort(sort);
+    for (int k = 0; k < beads; ++k) {
+      auto bead = grain(start + k * diameter * along, diameter / 2, 7800);
+      bead.kind = dem::ParticleKind::bead;
+      bead.state = dem::ParticleState::fixed;
+      particles.add(bead);
+      if (k > 0) bonds.add({static_cast<dem::ParticleIndex>(k - 1), static_cast<dem::ParticleIndex>(k), 0}, particles);
+    }
+  }
+};
+
+/// Force per length of a wire across and along a uniform stream, right after the start: the law itself.
+TEST(WireDrag, FollowsTheLaw) {
+  const double d = 0.006, u = 2.0, nu = 1e-6, length = 20 * d;
+  for (const bool across : {true, false}) {
+    lbm::Fluid<double> fluid(stream(16, 0.02, 1e-4));
+    fluid.fill_everything([&](const Vec3&) { return Vec3(u * 1e-4 / 0.02, 0, 0); }, [](const Vec3&) { return 0.0; });
+    StraightWire wire(21, d, Vec3(0.1, 0.161, 0.1), across ? Vec3(0, 0, 1) : Vec3(1, 0, 0));
+    WireDrag<double> drag(wire.particles, wire.bonds);
+    // The velocity fields of new blocks are filled by one step.
+    clear_body_fields(fluid.grid());
+    drag.apply(fluid, wire.particles);
+    fluid.step();
+    clear_body_fields(fluid.grid());
+    wire.particles.external_force.fill(Vec3::Zero());
+    drag.apply(fluid, wire.particles);
+    Vec3 force = Vec3::Zero();
+    for (std::size_t i = 0; i < wire.particles.size(); ++i) force += wire.particles.external_force[i];
+    const double speed = across ? undisturbed_speed(
+                                      u, {.diameter = d, .diameter_cells = d / 0.02, .kinematic_viscosity = nu})
+                                : u,
+                 re = across ? speed * d / nu : 0.0;
+    const double coefficient = across ? normal_drag_coefficient(re) : tangential_drag_coefficient(re);
+    EXPECT_NEAR(force.x() / (0.5 * 1000 * d * length * coefficient * speed * speed), 1, 0.02);
+    EXPECT_NEAR(force.y() / force.x(), 0, 1e-9);
+  }
+}
+
+TEST(WireDrag, GivesTheFluidWhatItTakes) {
+  lbm::Fluid<double> fluid(stream(16, 0.02, 1e-4));
+  fluid.fill_everything([&](const Vec3&) { return Vec3(0.01, 0.002, 0); }, [](const Vec3&) { return 0.0; });
+  StraightWire wire(21, 0.006, Vec3(0.1, 0.16, 0.1), Vec3(0.6, 0, 0.8));
+  WireDrag<double> drag(wire.particles, wire.bonds);
+  const auto momentum = [&] {
+    Vec3 p = Vec3::Zero();
+    fluid.for_each_wet_cell(
+        [&](const lbm::WetCell& c) { p += c.velocity * (1 + c.pressure / fluid.units().pressure_to_si(1.0 / 3)); });
+    return Vec3(p * 1000 * 8e-6);
+  };
+  for (int s = 0; s < 20; ++s) {
+    clear_body_fields(fluid.grid());
+    wire.particles.external_force.fill(Vec3::Zero());
+    const Vec3 before = momentum(), on_beads = drag.apply(fluid, wire.particles);
+    EXPECT_LT((on_beads + drag.given_to_fluid()).norm(), 1e-12 * on_beads.norm() + 1e-18);
+    fluid.step();
+    Vec3 force = Vec3::Zero();
+    for (std::size_t i = 0; i < wire.particles.size(); ++i) force += wire.particles.external_force[i];
+    EXPECT_LT((momentum() - before + force * 1e-4).norm(), 1e-9 * (force.norm() * 1e-4) + 1e-14 * before.norm());
+  }
+  EXPECT_EQ(drag.wet_beads(), 21U);
+}
+
+TEST(WireDrag, DryWireFeelsNothing) {
+  lbm::Fluid<float> fluid(tank(Vec3(0.32, 0.32, 0.64), 0.02, 2e-4));
+  fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.1)}});
+  StraightWire wire(10, 0.006, Vec3(0.1, 0.16, 0.5), Vec3(1, 0, 0));
+  WireDrag<float> drag(wire.particles, wire.bonds);
+  EXPECT_EQ(drag.apply(fluid, wire.particles), Vec3::Zero());
+  EXPECT_EQ(drag.wet_beads(), 0U);
+}
+
+}  // namespace
+}  // namespace lahar::coupling

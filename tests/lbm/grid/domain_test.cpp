@@ -1,0 +1,50 @@
+#include "lbm/grid/domain.h"
+
+#include <gtest/gtest.h>
+
+namespace lahar::lbm {
+namespace {
+
+DomainSpec tank() {
+  DomainSpec s;
+  s.lower = Vec3(1, 2, 3);
+  s.upper = Vec3(2, 3, 4);
+  s.cell_size = 0.1;
+  s.faces[5] = FaceKind::open;
+  return s;
+}
+
+TEST(Domain, CellsLieInsideTheBox) {
+  const Domain d(tank());
+  EXPECT_EQ(d.cells(), Vec3i(10, 10, 10));
+  EXPECT_NEAR((d.centre(d.first()) - Vec3(1.05, 2.05, 3.05)).norm(), 0, 1e-12);
+  EXPECT_EQ(d.cell_at(Vec3(1.05, 2.05, 3.05)), d.first());
+}
+
+TEST(Domain, FacesAreWallsOrSinks) {
+  const Domain d(tank());
+  EXPECT_EQ(d.classify({1, 1, 1}), CellType::gas);
+  EXPECT_EQ(d.classify({0, 1, 1}), CellType::wall);
+  EXPECT_EQ(d.classify({11, 1, 1}), CellType::wall);
+  EXPECT_EQ(d.classify({1, 1, 0}), CellType::wall);
+  EXPECT_EQ(d.classify({1, 1, 11}), CellType::sink);
+}
+
+TEST(Domain, SolidsOfTheSceneAreWalls) {
+  DomainSpec s = tank();
+  s.walls.add({"block", SolidBox{Vec3(1.4, 2.4, 3), Vec3(1.6, 2.6, 3.5)}});
+  const Domain d(s);
+  EXPECT_EQ(d.classify(d.cell_at(Vec3(1.5, 2.5, 3.2))), CellType::wall);
+  EXPECT_EQ(d.classify(d.cell_at(Vec3(1.5, 2.5, 3.7))), CellType::gas);
+}
+
+TEST(Domain, PeriodicAxesAreChecked) {
+  DomainSpec s = tank();
+  s.faces[0] = FaceKind::periodic;
+  EXPECT_THROW(Domain{s}, std::logic_error);
+  s.faces[1] = FaceKind::periodic;
+  EXPECT_THROW(Domain{s}, std::logic_error);  // 10 cells are no multiple of 8
+}
+
+}  // namespace
+}  // namespace lahar::lbm

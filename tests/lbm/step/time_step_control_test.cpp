@@ -1,0 +1,81 @@
+#include "lbm/step/time_step_control.h"
+
+#include <gtest/gtest.h>
+
+namespace lahar::lbm {
+namespace {
+
+TimeStepLimits limits() {
+  TimeStepLimits l;
+  l.cell_size = 0.01;
+  l.shortest = 1e-5, l.longest = 1e-2;
+  return l;
+}
+
+Survey look(double speed, double compression = 0) {
+  Survey s;
+  s.speed = speed, s.compression = compression, s.wet = 1;
+  return s;
+}
+
+/// A control that has had its first look.
+TimeStepControl running(const TimeStepLimits& l = limits()) {
+  TimeStepControl control(l);
+  control.choose(1e-3, look(0.1));
+  return control;
+}
+
+double after_calm(TimeStepControl& control, double time_step, const Survey& s, int looks) {
+  double chosen = time_step;
+  for (int k = 0; k < looks && chosen == time_step; ++k) chosen = control.choose(time_step, s);
+  return chosen;
+}
+
+TEST(TimeStepControl, ShortensAtOnceToTheTarget) {
+  auto control = running();
+  EXPECT_EQ(control.choose(1e-3, look(0.149)), 1e-3);
+  EXPECT_NEAR(control.choose(1e-3, look(0.16)), 1e-3 * 0.1 / 0.16, 1e-12);
+  EXPECT_NEAR(control.choose(1e-3, look(0.35)), 0.5e-3, 1e-12);  // no more than by half
+  EXPECT_EQ(control.choose(1.2e-5, look(0.3)), 1e-5);
+  EXPECT_FALSE(control.can_shorten(1e-5));
+  EXPECT_EQ(control.choose(1e-5, look(0.3)), 1e-5);
+}
+
+TEST(TimeStepControl, GrowsAfterSixteenCalmLooks) {
+  auto control = running();
+  EXPECT_EQ(after_calm(control, 1e-3, look(0.05), 15), 1e-3);
+  EXPECT_NEAR(control.choose(1e-3, look(0.05)), 1.25e-3, 1e-12);
+  EXPECT_EQ(after_calm(control, 1e-3, look(0.05), 15), 1e-3);
+  EXPECT_EQ(control.choose(1e-3, look(0.08)), 1e-3);  // a fast look: to be counted anew
+  EXPECT_EQ(after_calm(control, 1e-3, look(0.05), 15), 1e-3);
+  EXPECT_NEAR(after_calm(control, 1e-3, look(0.0699), 17), 1e-3 * 0.085 / 0.0699, 1e-12);
+}
+
+TEST(TimeStepControl, NothingGrowsOnPressureFallWallsOrAnEmptyTank) {
+  auto control = running();
+  EXPECT_EQ(after_calm(control, 1e-3, look(0, 0.0074), 40), 1e-3);  // sqrt(2/3 0.0074) = 0.0702
+  EXPECT_EQ(after_calm(control, 1e-3, Survey{}, 40), 1e-3);
+  TimeStepLimits l = limits();
+  l.known_speed = 0.71;  // 0.071 lu
+  control = running(l);
+  EXPECT_EQ(after_calm(control, 1e-3, look(0), 40), 1e-3);
+  l.known_speed = 0, l.gravity = 26;  // sqrt(2 g dx) = 0.72 m/s
+  control = running(l);
+  EXPECT_EQ(after_calm(control, 1e-3, look(0), 40), 1e-3);
+  EXPECT_GT(after_calm(control, 0.9e-3, look(0), 40), 0.9e-3);
+}
+
+TEST(TimeStepControl, PressureShortensAtTheFirstLookAlone) {
+  TimeStepControl control(limits());
+  EXPECT_NEAR(control.choose(1e-3, look(0, 0.24)), 0.25e-3, 1e-9);  // sqrt(0.16) = 0.4 lu
+  EXPECT_EQ(control.choose(1e-3, look(0, 0.24)), 1e-3);
+}
+
+TEST(TimeStepControl, StaysWithinItsLimits) {
+  auto control = running();
+  EXPECT_EQ(after_calm(control, 0.9e-2, look(0.01), 16), 1e-2);
+  EXPECT_EQ(after_calm(control, 1e-2, look(0.01), 100), 1e-2);
+}
+
+}  // namespace
+}  // namespace lahar::lbm
