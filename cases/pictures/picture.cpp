@@ -5,10 +5,10 @@
 #include <cmath>
 #include <memory>
 
+#include "cases/pictures/annotation.h"
 #include "cases/pictures/backdrop.h"
 #include "cases/pictures/capsule.h"
 #include "cases/pictures/occlusion_field.h"
-#include "cases/pictures/overlay.h"
 #include "cases/pictures/solids_in_view.h"
 #include "cases/pictures/water_field.h"
 #include "core/check.h"
@@ -195,7 +195,7 @@ Image render_picture(const PictureScene& scene, const Camera& camera, const Pict
     const int y = static_cast<int>(row);
     for (int x = 0; x < style.width; ++x) image.at(x, y) = renderer.pixel(x, y, style.samples);
   });
-  draw_overlay(image, scene, style, view);
+  annotate(image, scene, camera, style, view);
   return image;
 }
 

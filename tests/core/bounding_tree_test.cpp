@@ -87,7 +87,7 @@ TEST(BoundingTree, TheNearestTriangleIsThatOfTryingAll) {
 }
 
 TEST(BoundingTree, ARayMeetsEveryBoxOnItsWayInOrder) {
-  const BoundingTree<Ball> tree(many_balls(500));
+  const BoundingTree<Ball> tree(many_balls(20000));
   const Vec3 origin(-1, 0.4, 0.1), direction = Vec3(1, 0.1, 0).normalized();
   const EntryOfRay<double> entry(origin, direction);
   std::vector<bool> visited(tree.items().size());
