@@ -23,9 +23,9 @@ ChartSeries line_of(const std::string& name, const std::vector<BrakePoint>& poin
   return line;
 }
 
-/// The law itself: straight lines between its corners.
+/// The law itself: the ends of its stages.
 ChartSeries law_of(const EnergyDissipator& brake) {
-  ChartSeries line{.name = "law", .x = {0}, .y = {0}, .dash = Dash::dashed, .colour = ChartColour::black};
+  ChartSeries line{.name = "law", .x = {0}, .y = {0}, .mark = Mark::points, .colour = ChartColour::black};
   std::vector<double> corners = brake.force_limit;
   corners.push_back(brake.last_force);
   for (const double f : corners) line.x.push_back(1e3 * brake.elongation_at(f)), line.y.push_back(1e-3 * f);
@@ -68,10 +68,12 @@ std::vector<ResultCheck> dissipator_checks(const BrakeCurve& curve, const Energy
 }
 
 void draw_dissipator(const std::filesystem::path& file, const BrakeCurve& curve, const EnergyDissipator& brake) {
+  ChartSeries back = line_of("let go", curve.unloading);
+  back.dash = Dash::dashed;
   Chart{.title = "Energy dissipator in a cable",
         .x = {"elongation", "mm"},
         .y = {"force", "kN"},
-        .series = {line_of("stretched", curve.loading), line_of("let go", curve.unloading), law_of(brake)}}
+        .series = {line_of("stretched", curve.loading), back, law_of(brake)}}
       .write_all(file);
 }
 

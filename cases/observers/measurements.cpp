@@ -297,6 +297,7 @@ std::vector<ChartSeries> Measurements<Real>::cable_chart() const {
     std::replace(line.name.begin(), line.name.end(), '_', ' ');
     line.x = times_;
     line.y = force_sums_[c];
+    if (c == 3) line.dash = Dash::dashed;  // the left cable, often pulled the same way, shows in between
     lines.push_back(std::move(line));
   }
   return lines;

@@ -9,7 +9,7 @@ const Camera kCamera{Vec3(0, -4, 0.5), Vec3(0, 0, 0.5), Vec3::UnitZ(), 30};
 
 Image annotated(const PictureStyle& style, const SolidsInView& view = {}, double time = 1.25) {
   Image image(640, 360, from_hex(0x6080a0));
-  annotate(image, {.time_s = time}, kCamera, style, view);
+  annotate(image, {.box = {}, .time_s = time}, kCamera, style, view);
   return image;
 }
 
