@@ -137,7 +137,11 @@ struct Canvas::Parts {
     pango_font_description_set_absolute_size(font.get(), std::round(static_cast<double>(lettering.size) * PANGO_SCALE));
     pango_font_description_set_weight(font.get(), lettering.bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
     pango_layout_set_font_description(layout.get(), font.get());
-    pango_layout_set_markup(layout.get(), text_markup(text, lettering.size).c_str(), -1);
+    const std::string markup = text_markup(text, lettering.size);
+    // Digits share one width but for pairs that are kerned, and a clock must not jitter.
+    const bool numbers = text.find_first_of("0123456789") != std::string::npos;
+    const char* const kerning = numbers ? "<span font_features=\"kern=0\">" : "<span>";
+    pango_layout_set_markup(layout.get(), (kerning + markup + "</span>").c_str(), -1);
   }
 };
 
