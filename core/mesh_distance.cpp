@@ -5,8 +5,9 @@
 #include <tuple>
 #include <utility>
 
+#include "core/bounding_tree.h"
 #include "core/parallel.h"
-#include "core/triangle_tree.h"
+#include "core/triangle.h"
 
 namespace lahar {
 
@@ -89,6 +90,25 @@ class Columns {
 };
 
 constexpr double kFar = 1e100;  // m
+
+using TriangleTree = BoundingTree<Triangle>;
+
+std::vector<Triangle> triangles_of(const TriangleMesh& mesh) {
+  std::vector<Triangle> triangles;
+  triangles.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    triangles.push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+  return triangles;
+}
+
+/// Distance to the nearest triangle, m, or `limit` if none is nearer.
+double distance_to(const TriangleTree& tree, const Vec3& p, double limit) {
+  double best = limit * limit;
+  tree.visit(SquaredDistanceFrom<double>{p}, best,
+             [&](std::uint32_t t) { best = std::min(best, squared_distance(p, tree.items()[t])); });
+  return std::sqrt(best);
+}
+
 /// Added to all distances, in spacings: a point on the surface counts as free, as with the analytic shapes, whatever
 /// the rounding of a float.
 constexpr double kLift = 1e-5;
@@ -107,7 +127,7 @@ std::vector<Vec3i> bricks_near(const TriangleTree& tree, const DistanceGrid& gri
   std::vector<std::uint8_t> near(count);
   parallel_for(0, count, 64, [&](std::size_t k) {
     const Vec3i cell = DistanceGrid::brick_cells * place(k) + Vec3i::Constant(DistanceGrid::brick_cells / 2);
-    near[k] = tree.distance(grid.node(cell), reach * 1.001) < reach;
+    near[k] = distance_to(tree, grid.node(cell), reach * 1.001) < reach;
   });
   std::vector<Vec3i> bricks;
   for (std::size_t k = 0; k < count; ++k)
@@ -120,7 +140,7 @@ std::vector<Vec3i> bricks_near(const TriangleTree& tree, const DistanceGrid& gri
 std::shared_ptr<const DistanceGrid> sample_distance(const TriangleMesh& mesh, const Vec3& lower, const Vec3& upper,
                                                     double spacing, double band) {
   auto grid = std::make_shared<DistanceGrid>(lower, upper, spacing);
-  const TriangleTree tree(mesh);
+  const TriangleTree tree(triangles_of(mesh));
   const Columns columns(mesh, *grid);
   const auto sign = [&](const Vec3i& node) {
     return columns.winding(node.x(), node.y(), grid->node(node).z()) > 0 ? -1.0 : 1.0;
@@ -131,7 +151,7 @@ std::shared_ptr<const DistanceGrid> sample_distance(const TriangleMesh& mesh, co
     for (int y = 0; y <= n.y(); ++y)
       for (int z = 0; z <= n.z(); ++z) {
         const Vec3i corner(static_cast<int>(x), y, z), node = DistanceGrid::brick_cells * corner;
-        grid->coarse(corner) = static_cast<float>(sign(node) * tree.distance(grid->node(node), kFar) + lift);
+        grid->coarse(corner) = static_cast<float>(sign(node) * distance_to(tree, grid->node(node), kFar) + lift);
       }
   });
   const std::vector<Vec3i> bricks = bricks_near(tree, *grid, band);
@@ -143,7 +163,7 @@ std::shared_ptr<const DistanceGrid> sample_distance(const TriangleMesh& mesh, co
       const Vec3i node = DistanceGrid::brick_cells * bricks[k] + Vec3i(m / 81, m / 9 % 9, m % 9);
       // No node is further from the surface than its neighbour's distance and the way to it.
       const double far = m % 9 == 0 ? kFar : guess + 1.001 * spacing;
-      guess = tree.distance(grid->node(node), far);
+      guess = distance_to(tree, grid->node(node), far);
       values[m] = static_cast<float>(sign(node) * guess + lift);
     }
   });

@@ -17,15 +17,15 @@ ResultCheck relative(const std::string& name, double value, double reference, do
   return {name, value, reference, tolerance, std::abs(value - reference) <= tolerance, source};
 }
 
-ChartLine line_of(const std::string& name, const std::vector<BrakePoint>& points) {
-  ChartLine line{name, {}, {}};
+ChartSeries line_of(const std::string& name, const std::vector<BrakePoint>& points) {
+  ChartSeries line{.name = name};
   for (const BrakePoint& p : points) line.x.push_back(1e3 * p.elongation), line.y.push_back(1e-3 * p.end_force);
   return line;
 }
 
-/// The law itself: straight lines between its corners.
-ChartLine law_of(const EnergyDissipator& brake) {
-  ChartLine line{"law", {0}, {0}, true};
+/// The law itself: the ends of its stages.
+ChartSeries law_of(const EnergyDissipator& brake) {
+  ChartSeries line{.name = "law", .x = {0}, .y = {0}, .mark = Mark::points, .colour = ChartColour::black};
   std::vector<double> corners = brake.force_limit;
   corners.push_back(brake.last_force);
   for (const double f : corners) line.x.push_back(1e3 * brake.elongation_at(f)), line.y.push_back(1e-3 * f);
@@ -68,10 +68,13 @@ std::vector<ResultCheck> dissipator_checks(const BrakeCurve& curve, const Energy
 }
 
 void draw_dissipator(const std::filesystem::path& file, const BrakeCurve& curve, const EnergyDissipator& brake) {
-  const std::array<ChartLine, 3> lines{line_of("stretched", curve.loading), line_of("let go", curve.unloading),
-                                       law_of(brake)};
-  write_chart(file, lines,
-              {.title = "Energy dissipator in a cable", .x_label = "elongation / mm", .y_label = "force / kN"});
+  ChartSeries back = line_of("let go", curve.unloading);
+  back.dash = Dash::dashed;
+  Chart{.title = "Energy dissipator in a cable",
+        .x = {"elongation", "mm"},
+        .y = {"force", "kN"},
+        .series = {line_of("stretched", curve.loading), back, law_of(brake)}}
+      .write_all(file);
 }
 
 bool run_energy_dissipator(const EnergyDissipator& brake, const std::filesystem::path& folder, Summary& summary) {

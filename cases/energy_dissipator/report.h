@@ -11,7 +11,7 @@ namespace lahar::cases {
 /// Held against the given law (0.5 % in force and slope), the area under the curve and the ledger.
 [[nodiscard]] std::vector<ResultCheck> dissipator_checks(const BrakeCurve& curve, const EnergyDissipator& brake);
 
-/// energy_dissipator.png: force over elongation, there and back, with the law.
+/// Chart of force over elongation, there and back, with the law.
 void draw_dissipator(const std::filesystem::path& file, const BrakeCurve& curve, const EnergyDissipator& brake);
 
 /// Runs energy_dissipator into a folder.

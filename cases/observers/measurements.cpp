@@ -288,15 +288,16 @@ std::string Measurements<Real>::lost_links() const {
 }
 
 template <class Real>
-std::vector<ChartLine> Measurements<Real>::cable_chart() const {
-  std::vector<ChartLine> lines;
+std::vector<ChartSeries> Measurements<Real>::cable_chart() const {
+  std::vector<ChartSeries> lines;
   if (!net_) return lines;
   for (std::size_t c = 0; c < 4; ++c) {
-    ChartLine line;
+    ChartSeries line;
     line.name = std::string(barrier::name(barrier::all_components[c]));
     std::replace(line.name.begin(), line.name.end(), '_', ' ');
     line.x = times_;
     line.y = force_sums_[c];
+    if (c == 3) line.dash = Dash::dashed;  // the left cable, often pulled the same way, shows in between
     lines.push_back(std::move(line));
   }
   return lines;

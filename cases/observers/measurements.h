@@ -46,7 +46,7 @@ class Measurements {
   /// Rings that have gone through each other since the start, in words; empty if none or no net.
   [[nodiscard]] std::string lost_links() const;
   /// Force sums of the cables over time, for the chart; empty without a barrier.
-  [[nodiscard]] std::vector<ChartLine> cable_chart() const;
+  [[nodiscard]] std::vector<ChartSeries> cable_chart() const;
 
  private:
   void declare_columns();

@@ -1,6 +1,5 @@
 #pragma once
 // A perspective camera.
-#include "cases/pictures/drawing.h"
 #include "cases/pictures/ray.h"
 
 namespace lahar::cases {

@@ -1,31 +1,51 @@
 #pragma once
-// Line charts as pictures, for time series.
-#include <span>
+// Charts for print and screen: lines, points, error bars and bands over linear or logarithmic axes.
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cases/pictures/axis.h"
 #include "cases/pictures/image.h"
 
 namespace lahar::cases {
 
-/// One line of a chart. Values that are not finite leave a gap.
-struct ChartLine {
-  std::string name;  ///< in the legend; may be empty
-  std::vector<double> x, y;
-  bool dashed = false;
+enum class Mark { line, points, line_and_points, band };
+enum class Dash { solid, dashed, dotted, dash_dot };
+/// Told apart with the common forms of colour blindness (after Okabe & Ito 2008, darkened for thin lines).
+enum class ChartColour { blue, vermilion, green, purple, amber, sky, black };
+
+/// One curve or set of points. Texts are as in text_markup. What an axis cannot show leaves a gap.
+struct ChartSeries {
+  std::string name{};  ///< in the legend; may be empty
+  std::vector<double> x{}, y{};
+  Mark mark = Mark::line;
+  Dash dash = Dash::solid;
+  std::optional<ChartColour> colour{};  ///< otherwise by its number in the chart
+  std::vector<double> error{};          ///< half the length of the error bars along y; may be empty
+  std::vector<double> upper{};          ///< of a band, which goes from y up to here
 };
 
-struct ChartStyle {
-  std::string title{}, x_label{}, y_label{};
-  int width = 960, height = 540;  ///< pixels
+/// A thin dashed line across the chart with its name along it.
+struct ChartGuide {
+  double at;
+  std::string name{};
 };
 
-/// Draws lines with axes, round ticks and a legend. Throws std::logic_error if a line's x and y differ in number or the
-/// size is below 200 x 150 pixels.
-[[nodiscard]] Image draw_chart(std::span<const ChartLine> lines, const ChartStyle& style);
+struct Chart {
+  std::string title{};
+  Axis x{}, y{};
+  std::vector<ChartSeries> series{};
+  std::vector<ChartGuide> x_guides{}, y_guides{};  ///< at a value of x (upright), of y (level)
+  float width = 400, height = 250;                 ///< points of 1/72 inch; letters are 10 points
 
-/// Round numbers (steps of 1, 2 or 5 times a power of ten) that cover [low, high] with about `count` steps; the first
-/// is <= low, the last >= high.
-[[nodiscard]] std::vector<double> chart_ticks(double low, double high, int count);
+  /// As a picture with 3 pixels per point. All three throw std::logic_error if the lists of a series differ in length
+  /// or the chart is smaller than 150 x 110 points.
+  [[nodiscard]] Image image() const;
+  /// Writes .png, .svg or .pdf, by the ending of the name. Throws FileError.
+  void write(const std::filesystem::path& path) const;
+  /// Writes all of them beside each other; the ending of the name is replaced.
+  void write_all(const std::filesystem::path& path) const;
+};
 
 }  // namespace lahar::cases

@@ -41,6 +41,12 @@ Colour to_linear(const Colour& display) {
   });
 }
 
+std::vector<Colour> ramp_anchors(ColourRamp ramp) {
+  std::vector<Colour> colours;
+  for (const std::uint32_t rgb : anchors(ramp)) colours.push_back(from_hex(rgb));
+  return colours;
+}
+
 Colour ramp_colour(ColourRamp ramp, float t) {
   const auto colours = anchors(ramp);
   const float x = (std::isfinite(t) ? std::clamp(t, 0.0F, 1.0F) : 0.0F) * static_cast<float>(colours.size() - 1);

@@ -1,6 +1,7 @@
 #pragma once
 // Colours as red, green, blue in 0..1: linear light while a picture is computed, display (sRGB) values in an Image.
 #include <cstdint>
+#include <vector>
 
 #include "cases/pictures/ray.h"
 
@@ -21,5 +22,7 @@ enum class ColourRamp {
   tension,  ///< slack steel grey to taut red
 };
 [[nodiscard]] Colour ramp_colour(ColourRamp ramp, float t);
+/// The colours, equally far apart in t, between which a ramp is straight.
+[[nodiscard]] std::vector<Colour> ramp_anchors(ColourRamp ramp);
 
 }  // namespace lahar::cases

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "cases/pictures/capsule_tree.h"
+#include "cases/pictures/capsule.h"
 
 namespace lahar::cases {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <memory>
 
+#include "cases/pictures/annotation.h"
 #include "cases/pictures/backdrop.h"
-#include "cases/pictures/capsule_tree.h"
+#include "cases/pictures/capsule.h"
 #include "cases/pictures/occlusion_field.h"
-#include "cases/pictures/overlay.h"
 #include "cases/pictures/solids_in_view.h"
 #include "cases/pictures/water_field.h"
 #include "core/check.h"
@@ -62,7 +62,7 @@ class Renderer {
       : view_(view),
         projection_(camera, style.width, style.height),
         tree_(view.capsules),
-        occlusion_(tree_.capsules()),
+        occlusion_(tree_.items()),
         backdrop_(scene.walls != nullptr ? *scene.walls : no_walls_, scene.box, camera.eye),
         water_(scene.fluid != nullptr ? *scene.fluid : no_fluid_, style.water_smoothing),
         up_((scene.gravity.norm() > 0 ? Vec3(-scene.gravity.normalized()) : Vec3(camera.up.normalized()))
@@ -109,13 +109,13 @@ class Renderer {
 
   [[nodiscard]] SolidHit solid_light(const Ray& ray, const Vec3f& to_light) const {
     const BackdropHit wall = backdrop_.nearest(ray, kNoHit);
-    const CapsuleHit hit = tree_.nearest(ray, wall.distance);
+    const CapsuleHit hit = nearest_capsule(tree_, ray, wall.distance);
     if (hit.capsule >= 0) {
       const auto c = static_cast<std::size_t>(hit.capsule);
       const Vec3f p = ray.at(hit.distance);
       const Finish finish =
           view_.metallic[c] ? Finish{view_.colours[c], 0.55F, 40} : Finish{view_.colours[c], 0.06F, 12};
-      return {hit.distance, shade(p, capsule_normal(tree_.capsules()[c], p), ray.direction, finish, to_light)};
+      return {hit.distance, shade(p, capsule_normal(tree_.items()[c], p), ray.direction, finish, to_light)};
     }
     if (wall.wall < 0) return {};
     const Vec3f p = ray.at(wall.distance);
@@ -140,7 +140,7 @@ class Renderer {
     Colour light = finish.colour.cwiseProduct(ambient);
     const float facing = normal.dot(to_light);
     const Ray to_sun{p + skin_ * normal, to_light};
-    if (facing <= 0 || tree_.blocked(to_sun) || backdrop_.blocked(to_sun)) return light;
+    if (facing <= 0 || blocked(tree_, to_sun) || backdrop_.blocked(to_sun)) return light;
     const Vec3f half = (to_light - view).normalized();
     const float highlight = finish.gloss * std::pow(std::max(0.0F, half.dot(normal)), finish.sharpness);
     return light + facing * kKeyLight.cwiseProduct(0.42F * finish.colour + Colour::Constant(0.3F * highlight));
@@ -195,7 +195,7 @@ Image render_picture(const PictureScene& scene, const Camera& camera, const Pict
     const int y = static_cast<int>(row);
     for (int x = 0; x < style.width; ++x) image.at(x, y) = renderer.pixel(x, y, style.samples);
   });
-  draw_overlay(image, scene, style, view);
+  annotate(image, scene, camera, style, view);
   return image;
 }
 

@@ -8,6 +8,9 @@ namespace lahar::cases {
 
 using Vec3f = Eigen::Vector3f;
 
+/// A place in a picture, from its upper left corner; pixel (0, 0) has its centre at (0.5, 0.5).
+using Point = Eigen::Vector2f;
+
 inline constexpr float kNoHit = std::numeric_limits<float>::infinity();
 
 struct Ray {

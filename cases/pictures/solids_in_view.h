@@ -2,7 +2,7 @@
 // Which capsules stand for the particles and bonds of a scene, and how they are coloured.
 #include <vector>
 
-#include "cases/pictures/capsule_tree.h"
+#include "cases/pictures/capsule.h"
 #include "cases/pictures/colour.h"
 #include "cases/pictures/picture.h"
 

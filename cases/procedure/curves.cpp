@@ -1,6 +1,5 @@
 #include "cases/procedure/curves.h"
 
-#include "cases/files/png_file.h"
 #include "cases/files/series_writer.h"
 #include "core/check.h"
 
@@ -21,13 +20,9 @@ void write_series(const std::filesystem::path& folder, const std::vector<double>
   series.close();
 }
 
-void write_chart(const std::filesystem::path& file, std::span<const ChartLine> lines, const ChartStyle& style) {
-  write_png(file, draw_chart(lines, style));
-}
-
-ChartLine scaled_line(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
-                      double x_scale, double y_scale, bool dashed) {
-  ChartLine line{name, x, y, dashed};
+ChartSeries scaled_line(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
+                        double x_scale, double y_scale) {
+  ChartSeries line{.name = name, .x = x, .y = y};
   for (double& v : line.x) v *= x_scale;
   for (double& v : line.y) v *= y_scale;
   return line;

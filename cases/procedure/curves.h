@@ -1,7 +1,6 @@
 #pragma once
-// Curves that are functions of something else than time, as a picture and as a file.
+// Curves that are functions of something else than time, for charts and as a file.
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,11 +17,8 @@ struct CurveColumn {
 void write_series(const std::filesystem::path& folder, const std::vector<double>& time,
                   const std::vector<CurveColumn>& columns);
 
-/// Draws lines into a file of this name.
-void write_chart(const std::filesystem::path& file, std::span<const ChartLine> lines, const ChartStyle& style);
-
 /// A copy with x and y multiplied.
-[[nodiscard]] ChartLine scaled_line(const std::string& name, const std::vector<double>& x, const std::vector<double>& y,
-                                    double x_scale, double y_scale, bool dashed = false);
+[[nodiscard]] ChartSeries scaled_line(const std::string& name, const std::vector<double>& x,
+                                      const std::vector<double>& y, double x_scale, double y_scale);
 
 }  // namespace lahar::cases

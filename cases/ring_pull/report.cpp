@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "cases/procedure/curves.h"
@@ -74,20 +73,22 @@ double largest_difference(const PullCurve& a, const PullCurve& b, double stroke)
 }
 
 void draw_ring_pull(const std::filesystem::path& folder, const PullCurve& curve, const RingPull& ring) {
-  const ChartLine line = scaled_line("", curve.displacement, curve.force, 1e3, 1e-3);
-  const double straight = 1e3 * straight_displacement(ring), top = 1e-3 * curve.force.back();
-  const std::array<ChartLine, 3> whole{ChartLine{"ring", line.x, line.y},
-                                       ChartLine{"paper: end of the first stage", {140, 140}, {0, top}, true},
-                                       ChartLine{"straight without stretching", {straight, straight}, {0, top}, true}};
-  write_chart(folder / "ring_pull.png", whole,
-              {.title = "Ring pulled open", .x_label = "displacement / mm", .y_label = "force / kN"});
-  std::array<ChartLine, 2> first{ChartLine{"ring", {}, {}}, ChartLine{"theory of small displacements", {}, {}, true}};
+  const ChartSeries line = scaled_line("ring", curve.displacement, curve.force, 1e3, 1e-3);
+  const double straight = 1e3 * straight_displacement(ring);
+  const Axis displacement{.label = "displacement", .unit = "mm"}, force{.label = "force", .unit = "kN"};
+  Chart{.title = "Ring pulled open",
+        .x = displacement,
+        .y = force,
+        .series = {line},
+        .x_guides = {{140, "paper: end of the first stage"}, {straight, "straight without stretching"}}}
+      .write_all(folder / "ring_pull.png");
+  ChartSeries first{.name = "ring"}, theory{.name = "theory of small displacements", .dash = Dash::dashed};
   for (std::size_t k = 0; k < line.x.size() && line.x[k] < 0.95 * straight; ++k) {
-    first[0].x.push_back(line.x[k]), first[0].y.push_back(line.y[k]);
-    first[1].x.push_back(line.x[k]), first[1].y.push_back(1e-6 * first_stiffness(ring) * line.x[k]);
+    first.x.push_back(line.x[k]), first.y.push_back(line.y[k]);
+    theory.x.push_back(line.x[k]), theory.y.push_back(1e-6 * first_stiffness(ring) * line.x[k]);
   }
-  write_chart(folder / "ring_pull_first_stage.png", first,
-              {.title = "Ring pulled open: first stage", .x_label = "displacement / mm", .y_label = "force / kN"});
+  Chart{.title = "Ring pulled open: first stage", .x = displacement, .y = force, .series = {first, theory}}.write_all(
+      folder / "ring_pull_first_stage.png");
 }
 
 bool run_ring_pull(const RingPull& ring, const std::filesystem::path& folder, bool quiet, Summary& summary) {

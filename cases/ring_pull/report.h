@@ -17,7 +17,7 @@ inline constexpr double paper_transition = 0.140;
 /// Largest relative difference of two curves' forces at every hundredth of the stroke from the tenth on.
 [[nodiscard]] double largest_difference(const PullCurve& a, const PullCurve& b, double stroke);
 
-/// ring_pull.png: force over displacement, whole and the first stage enlarged (ring_pull_first_stage.png).
+/// Charts ring_pull: force over displacement, and ring_pull_first_stage: its beginning enlarged.
 void draw_ring_pull(const std::filesystem::path& folder, const PullCurve& curve, const RingPull& ring);
 
 /// Runs ring_pull into a folder.

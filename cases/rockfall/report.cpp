@@ -1,6 +1,5 @@
 #include "cases/rockfall/report.h"
 
-#include <array>
 #include <cmath>
 
 #include "cases/procedure/curves.h"
@@ -64,21 +63,25 @@ std::vector<ResultCheck> rockfall_paper_checks(const RockfallResult& result) {
 
 void draw_rockfall(const std::filesystem::path& folder, const RockfallResult& result) {
   const RockfallSeries& s = result.series;
-  const auto mark = [](double t, double low, double high, const char* name) {
-    return ChartLine{name, {t, t}, {low, high}, true};
+  const Axis time{.label = "time", .unit = "s"};
+  Chart{.title = "Ball on a ring net",
+        .x = time,
+        .y = {"displacement", "m"},
+        .series = {{.name = "ball", .x = s.time, .y = s.ball_displacement}},
+        .x_guides = {{0.25, "paper: lowest point"}}}
+      .write_all(folder / "rockfall_displacement.png");
+  const auto energy = [&](const char* name, const std::vector<double>& joule) {
+    return scaled_line(name, s.time, joule, 1, 1e-3);
   };
-  const std::array<ChartLine, 2> way{ChartLine{"ball", s.time, s.ball_displacement},
-                                     mark(0.25, -result.depth, 0, "paper: lowest point")};
-  write_chart(folder / "rockfall_displacement.png", way,
-              {.title = "Ball on a ring net", .x_label = "time / s", .y_label = "displacement / m"});
-  const std::array<ChartLine, 6> energy{scaled_line("ball", s.time, s.ball_energy, 1, 1e-3),
-                                        scaled_line("bonds", s.time, s.bond_energy, 1, 1e-3),
-                                        scaled_line("of which dissipators", s.time, s.brake_energy, 1, 1e-3, true),
-                                        scaled_line("lost to friction", s.time, s.friction_loss, 1, 1e-3),
-                                        scaled_line("lost in contacts", s.time, s.contact_loss, 1, 1e-3),
-                                        scaled_line("lost in bonds", s.time, s.bond_loss, 1, 1e-3)};
-  write_chart(folder / "rockfall_energy.png", energy,
-              {.title = "Ball on a ring net", .x_label = "time / s", .y_label = "energy / kJ"});
+  Chart chart{.title = "Ball on a ring net",
+              .x = time,
+              .y = {"energy", "kJ"},
+              .series = {energy("ball", s.ball_energy), energy("bonds", s.bond_energy),
+                         energy("of which dissipators", s.brake_energy), energy("lost to friction", s.friction_loss),
+                         energy("lost in contacts", s.contact_loss), energy("lost in bonds", s.bond_loss)}};
+  chart.series[2].dash = Dash::dashed;
+  chart.series[2].colour = ChartColour::vermilion;
+  chart.write_all(folder / "rockfall_energy.png");
 }
 
 bool run_rockfall_to(const Rockfall& rockfall, const std::filesystem::path& folder, bool quiet, Summary& summary) {

@@ -15,7 +15,7 @@ namespace lahar::cases {
 /// What the paper reports of its own parameters (section 3.3).
 [[nodiscard]] std::vector<ResultCheck> rockfall_paper_checks(const RockfallResult& result);
 
-/// rockfall_displacement.png and rockfall_energy.png, like the paper's Fig. 7.
+/// Charts rockfall_displacement and rockfall_energy, like the paper's Fig. 7.
 void draw_rockfall(const std::filesystem::path& folder, const RockfallResult& result);
 
 /// Runs rockfall into a folder. Returns false if it was interrupted.

@@ -5,7 +5,6 @@
 
 #include "cases/assembly/build.h"
 #include "cases/assembly/estimates.h"
-#include "cases/files/png_file.h"
 #include "cases/observers/measurements.h"
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/interrupt.h"
@@ -249,10 +248,12 @@ class SceneRun {
     {
       const ScopedTimer timer(timers_.section("outputs"));
       outputs_->finish(step());
-      if (const auto lines = measurements_->cable_chart(); !lines.empty())
-        write_png(
-            options_.out / "cable_forces.png",
-            draw_chart(lines, {.title = "Sum of bond forces in the cables", .x_label = "time, s", .y_label = "kN"}));
+      if (auto lines = measurements_->cable_chart(); !lines.empty())
+        Chart{.title = "Sum of bond forces in the cables",
+              .x = {"time", "s"},
+              .y = {"force", "kN"},
+              .series = std::move(lines)}
+            .write_all(options_.out / "cable_forces.png");
     }
     result.earlier_seconds = earlier_seconds_;
     result.summary.performance = loop_.performance;

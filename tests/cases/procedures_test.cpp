@@ -105,7 +105,8 @@ TEST(ProcedureExecutable, WritesItsFilesAndRefusesBadInput) {
   const std::string out = (folder.path() / "out").string(), exe = "'" LAHAR_RING_PULL "'";
   const std::string quick = " --set loading.speed_m_s=4 --set loading.stroke_m=0.05 --quiet --threads 1";
   ASSERT_EQ(run(exe + quick + " --out '" + out + "'"), 0);
-  for (const char* name : {"summary.json", "scene.resolved.toml", "series.h5", "ring_pull.png"})
+  for (const char* name :
+       {"summary.json", "scene.resolved.toml", "series.h5", "ring_pull.png", "ring_pull.svg", "ring_pull.pdf"})
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "out" / name)) << name;
   const auto summary = nlohmann::json::parse(file_text(folder.path() / "out" / "summary.json"));
   EXPECT_EQ(summary["case"], "ring_pull");

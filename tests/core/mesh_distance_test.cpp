@@ -5,7 +5,6 @@
 #include <random>
 
 #include "core/geometry.h"
-#include "core/triangle_tree.h"
 #include "tests/core/shapes.h"
 
 namespace lahar {
@@ -47,18 +46,6 @@ TEST(TriangleMesh, WeldingClosesASoup) {
   EXPECT_EQ(open_edges(soup), 0u);
   EXPECT_EQ(soup.points.size(), 8u);
   EXPECT_EQ(soup.triangles.size(), 12u);
-}
-
-TEST(TriangleTree, AgreesWithTryingAllTriangles) {
-  const TriangleMesh mesh = sphere_mesh(Vec3(0.1, 0.2, 0.3), 0.7, 24);
-  const TriangleTree tree(mesh);
-  for (const Vec3& p : points_in(Vec3(-2, -2, -2), Vec3(2, 2, 2), 300)) {
-    double nearest = 1e300;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-      nearest = std::min(nearest, squared_distance(p, mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)));
-    EXPECT_NEAR(tree.distance(p, 1e30), std::sqrt(nearest), 1e-12);
-    EXPECT_EQ(tree.distance(p, 0.5 * std::sqrt(nearest)), 0.5 * std::sqrt(nearest));
-  }
 }
 
 /// A box whose faces, edges and corners lie on nodes (ties everywhere) and one that lies between them: the same

@@ -6,7 +6,6 @@
 #include <array>
 #include <numbers>
 
-#include "cases/files/png_file.h"
 #include "cases/pictures/chart.h"
 #include "cases/validate/bodies/entries.h"
 #include "cases/validate/bodies/sphere_flow.h"
@@ -82,18 +81,18 @@ Fall fall_in(const Oil& oil, int cells_per_diameter, bool to_floor) {
 
 void draw(const Context& context, const std::vector<Fall>& falls) {
   if (context.plots.empty() || falls.size() != std::size(kOils)) return;
-  std::vector<cases::ChartLine> lines;
+  cases::Chart chart{
+      .title = "Sphere settling in a box of oil, 12 cells a diameter", .x = {"time", "s"}, .y = {"speed", "m/s"}};
   for (std::size_t k = 0; k < falls.size(); ++k) {
-    lines.push_back({kOils[k].name, falls[k].time, falls[k].speed, false});
-    lines.push_back({k == 0 ? "highest speed measured, ten Cate et al. 2002" : "",
-                     {0, falls[k].time.back()},
-                     {kOils[k].fastest, kOils[k].fastest},
-                     true});
+    const auto colour = static_cast<cases::ChartColour>(k);
+    chart.series.push_back({.name = kOils[k].name, .x = falls[k].time, .y = falls[k].speed, .colour = colour});
+    chart.series.push_back({.name = k == 0 ? "highest speed measured, ten Cate et al. 2002" : "",
+                            .x = {0, falls[k].time.back()},
+                            .y = {kOils[k].fastest, kOils[k].fastest},
+                            .dash = cases::Dash::dashed,
+                            .colour = colour});
   }
-  cases::write_png(context.plots / "settling_sphere.png",
-                   cases::draw_chart(lines, {.title = "Sphere settling in a box of oil, 12 cells a diameter",
-                                             .x_label = "t / s",
-                                             .y_label = "speed / m/s"}));
+  chart.write_all(context.plots / "settling_sphere.png");
 }
 
 std::vector<Row> run(const Context& context) {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "cases/files/png_file.h"
 #include "cases/pictures/chart.h"
 #include "cases/validate/fluid/entries.h"
 #include "cases/validate/fluid/flows.h"
@@ -201,19 +200,20 @@ Steady run_to_rest(const CubeField& start, const Stage& stage) {
 }
 
 void draw(const Profiles& profiles, int cells, const std::filesystem::path& folder) {
-  const auto line = [](const char* name, std::span<const Point> table) {
-    cases::ChartLine reference{name, {}, {}, true};
+  const auto computed = [&](const char* name, const Profile& profile) {
+    return cases::ChartSeries{.name = fmt::format("{}, {}^{{3}}", name, cells), .x = profile.place, .y = profile.speed};
+  };
+  const auto spectral = [](const char* name, std::span<const Point> table) {
+    cases::ChartSeries reference{.name = name, .mark = cases::Mark::points, .colour = cases::ChartColour::black};
     for (const Point& p : table) reference.x.push_back(p.place), reference.y.push_back(p.speed);
     return reference;
   };
-  const std::vector<cases::ChartLine> lines = {
-      {fmt::format("v(x, 0, 0), {}^3", cells), profiles.v.place, profiles.v.speed},
-      line("v, spectral", kSpeedY),
-      {fmt::format("u(0, y, 0), {}^3", cells), profiles.u.place, profiles.u.speed},
-      line("u, spectral", kSpeedX)};
-  cases::write_png(folder / "cavity_re1000.png", cases::draw_chart(lines, {.title = "Lid-driven cube, Re = 1000",
-                                                                           .x_label = "x or y / side",
-                                                                           .y_label = "speed / lid speed"}));
+  cases::Chart{.title = "Lid-driven cube, Re = 1000",
+               .x = {"x or y / side"},
+               .y = {"speed / lid speed"},
+               .series = {computed("v(x, 0, 0)", profiles.v), spectral("v, spectral", kSpeedY),
+                          computed("u(0, y, 0)", profiles.u), spectral("u, spectral", kSpeedX)}}
+      .write_all(folder / "cavity_re1000.png");
 }
 
 template <class Real>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "cases/files/png_file.h"
 #include "cases/pictures/chart.h"
 #include "cases/validate/fluid/entries.h"
 #include "cases/validate/fluid/flows.h"
@@ -66,13 +65,17 @@ Curve dissipation_curve(int cells, double duration) {
 }
 
 void draw(const Curve& curve, int cells, const std::filesystem::path& folder) {
-  const std::vector<cases::ChartLine> lines = {
-      {fmt::format("{}^3, central moments", cells), curve.time, curve.dissipation},
-      {"spectral (Wang et al. 2013)", kReferenceTime, kReferenceDissipation, true}};
-  cases::write_png(
-      folder / "taylor_green_re1600.png",
-      cases::draw_chart(
-          lines, {.title = "Taylor-Green vortex, Re = 1600", .x_label = "t V0 / L", .y_label = "-dE/dt L / V0^3"}));
+  cases::Chart{
+      .title = "Taylor-Green vortex, Re = 1600",
+      .x = {"t V_{0} / L"},
+      .y = {"−dE/dt L / V_{0}^{3}"},
+      .series = {{.name = fmt::format("{}^{{3}}, central moments", cells), .x = curve.time, .y = curve.dissipation},
+                 {.name = "spectral (Wang et al. 2013)",
+                  .x = kReferenceTime,
+                  .y = kReferenceDissipation,
+                  .dash = cases::Dash::dashed,
+                  .colour = cases::ChartColour::black}}}
+      .write_all(folder / "taylor_green_re1600.png");
 }
 
 std::vector<Row> run(const Context& context) {

@@ -1,4 +1,4 @@
-#include "cases/pictures/capsule_tree.h"
+#include "cases/pictures/capsule.h"
 
 #include <gtest/gtest.h>
 
@@ -75,18 +75,18 @@ TEST(CapsuleTree, AgreesWithTryingEveryCapsule) {
       const float t = capsule_entry(capsules[i], ray);
       if (t < limit && t < best.distance) best = {t, static_cast<std::int32_t>(i)};
     }
-    const CapsuleHit hit = tree.nearest(ray, limit);
+    const CapsuleHit hit = nearest_capsule(tree, ray, limit);
     EXPECT_EQ(hit.distance, best.distance);
-    EXPECT_EQ(tree.blocked(ray, limit), best.capsule >= 0);
+    EXPECT_EQ(blocked(tree, ray, limit), best.capsule >= 0);
     hits += best.capsule >= 0;
   }
   EXPECT_GT(hits, 500);
 }
 
 TEST(CapsuleTree, CopesWithNothingAndWithManyInOnePlace) {
-  EXPECT_EQ(CapsuleTree({}).nearest({Vec3f::Zero(), Vec3f::UnitX()}).capsule, -1);
+  EXPECT_EQ(nearest_capsule(CapsuleTree({}), {Vec3f::Zero(), Vec3f::UnitX()}).capsule, -1);
   const CapsuleTree heap(std::vector<Capsule>(500, Capsule{Vec3f::Ones(), Vec3f::Ones(), 0.5F}));
-  EXPECT_NEAR(heap.nearest({Vec3f(-2, 1, 1), Vec3f::UnitX()}).distance, 2.5F, 1e-5F);
+  EXPECT_NEAR(nearest_capsule(heap, {Vec3f(-2, 1, 1), Vec3f::UnitX()}).distance, 2.5F, 1e-5F);
 }
 
 }  // namespace
