@@ -10,7 +10,7 @@
 #include "cases/runner/resume.h"
 #include "cases/runner/run.h"
 #include "cases/scene/key_list.h"
-#include "cases/scene/load.h"
+#include "cases/assembly/load.h"
 #include "core/check.h"
 
 namespace lahar::cases {

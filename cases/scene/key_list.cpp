@@ -24,7 +24,7 @@ class Collector {
          .default_value = rule.required ? "" : toml_text(field),
          .required = rule.required,
          .condition = std::string(condition_),
-         .doc = std::string(doc)});
+         .doc = std::string(doc) + choices_text(field)});
   }
   template <class T>
   void table(std::string_view key, T& part, Presence, std::string_view doc) {

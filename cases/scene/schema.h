@@ -98,10 +98,7 @@ void describe(V& v, WallSettings& s) {
     v.value("spacing_m", s.file.spacing, {non_negative()},
             "Distance between the heights of a plain matrix, before scaling; its last row begins at (0, 0).");
   });
-  v.value(
-      "slip", s.slip, {},
-      "How water slides along the wall: not at all, freely, or with the wall stress of a turbulent layer thinner than "
-      "the cells.");
+  v.value("slip", s.slip, {}, "How water slides along the wall.");
   v.value("roughness_m", s.roughness, {non_negative()},
           "Equivalent sand roughness of a wall with slip = \"wall_model\"; 0 = smooth.");
   v.value("material", s.material, {}, "Name of a material; needed where the scene has grains or a barrier.");
@@ -132,9 +129,7 @@ void describe(V& v, FluidRegion& s) {
 
 template <class V>
 void describe(V& v, Rheology& s) {
-  v.value("law", s.law, {},
-          "Flow law. Bingham: yield stress and the kinematic viscosity as the plastic one. Herschel-Bulkley: yield "
-          "stress, consistency and exponent in place of the kinematic viscosity.");
+  v.value("law", s.law, {}, "Flow law.");
   v.value("yield_stress_Pa", s.yield_stress, {non_negative()}, "Shear stress below which the fluid only creeps.");
   v.value("consistency_Pa_s_n", s.consistency, {non_negative()}, "K of the stress yield + K rate^n.");
   v.value("exponent", s.exponent, {between(0.3, 2)}, "n: below 1 thinner, above 1 thicker in fast shear.");
@@ -173,10 +168,7 @@ void describe(V& v, Fluid& s) {
             "Whether the time step follows the liquid, so that its fastest cell stays about lattice_velocity: shorter "
             "at once where it is too fast, longer when it has been calm. The largest expected speed then sets the "
             "first step alone.");
-    v.value(
-        "wall_placement", s.wall_placement, {},
-        "Where no-slip walls are felt: half-way between cells, or at their own place between the cells (interpolated "
-        "bounce-back, second order).");
+    v.value("wall_placement", s.wall_placement, {}, "Where no-slip walls are felt.");
     v.table("rheology", s.rheology, Presence::optional, "Flow law of mud and slurry. Newtonian when left out.");
     v.array("region", s.regions, "Where the liquid is at the start.");
     v.array("inflow", s.inflows, "Where liquid comes in during the run.");
@@ -222,11 +214,8 @@ void describe(V& v, Solids& s) {
   v.value("bond_stiffness_scale", s.bond_stiffness_scale, {above_up_to(0, 1)}, "Factor on every bond stiffness.");
   v.value("bond_damping_ratio", s.bond_damping_ratio, {between(0, 1)}, "Damping of the bonds, as a share of critical.");
   v.value("wire_contacts", s.wire_contacts, {},
-          "How rings and cables touch each other and grains: bead by bead, or as smooth round wires along the beads. "
-          "With walls they touch bead by bead.");
-  v.value("contact_law", s.contact_law, {},
-          "Law of contacts: Hertz and Mindlin from the materials, or linear springs and dashpots of one stiffness for "
-          "all.");
+          "How rings and cables touch each other and grains. With walls they touch bead by bead.");
+  v.value("contact_law", s.contact_law, {}, "Law of contacts.");
   v.for_shape(s.contact_law == ContactLaw::linear, "contact_law = \"linear\"", [&] {
     v.value("normal_stiffness_N_m", s.normal_stiffness, required(positive()), "Stiffness of the normal spring.");
     v.value("tangential_stiffness_N_m", s.tangential_stiffness, {non_negative()},
@@ -261,7 +250,7 @@ void describe(V& v, LogNormalGrains& s) {
   v.value("log_deviation", s.deviation, required(above_up_to(0, 3)), "Standard deviation of ln(diameter).");
   v.value("smallest_diameter_m", s.smallest, required(positive()), "Lower cut-off.");
   v.value("largest_diameter_m", s.largest, required(positive()), "Upper cut-off.");
-  v.value("weighting", s.weighting, {}, "Whether the distribution counts mass, as sieves do, or grains.");
+  v.value("weighting", s.weighting, {}, "What the distribution counts.");
   describe_amount(v, s.amount, s.density, s.material);
 }
 
@@ -324,7 +313,7 @@ void describe_mesh(V& v, Net& s) {
 
 template <class V>
 void describe(V& v, Net& s) {
-  v.value("kind", s.kind, {}, "Linked rings, or hexagonal mesh of double-twisted wire.");
+  v.value("kind", s.kind, {}, "What the net is made of.");
   v.value("origin_m", s.origin, required(), "Lower corner of the net.");
   v.value("width_direction", s.width_direction, {}, "Direction of the width; any length but zero.");
   v.value("height_direction", s.height_direction, {}, "Direction of the height, at right angles to the width.");
@@ -393,7 +382,7 @@ void describe(V& v, Posts& s) {
     v.value("height_m", s.height, required(positive()), "Top of the posts above the net's lower edge.");
     v.value("diameter_m", s.diameter, required(positive()),
             "Diameter that the flow meets. Posts stand beside the frames, a wire's diameter away.");
-    v.value("foot", s.foot, {}, "Clamped, or a ball joint that turns freely about all axes.");
+    v.value("foot", s.foot, {}, "How its foot is held.");
     v.value("youngs_modulus_Pa", s.youngs_modulus, {positive()}, "Young's modulus of the profile; steel by default.");
     v.value("area_m2", s.area, required(positive()), "Area of the profile.");
     v.value("second_moment_m4", s.second_moment, required(positive()),
@@ -460,7 +449,7 @@ void describe(V& v, Measure& s) {
 template <class V>
 void describe(V& v, Probe& s) {
   v.value("name", s.name, required(), "Name in results: letters, digits, `_` and `-`.");
-  v.value("kind", s.kind, required(), "Depth of liquid above the point, pressure in it, or force on a wall.");
+  v.value("kind", s.kind, required(), "What is measured.");
   v.value("position_m", s.position, required(), "Where; of a force: the point that its moment is taken about.");
   v.for_shape(s.kind == ProbeKind::force, "kind = \"force\"",
               [&] { v.value("wall", s.wall, required(), "Name of a [[wall]]."); });

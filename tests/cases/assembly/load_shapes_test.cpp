@@ -6,7 +6,7 @@
 #include "cases/assembly/geometry.h"
 #include "cases/scene/writer.h"
 #include "tests/cases/files/shape_texts.h"
-#include "tests/cases/scene/rejections.h"
+#include "tests/cases/assembly/rejections.h"
 
 namespace lahar::scene {
 namespace {

@@ -78,6 +78,18 @@ TEST(KeyList, DimensionalKeysNameTheirUnit) {
     }
 }
 
+TEST(KeyList, OptionsAreExplainedWordByWord) {
+  for (const TableEntry& table : all_keys())
+    for (const KeyEntry& key : table.keys) {
+      if (table.path + "." + key.key != "fluid.collision") continue;
+      for (const auto& choice : choices(CollisionOperator{}))
+        EXPECT_NE(key.doc.find("`" + std::string(choice.word) + "`: " + std::string(choice.meaning)),
+                  std::string::npos);
+      return;
+    }
+  FAIL() << "there is no fluid.collision";
+}
+
 TEST(KeyList, ReferencePageIsCurrent) {
   EXPECT_EQ(file_text(source_folder() / "docs/scene_reference.md"), reference_page())
       << "write it anew: lahar keys > docs/scene_reference.md";

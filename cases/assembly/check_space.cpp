@@ -3,8 +3,8 @@
 
 #include <cmath>
 
+#include "cases/assembly/cross_checks.h"
 #include "cases/assembly/memory.h"
-#include "cases/scene/cross_checks.h"
 
 namespace lahar::scene {
 namespace {
@@ -93,7 +93,7 @@ void check_rheology(const Scene& scene, Findings& findings) {
   if (scene.fluid.smagorinsky > 0)
     wrong(".law",
           " with fluid.smagorinsky above 0, expected one or the other: an eddy viscosity would hide the yield stress");
-  if (scene.fluid.collision == Collision::bgk)
+  if (scene.fluid.collision == CollisionOperator::bgk)
     wrong(".law", " with collision = \"bgk\", expected another operator: its walls slip where the viscosity is large");
   for (const WallSettings& w : scene.walls)
     if (w.slip == WallSlip::wall_model)

@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "cases/assembly/cross_checks.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/net_spec.h"
-#include "cases/scene/cross_checks.h"
 #include "dem/time_step.h"
 
 namespace lahar::scene {

@@ -1,4 +1,4 @@
-#include "cases/scene/cross_checks.h"
+#include "cases/assembly/cross_checks.h"
 
 #include <fmt/format.h>
 

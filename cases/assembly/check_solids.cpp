@@ -5,11 +5,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/assembly/check_gradings.h"
+#include "cases/assembly/cross_checks.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/net_spec.h"
-#include "cases/scene/check_gradings.h"
-#include "cases/scene/cross_checks.h"
 #include "dem/time_step.h"
 
 namespace lahar::scene {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "cases/assembly/net_spec.h"
-#include "tests/cases/scene/rejections.h"
+#include "tests/cases/assembly/rejections.h"
 
 namespace lahar::scene {
 namespace {

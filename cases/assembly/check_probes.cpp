@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "cases/scene/cross_checks.h"
+#include "cases/assembly/cross_checks.h"
 #include "cases/scene/names.h"
 
 namespace lahar::scene {

@@ -5,7 +5,7 @@
 #include "cases/assembly/build.h"
 #include "cases/runner/check.h"
 #include "cases/scene/writer.h"
-#include "tests/cases/scene/rejections.h"
+#include "tests/cases/assembly/rejections.h"
 
 namespace lahar::scene {
 namespace {

@@ -1,8 +1,8 @@
-#include "cases/scene/load.h"
+#include "cases/assembly/load.h"
 
+#include "cases/assembly/cross_checks.h"
 #include "cases/assembly/load_shapes.h"
 #include "cases/assembly/rigid_barrier.h"
-#include "cases/scene/cross_checks.h"
 #include "cases/scene/reader.h"
 
 namespace lahar::scene {

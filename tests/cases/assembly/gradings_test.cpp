@@ -6,7 +6,7 @@
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/scene/writer.h"
-#include "tests/cases/scene/rejections.h"
+#include "tests/cases/assembly/rejections.h"
 
 namespace lahar::scene {
 namespace {

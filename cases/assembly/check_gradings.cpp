@@ -1,5 +1,5 @@
 // Checks of grain-size distributions: each makes sense, and box and cells can carry its sizes.
-#include "cases/scene/check_gradings.h"
+#include "cases/assembly/check_gradings.h"
 
 #include <fmt/format.h>
 

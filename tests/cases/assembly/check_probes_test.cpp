@@ -1,7 +1,7 @@
 // Probes and sections that do not fit the rest of the scene.
 #include <gtest/gtest.h>
 
-#include "tests/cases/scene/rejections.h"
+#include "tests/cases/assembly/rejections.h"
 
 namespace lahar::scene {
 namespace {

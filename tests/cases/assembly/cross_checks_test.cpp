@@ -1,8 +1,8 @@
-#include "cases/scene/cross_checks.h"
+#include "cases/assembly/cross_checks.h"
 
 #include <gtest/gtest.h>
 
-#include "tests/cases/scene/rejections.h"
+#include "tests/cases/assembly/rejections.h"
 
 namespace lahar::scene {
 namespace {

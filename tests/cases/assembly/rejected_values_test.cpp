@@ -1,7 +1,7 @@
 // A test for every value that the description of a scene refuses, key by key.
 #include <gtest/gtest.h>
 
-#include "tests/cases/scene/rejections.h"
+#include "tests/cases/assembly/rejections.h"
 
 namespace lahar::scene {
 namespace {

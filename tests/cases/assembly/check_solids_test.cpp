@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "tests/cases/scene/rejections.h"
+#include "tests/cases/assembly/rejections.h"
 
 namespace lahar::scene {
 namespace {
