@@ -29,7 +29,7 @@ void BarrierResponse::declare_component(barrier::Component component) {
          "sum over the bonds of a part of the barrier of the force's magnitude; grows with the number of beads",
          [this, component] { return now_[component].force_sum; })
       .peak({"peak_" + part + "_sum_kN", "peak_PART_sum_kN"}, "kN", "largest `PART_force_sum_N` of the rows", 1000);
-  column({part + "_max_tension_N", "PART_max_tension_N"}, "N", "largest tension of a bond of the part",
+  column({part + "_max_tension_N", "PART_max_tension_N"}, "N", "largest tension of a bond of a part of the barrier",
          [this, component] { return now_[component].max_tension; })
       .peak({"peak_" + part + "_tension_kN", "peak_PART_tension_kN"}, "kN", "largest `PART_max_tension_N` of the rows",
             1000);

@@ -10,10 +10,11 @@ FlowEnergy::FlowEnergy(const Observed& run, const ObserverList& before)
         "kinetic and potential energy of liquid and grains at the first row with the front within "
         "`measure.inflow_distance_m` upstream of the measured section",
         [this] { return arrival_.energy; });
-  event("froude_deepest_section", "1", "at the same row: speed of the deepest section over sqrt(g depth)",
+  event("froude_deepest_section", "1", "speed of the deepest section over sqrt(g depth) at the row of `e_in_kJ`",
         [this] { return arrival_.froude_deepest; });
-  event("depth_at_inflow_m", "m", "at the same row: depth of the deepest section", [this] { return arrival_.depth; });
-  event("froude_mean_speed", "1", "at the same row: mean speed of all liquid over sqrt(g depth)",
+  event("depth_at_inflow_m", "m", "depth of the deepest section at the row of `e_in_kJ`",
+        [this] { return arrival_.depth; });
+  event("froude_mean_speed", "1", "mean speed of all liquid over sqrt(g depth) at the row of `e_in_kJ`",
         [this] { return arrival_.froude_mean; });
   if (grains_)
     result("e_out_kJ", "kJ",

@@ -4,9 +4,9 @@ namespace lahar::cases {
 
 FluidTimeStep::FluidTimeStep(const Observed& run) : Observer(run) {
   const FluidView& fluid = *run.simulation.fluid();
-  column("fluid_time_step_s", "s", "length of the fluid's last step; with an adaptive step",
+  column("fluid_time_step_s", "s", "length of the fluid's last step, where it adapts",
          [&] { return fluid.units().time_step; });
-  result("fluid_time_step_min_s", "s", "shortest step of the fluid; this and the next four with an adaptive step",
+  result("fluid_time_step_min_s", "s", "shortest step of the fluid; with an adaptive step, as the next four",
          [&] { return fluid.time_step_record().shortest; });
   result("fluid_time_step_max_s", "s", "longest step of the fluid", [&] { return fluid.time_step_record().longest; });
   result("fluid_time_step_changes", "1", "how often the step changed",

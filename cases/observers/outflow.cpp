@@ -6,7 +6,8 @@ Outflow::Outflow(const Observed& run, const ObserverList& before) : Observer(run
   column("section_power_W", "W",
          "energy flux of the liquid, kinetic and potential, `measure.outflow_distance_m` beyond the measured section",
          [this] { return flow_.now().outflow_power; });
-  result("liquid_passed_kg", "kg", "liquid that passed there", [this] { return mass_; });
+  result("liquid_passed_kg", "kg", "liquid that passed `measure.outflow_distance_m` beyond the measured section",
+         [this] { return mass_; });
 }
 
 void Outflow::sample(double interval) {

@@ -27,7 +27,7 @@ void Probes::declare_level(const scene::Probe& probe) {
   const Vec3 point = probe.position;
   const auto depth = [this, point] { return depth_over(*run_.simulation.fluid(), point, run_.scene.domain.upper.z()); };
   column(of_probe(probe.name, ""), "m",
-         "kind = \"height\": fill levels of the cells over the point, along z, times the cell size", depth)
+         "height probe: fill levels of the cells over the point, along z, times the cell size", depth)
       .peak(of_probe(probe.name, "_peak_m"), "m", "largest depth of the rows")
       .peak_time(of_probe(probe.name, "_peak_time_s"));
   event(of_probe(probe.name, "_arrival_s"), "s", "first row with a depth of half a cell or more",
@@ -36,7 +36,7 @@ void Probes::declare_level(const scene::Probe& probe) {
 
 void Probes::declare_pressure(const scene::Probe& probe) {
   column(of_probe(probe.name, ""), "Pa",
-         "kind = \"pressure\": above ambient, between the centres of the eight cells around the point",
+         "pressure probe: above ambient, between the centres of the eight cells around the point",
          [this, point = probe.position] { return pressure_at(*run_.simulation.fluid(), point); })
       .peak(of_probe(probe.name, "_peak_Pa"), "Pa", "largest pressure of the rows")
       .peak_time(of_probe(probe.name, "_peak_time_s"));
@@ -50,10 +50,10 @@ void Probes::declare_force(const scene::Probe& probe) {
   if (run_.simulation.fluid()) declare_load(k, "fluid", "the liquid", &ForceProbe::fluid);
   if (run_.simulation.solids()) declare_load(k, "grains", "grains and barrier", &ForceProbe::grains);
   hidden([this, k] { return forces_[k].both.force.norm(); })
-      .peak(of_probe(probe.name, "_force_peak_N"), "N", "largest magnitude of the force of liquid and grains together")
+      .peak(of_probe(probe.name, "_force_peak_N"), "N", "largest force of the rows, of liquid and grains together")
       .peak_time(of_probe(probe.name, "_force_peak_time_s"));
   hidden([this, k] { return forces_[k].both.moment.norm(); })
-      .peak(of_probe(probe.name, "_moment_peak_Nm"), "N m", "largest magnitude of their moment")
+      .peak(of_probe(probe.name, "_moment_peak_Nm"), "Nm", "largest moment of the rows, of liquid and grains together")
       .peak_time(of_probe(probe.name, "_moment_peak_time_s"));
 }
 
@@ -69,7 +69,7 @@ void Probes::declare_load(std::size_t probe, const std::string& source, const st
     }
   };
   declare("force", "N", "force of " + who + " on the wall, mean since the last row", &Load::force);
-  declare("moment", "Nm", "its moment about the probe's point", &Load::moment);
+  declare("moment", "Nm", "moment of that force about the probe's point, mean since the last row", &Load::moment);
 }
 
 void Probes::after_step() {

@@ -53,7 +53,7 @@ struct Quantity {
   }
   /// Adds the time of the peak that was added last.
   Quantity& peak_time(Label name) {
-    metrics.push_back({std::move(name), "s", "when", Follow::peak_time});
+    metrics.push_back({std::move(name), "s", "time of the " + metrics.back().meaning, Follow::peak_time});
     return *this;
   }
   /// Whether it must be read at every row.

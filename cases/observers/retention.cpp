@@ -6,13 +6,16 @@ namespace lahar::cases {
 
 Retention::Retention(const Observed& run) : Observer(run) {
   result("retained_mass_ratio", "1",
-         "mass of the grains that are not beyond the net at the end: upstream of its plane, or of its foremost bead "
-         "where it has bulged",
+         "share by mass of the grains that are held at the end: upstream of the measured section, or of the foremost "
+         "bead where the net has bulged beyond it",
          [this] { return now().mass; });
-  result("retained_small_grains_ratio", "1",
-         "the same of the grains smaller than the middle of smallest and largest, by number; absent if all are equal",
-         [this] { return now().small; });
-  result("retained_large_grains_ratio", "1", "the same of the larger ones", [this] { return now().large; });
+  result(
+      "retained_small_grains_ratio", "1",
+      "share by number of the grains smaller than the middle of smallest and largest that are held; absent if all are "
+      "equal",
+      [this] { return now().small; });
+  result("retained_large_grains_ratio", "1", "share by number of the larger grains that are held",
+         [this] { return now().large; });
 }
 
 /// How far down a grain may be and still count as held: the net's section, or the foremost bead where the net has

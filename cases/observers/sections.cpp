@@ -95,7 +95,7 @@ void Sections::declare_liquid(std::size_t k) {
   result(of_section(name, "_volume_m3"), "m^3",
          "liquid that passed, less what came back (trapezoidal rule over the rows)",
          [this, k] { return counters_[k].volume; });
-  result(of_section(name, "_liquid_energy_kJ"), "kJ", "energy that passed with it",
+  result(of_section(name, "_liquid_energy_kJ"), "kJ", "energy of the liquid that passed",
          [this, k] { return counters_[k].liquid_energy; });
 }
 
@@ -103,11 +103,12 @@ void Sections::declare_grains(std::size_t k) {
   const std::string name = counters_[k].name;
   column(of_section(name, "_grains_kg_s"), "kg/s", "grains whose centre crossed the rectangle since the last row",
          [this, k] { return counters_[k].grain_rate; });
-  column(of_section(name, "_grains_power_W"), "W", "kinetic and potential energy of these grains",
+  column(of_section(name, "_grains_power_W"), "W",
+         "kinetic and potential energy of grains that crossed since the last row",
          [this, k] { return counters_[k].grain_power; });
   result(of_section(name, "_grains_kg"), "kg", "grains that passed, less those that came back",
          [this, k] { return counters_[k].grain_mass; });
-  result(of_section(name, "_grains_energy_kJ"), "kJ", "energy that passed with them",
+  result(of_section(name, "_grains_energy_kJ"), "kJ", "energy of the grains that passed",
          [this, k] { return counters_[k].grain_energy; });
 }
 

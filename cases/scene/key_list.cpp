@@ -42,7 +42,7 @@ class Collector {
     visit(path, "[" + path + "]", doc, part);
   }
   template <class Body>
-  void for_shape(bool, std::string_view condition, const Body& body) {
+  void only_with(std::string_view, bool, std::string_view condition, const Body& body) {
     condition_ = condition;
     body();
     condition_ = {};

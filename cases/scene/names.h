@@ -115,6 +115,14 @@ constexpr auto choices(ProbeKind) {
                                            {"force", ProbeKind::force, "force on a wall"}});
 }
 
+/// All words of an option.
+template <class E>
+std::vector<std::string> words() {
+  std::vector<std::string> all;
+  for (const auto& choice : choices(E{})) all.emplace_back(choice.word);
+  return all;
+}
+
 /// The word for an option.
 template <class E>
 std::string name_of(E value) {

@@ -79,12 +79,9 @@ template <class E>
 requires std::is_enum_v<E> std::string read(const toml::node& node, const Rule&, E& value) {
   const auto word = node.value_exact<std::string>();
   if (!word) return "is " + kind_text(node);
-  std::vector<std::string> known;
-  for (const auto& choice : choices(E{})) {
+  for (const auto& choice : choices(E{}))
     if (choice.word == *word) return value = choice.value, std::string{};
-    known.emplace_back(choice.word);
-  }
-  const std::string nearest = nearest_name(*word, known);
+  const std::string nearest = nearest_name(*word, words<E>());
   return "is " + quote(node) + (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)");
 }
 

@@ -40,7 +40,7 @@ struct DefaultsReader {
     array("", parts, doc);
   }
   template <class Body>
-  void for_shape(bool, std::string_view, const Body& body) {
+  void only_with(std::string_view, bool, std::string_view, const Body& body) {
     body();
   }
   template <class Body>
