@@ -24,14 +24,15 @@ Probes::Probes(const Observed& run) : Observer(run) {
 }
 
 void Probes::declare_level(const scene::Probe& probe) {
-  const Vec3 point = probe.position;
-  const auto depth = [this, point] { return depth_over(*run_.simulation.fluid(), point, run_.scene.domain.upper.z()); };
+  const std::size_t k = levels_.size();
+  levels_.push_back({probe.position, 0.0});
   column(of_probe(probe.name, ""), "m",
-         "height probe: fill levels of the cells over the point, along z, times the cell size", depth)
+         "height probe: fill levels of the cells over the point, along z, times the cell size",
+         [this, k] { return levels_[k].depth; })
       .peak(of_probe(probe.name, "_peak_m"), "m", "largest depth of the rows")
       .peak_time(of_probe(probe.name, "_peak_time_s"));
   event(of_probe(probe.name, "_arrival_s"), "s", "first row with a depth of half a cell or more",
-        [this, depth] { return depth() > run_.scene.fluid.cell_size / 2 ? run_.simulation.time() : kUnknown; });
+        [this, k] { return levels_[k].depth > run_.scene.fluid.cell_size / 2 ? run_.simulation.time() : kUnknown; });
 }
 
 void Probes::declare_pressure(const scene::Probe& probe) {
@@ -88,6 +89,8 @@ Probes::Load Probes::mean_load(const Load& sum, double interval, const Vec3& poi
 }
 
 void Probes::sample(double interval) {
+  for (Level& level : levels_)
+    level.depth = depth_over(*run_.simulation.fluid(), level.point, run_.scene.domain.upper.z());
   for (ForceProbe& probe : forces_) {
     probe.both = {};
     const auto add = [&](Load& mean, const Load& sum) {

@@ -34,12 +34,17 @@ class Probes final : public Observer {
     Load fluid_before, grains_since;  // N s and N m s about the origin: at the last row, since the last row
     Load fluid, grains, both;         // N and N m about the point: means over the time since the last row
   };
+  struct Level {
+    Vec3 point;
+    double depth;  ///< m, at the last row
+  };
   void declare_level(const scene::Probe& probe);
   void declare_pressure(const scene::Probe& probe);
   void declare_force(const scene::Probe& probe);
   void declare_load(std::size_t probe, const std::string& source, const std::string& who, Load ForceProbe::*load);
   [[nodiscard]] static Load mean_load(const Load& sum, double interval, const Vec3& point);
 
+  std::vector<Level> levels_;
   std::vector<ForceProbe> forces_;
 };
 
