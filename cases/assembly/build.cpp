@@ -11,46 +11,6 @@ namespace lahar::cases {
 
 namespace {
 
-lbm::CollisionOperator collision_of(scene::Collision c) {
-  switch (c) {
-    case scene::Collision::bgk:
-      return lbm::CollisionOperator::bgk;
-    case scene::Collision::trt:
-      return lbm::CollisionOperator::trt;
-    case scene::Collision::central_moments:
-      break;
-  }
-  return lbm::CollisionOperator::central_moments;
-}
-
-lbm::BodyWeighting weighting_of(scene::BodyWeighting w) {
-  switch (w) {
-    case scene::BodyWeighting::noble_torczynski:
-      return lbm::BodyWeighting::noble_torczynski;
-    case scene::BodyWeighting::seepage:
-      return lbm::BodyWeighting::seepage;
-    case scene::BodyWeighting::wall_distance:
-      return lbm::BodyWeighting::wall_distance;
-    case scene::BodyWeighting::solid_fraction:
-      break;
-  }
-  return lbm::BodyWeighting::solid_fraction;
-}
-
-lbm::SolidOperator solid_operator_of(scene::SolidOperator o) {
-  switch (o) {
-    case scene::SolidOperator::equilibrium_difference:
-      return lbm::SolidOperator::equilibrium_difference;
-    case scene::SolidOperator::bounce_back:
-      return lbm::SolidOperator::bounce_back;
-    case scene::SolidOperator::holdych:
-      return lbm::SolidOperator::holdych;
-    case scene::SolidOperator::faded:
-      break;
-  }
-  return lbm::SolidOperator::faded;
-}
-
 /// Sum of d^3 over sum of d^2 of all grains, m.
 double sauter_diameter(const scene::Scene& scene) {
   double volume = 0, area = 0;
@@ -58,13 +18,6 @@ double sauter_diameter(const scene::Scene& scene) {
   for (const auto& s : scene::grain_sizes(scene)) add(s.diameter, static_cast<double>(s.count));
   for (const auto& s : scene.grains.spheres) add(s.diameter, 1);
   return area > 0 ? volume / area : scene.fluid.cell_size;
-}
-
-lbm::RheologyOptions rheology_of(const scene::Rheology& r) {
-  const auto law = r.law == scene::FlowLaw::bingham            ? lbm::FlowLaw::bingham
-                   : r.law == scene::FlowLaw::herschel_bulkley ? lbm::FlowLaw::herschel_bulkley
-                                                               : lbm::FlowLaw::newtonian;
-  return {law, r.yield_stress, r.consistency, r.exponent, r.limit_viscosity};
 }
 
 lbm::InflowOptions inflow_of(const scene::Inflow& s) {
@@ -132,8 +85,7 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
   o.domain.cell_size = scene.fluid.cell_size;
   for (int face = 0; face < 6; ++face) o.domain.faces[static_cast<std::size_t>(face)] = face_kind(scene, face);
   o.domain.walls = scene::make_walls(scene);
-  if (scene.fluid.wall_placement == scene::WallPlacement::interpolated)
-    o.domain.placement = lbm::WallPlacement::interpolated;
+  o.domain.placement = scene.fluid.wall_placement;
   o.time_step = fluid_time_step(scene);
   o.adaptive_time_step = scene.fluid.adaptive_time_step;
   o.lattice_velocity = scene.fluid.lattice_velocity;
@@ -141,14 +93,14 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
   o.kinematic_viscosity = scene.fluid.kinematic_viscosity;
   o.gravity = scene.gravity.vector();
   o.surface_tension = scene.fluid.surface_tension;
-  o.collision = collision_of(scene.fluid.collision);
-  o.weighting = weighting_of(scene.coupling.body_weighting);
-  o.solid_operator = solid_operator_of(scene.coupling.solid_operator);
+  o.collision = scene.fluid.collision;
+  o.weighting = scene.coupling.body_weighting;
+  o.solid_operator = scene.coupling.solid_operator;
   if (o.weighting == lbm::BodyWeighting::seepage)
     o.seepage_constant = coupling::seepage_constant(sauter_diameter(scene), o.kinematic_viscosity, o.gravity.norm(),
                                                     {o.domain.cell_size, o.time_step, o.density});
   o.smagorinsky = scene.fluid.smagorinsky;
-  o.rheology = rheology_of(scene.fluid.rheology);
+  o.rheology = scene.fluid.rheology;
   for (const scene::Inflow& inflow : scene.fluid.inflows) o.inflows.push_back(inflow_of(inflow));
   return o;
 }
@@ -157,6 +109,18 @@ std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene) {
   std::vector<lbm::LiquidRegion> regions;
   for (const auto& r : scene.fluid.regions) regions.push_back({r.lower, r.upper, r.velocity, scene::make_body(r)});
   return regions;
+}
+
+coupling::CouplingOptions coupling_options(const scene::Scene& scene) {
+  coupling::CouplingOptions options;
+  options.immersed_grains = scene.coupling.enabled;
+  options.wire_drag = scene.coupling.enabled && scene.coupling.wire_drag;
+  if (scene.coupling.enabled && scene.coupling.resolve_wires_from_cells)
+    options.resolve_wires_from = *scene.coupling.resolve_wires_from_cells;
+  options.lubrication = scene.coupling.lubrication;
+  options.radius_shift = scene.coupling.radius_shift_cells;
+  options.substeps = substeps_of(scene);
+  return options;
 }
 
 namespace {
@@ -178,7 +142,7 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   dem::SolidsOptions options;
   options.gravity = scene.gravity.vector();
   options.contact_law = contact_law_of(scene.solids);
-  if (scene.solids.wire_contacts == scene::WireContacts::capsules) options.wire_contacts = dem::WireContacts::capsules;
+  options.wire_contacts = scene.solids.wire_contacts;
   options.watchdog.speed_limit = 200;  // m/s: nothing in a debris flow is that fast
   options.watchdog.overlap_limit = 1;  // beyond it a bead has gone through
   options.watchdog.interval = 20;

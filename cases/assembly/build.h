@@ -16,6 +16,9 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene);
 /// The liquid at the start.
 std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene);
 
+/// How fluid and solids act on each other.
+coupling::CouplingOptions coupling_options(const scene::Scene& scene);
+
 /// Grains, barrier, walls and materials of a scene.
 struct BuiltSolids {
   dem::Solids solids;

@@ -27,8 +27,7 @@ class Drawing {
 }  // namespace
 
 dem::LogNormalSizes distribution_of(const LogNormalGrains& g) {
-  return {g.median, g.deviation, g.smallest, g.largest,
-          g.weighting == SizeWeighting::mass ? dem::SizeWeight::mass : dem::SizeWeight::number};
+  return {g.median, g.deviation, g.smallest, g.largest, g.weighting};
 }
 
 dem::SieveCurve distribution_of(const SievedGrains& grains) {

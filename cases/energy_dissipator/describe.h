@@ -6,9 +6,9 @@
 
 namespace lahar::cases {
 
-constexpr auto names_of(BrakeUnloading) {
-  return scene::NameTable<BrakeUnloading, 2>{
-      {{"elastic", BrakeUnloading::elastic}, {"plastic", BrakeUnloading::plastic}}};
+constexpr auto choices(BrakeUnloading) {
+  return std::to_array<scene::Choice<BrakeUnloading>>(
+      {{"elastic", BrakeUnloading::elastic}, {"plastic", BrakeUnloading::plastic}});
 }
 
 /// The three tables of the file, each with its own part of the parameters.

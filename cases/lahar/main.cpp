@@ -3,6 +3,10 @@
 
 #include <thread>
 
+#include "cases/assembly/load.h"
+#include "cases/assembly/simulation.h"
+#include "cases/observers/observer_list.h"
+#include "cases/observers/quantity_tables.h"
 #include "cases/runner/check.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
@@ -10,7 +14,6 @@
 #include "cases/runner/resume.h"
 #include "cases/runner/run.h"
 #include "cases/scene/key_list.h"
-#include "cases/scene/load.h"
 #include "core/check.h"
 
 namespace lahar::cases {
@@ -19,6 +22,7 @@ namespace {
 struct Arguments {
   std::string scene_file, folder;
   CommonOptions common;
+  bool patterns = false;
 };
 
 int run_with_options(const scene::Scene& scene, const RunOptions& options) {
@@ -55,6 +59,14 @@ int check(const Arguments& arguments) {
   return exit_done;
 }
 
+int quantities(const Arguments& arguments) {
+  const scene::Scene scene = scene::load(arguments.scene_file, arguments.common.set);
+  const auto simulation = build_simulation(scene, Beginning::checkpoint);
+  const ObserverList observers(scene, *simulation);
+  fmt::print("{}", quantity_tables(observers.quantities(), arguments.patterns ? Naming::patterns : Naming::names));
+  return exit_done;
+}
+
 int keys() {
   fmt::print("{}", scene::reference_page());
   return exit_done;
@@ -80,11 +92,17 @@ int main(int argc, char** argv) {
   resume_command->add_option("folder", arguments.folder, "Folder of the run (its --out)")->required()->type_name("DIR");
   add_common_options(*resume_command, arguments.common);
   const CLI::App* check_command = add("check", "Validate a scene and print what it will take");
+  CLI::App* quantities_command = app.add_subcommand("quantities", "Print what a run of a scene measures (Markdown)");
+  quantities_command->add_option("scene", arguments.scene_file, "Scene file (TOML)")
+      ->required()
+      ->type_name("SCENE.toml");
+  quantities_command->add_flag("--patterns", arguments.patterns, "PROBE, SECTION, PART and AXIS in place of names");
   app.add_subcommand("keys", "Print the reference of all scene keys (Markdown)");
   return parse_and_run(app, argc, argv, [&] {
     if (*run_command) return run(arguments);
     if (*resume_command) return resume(arguments);
     if (*check_command) return check(arguments);
+    if (*quantities_command) return quantities(arguments);
     return keys();
   });
 }

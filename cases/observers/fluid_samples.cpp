@@ -4,8 +4,7 @@
 
 namespace lahar::cases {
 
-template <class Real>
-double depth_over(const lbm::Fluid<Real>& fluid, const Vec3& point, double top) {
+double depth_over(const FluidView& fluid, const Vec3& point, double top) {
   const double dx = fluid.units().cell_size;
   double depth = 0;
   for (double z = point.z() + dx / 2; z < top; z += dx)
@@ -13,9 +12,8 @@ double depth_over(const lbm::Fluid<Real>& fluid, const Vec3& point, double top) 
   return depth;
 }
 
-template <class Real>
-double pressure_at(const lbm::Fluid<Real>& fluid, const Vec3& point) {
-  const lbm::Domain& domain = fluid.grid().domain();
+double pressure_at(const FluidView& fluid, const Vec3& point) {
+  const lbm::Domain& domain = fluid.domain();
   const double dx = fluid.units().cell_size;
   Vec3 p = point;
   const WallPoint wall = domain.walls().nearest(p);
@@ -33,10 +31,5 @@ double pressure_at(const lbm::Fluid<Real>& fluid, const Vec3& point) {
   }
   return weights > 0 ? sum / weights : 0.0;
 }
-
-template double depth_over<float>(const lbm::Fluid<float>&, const Vec3&, double);
-template double depth_over<double>(const lbm::Fluid<double>&, const Vec3&, double);
-template double pressure_at<float>(const lbm::Fluid<float>&, const Vec3&);
-template double pressure_at<double>(const lbm::Fluid<double>&, const Vec3&);
 
 }  // namespace lahar::cases

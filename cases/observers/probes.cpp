@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "cases/observers/fluid_samples.h"
-#include "cases/observers/peaks.h"
 
 namespace lahar::cases {
 
@@ -11,91 +10,108 @@ namespace {
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
-void append(std::vector<double>& row, const Vec3& v) { row.insert(row.end(), {v.x(), v.y(), v.z()}); }
+Label of_probe(const std::string& probe, const std::string& rest) { return {probe + rest, "PROBE" + rest}; }
 
 }  // namespace
 
-template <class Real>
-Probes<Real>::Probes(const scene::Scene& scene, coupling::CoupledStep<Real>& step, SeriesWriter& series)
-    : scene_(scene), step_(step) {
-  for (const auto& p : scene.probes) {
-    if (p.kind == scene::ProbeKind::height) series.declare(p.name, "m", "depth of liquid over the point");
-    if (p.kind == scene::ProbeKind::pressure) series.declare(p.name, "Pa", "pressure above ambient");
-    if (p.kind != scene::ProbeKind::force) continue;
-    const auto declare = [&](const std::string& what, const char* unit, const std::string& text) {
-      for (const char* axis : kAxes) series.declare(p.name + "_" + what + "_" + axis + "_" + unit, unit, text + axis);
-    };
-    if (step.fluid()) {
-      declare("fluid_force", "N", "mean force of the liquid on the wall since the last row, along ");
-      declare("fluid_moment", "Nm", "its moment about the probe's point, about ");
-    }
-    if (step.solids()) {
-      declare("grains_force", "N", "mean force of grains and barrier on the wall since the last row, along ");
-      declare("grains_moment", "Nm", "its moment about the probe's point, about ");
-    }
-    const auto wall =
-        std::find_if(scene.walls.begin(), scene.walls.end(), [&](const auto& w) { return w.name == p.wall; });
-    forces_.push_back({p.name, static_cast<std::uint32_t>(wall - scene.walls.begin()), p.position, {}, {}});
+Probes::Probes(const Observed& run) : Observer(run) {
+  for (const auto& p : run.scene.probes) {
+    if (p.kind == scene::ProbeKind::height) declare_level(p);
+    if (p.kind == scene::ProbeKind::pressure) declare_pressure(p);
+    if (p.kind == scene::ProbeKind::force) declare_force(p);
   }
-  if (!forces_.empty() && step.fluid()) step.fluid()->measure_walls();
+  if (!forces_.empty() && run.simulation.fluid()) run.simulation.fluid()->measure_walls();
 }
 
-template <class Real>
-void Probes<Real>::after_step() {
-  if (!step_.solids()) return;
-  for (ForceProbe& probe : forces_) {
-    probe.grains.force += step_.time_step() * step_.solids()->force_on_wall(probe.wall);
-    probe.grains.moment += step_.time_step() * step_.solids()->moment_on_wall(probe.wall);
-  }
+void Probes::declare_level(const scene::Probe& probe) {
+  const std::size_t k = levels_.size();
+  levels_.push_back({probe.position, 0.0});
+  column(of_probe(probe.name, ""), "m",
+         "height probe: fill levels of the cells over the point, along z, times the cell size",
+         [this, k] { return levels_[k].depth; })
+      .peak(of_probe(probe.name, "_peak_m"), "m", "largest depth of the rows")
+      .peak_time(of_probe(probe.name, "_peak_time_s"));
+  event(of_probe(probe.name, "_arrival_s"), "s", "first row with a depth of half a cell or more",
+        [this, k] { return levels_[k].depth > run_.scene.fluid.cell_size / 2 ? run_.simulation.time() : kUnknown; });
 }
 
-template <class Real>
-void Probes<Real>::sample_force(ForceProbe& probe, std::vector<double>& row, double interval,
-                                std::map<std::string, double>& metrics) {
-  const double rate = interval > 0 ? 1 / interval : 0.0;
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-  const auto add = [&](const Load& load) {
-    const Vec3 f = rate * load.force, m = rate * load.moment - probe.point.cross(f);
-    append(row, f), append(row, m);
-    force += f, moment += m;
+void Probes::declare_pressure(const scene::Probe& probe) {
+  column(of_probe(probe.name, ""), "Pa",
+         "pressure probe: above ambient, between the centres of the eight cells around the point",
+         [this, point = probe.position] { return pressure_at(*run_.simulation.fluid(), point); })
+      .peak(of_probe(probe.name, "_peak_Pa"), "Pa", "largest pressure of the rows")
+      .peak_time(of_probe(probe.name, "_peak_time_s"));
+}
+
+void Probes::declare_force(const scene::Probe& probe) {
+  const auto& walls = run_.scene.walls;
+  const auto wall = std::find_if(walls.begin(), walls.end(), [&](const auto& w) { return w.name == probe.wall; });
+  const std::size_t k = forces_.size();
+  forces_.push_back({probe.name, static_cast<std::uint32_t>(wall - walls.begin()), probe.position, {}, {}, {}, {}, {}});
+  if (run_.simulation.fluid()) declare_load(k, "fluid", "the liquid", &ForceProbe::fluid);
+  if (run_.simulation.solids()) declare_load(k, "grains", "grains and barrier", &ForceProbe::grains);
+  hidden([this, k] { return forces_[k].both.force.norm(); })
+      .peak(of_probe(probe.name, "_force_peak_N"), "N", "largest force of the rows, of liquid and grains together")
+      .peak_time(of_probe(probe.name, "_force_peak_time_s"));
+  hidden([this, k] { return forces_[k].both.moment.norm(); })
+      .peak(of_probe(probe.name, "_moment_peak_Nm"), "Nm", "largest moment of the rows, of liquid and grains together")
+      .peak_time(of_probe(probe.name, "_moment_peak_time_s"));
+}
+
+void Probes::declare_load(std::size_t probe, const std::string& source, const std::string& who,
+                          Load ForceProbe::*load) {
+  const std::string& name = forces_[probe].name;
+  const auto declare = [&](const std::string& what, const std::string& unit, const std::string& text,
+                           Vec3 Load::*vector) {
+    for (int a = 0; a < 3; ++a) {
+      const std::string rest = "_" + source + "_" + what + "_";
+      column({name + rest + kAxes[a] + "_" + unit, "PROBE" + rest + "AXIS_" + unit}, unit, text,
+             [this, probe, load, vector, a] { return (forces_[probe].*load.*vector)[a]; });
+    }
   };
-  if (step_.fluid()) {
-    const lbm::WallLoad& now = step_.fluid()->wall_loads()[probe.wall];
-    add({now.impulse - probe.fluid_before.force, now.angular_impulse - probe.fluid_before.moment});
-    probe.fluid_before = {now.impulse, now.angular_impulse};
-  }
-  if (step_.solids()) add(probe.grains);
-  probe.grains = {};
-  note_peak(metrics, probe.name + "_force", "N", force.norm(), step_.time());
-  note_peak(metrics, probe.name + "_moment", "Nm", moment.norm(), step_.time());
+  declare("force", "N", "force of " + who + " on the wall, mean since the last row", &Load::force);
+  declare("moment", "Nm", "moment of that force about the probe's point, mean since the last row", &Load::moment);
 }
 
-template <class Real>
-void Probes<Real>::sample(std::vector<double>& row, double interval, std::map<std::string, double>& metrics) {
-  auto force = forces_.begin();
-  for (const auto& p : scene_.probes) {
-    if (p.kind == scene::ProbeKind::force) {
-      sample_force(*force++, row, interval, metrics);
-      continue;
+void Probes::after_step() {
+  if (!run_.simulation.solids()) return;
+  const double time_step = run_.simulation.time_step();
+  for (ForceProbe& probe : forces_) {
+    probe.grains_since.force += time_step * run_.simulation.solids()->force_on_wall(probe.wall);
+    probe.grains_since.moment += time_step * run_.simulation.solids()->moment_on_wall(probe.wall);
+  }
+}
+
+Probes::Load Probes::mean_load(const Load& sum, double interval, const Vec3& point) {
+  const double rate = interval > 0 ? 1 / interval : 0.0;
+  const Vec3 force = rate * sum.force, moment = rate * sum.moment - point.cross(force);
+  return {force, moment};
+}
+
+void Probes::sample(double interval) {
+  for (Level& level : levels_)
+    level.depth = depth_over(*run_.simulation.fluid(), level.point, run_.scene.domain.upper.z());
+  for (ForceProbe& probe : forces_) {
+    probe.both = {};
+    const auto add = [&](Load& mean, const Load& sum) {
+      mean = mean_load(sum, interval, probe.point);
+      probe.both.force += mean.force, probe.both.moment += mean.moment;
+    };
+    if (const FluidView* fluid = run_.simulation.fluid()) {
+      const lbm::WallLoad& now = fluid->wall_loads()[probe.wall];
+      add(probe.fluid, {now.impulse - probe.fluid_before.force, now.angular_impulse - probe.fluid_before.moment});
+      probe.fluid_before = {now.impulse, now.angular_impulse};
     }
-    const bool height = p.kind == scene::ProbeKind::height;
-    const double value = height ? depth_over(*step_.fluid(), p.position, scene_.domain.upper.z())
-                                : pressure_at(*step_.fluid(), p.position);
-    row.push_back(value);
-    note_peak(metrics, p.name, height ? "m" : "Pa", value, step_.time());
-    if (height && value > scene_.fluid.cell_size / 2) metrics.try_emplace(p.name + "_arrival_s", step_.time());
+    if (run_.simulation.solids()) add(probe.grains, probe.grains_since);
+    probe.grains_since = {};
   }
 }
 
-template <class Real>
-void Probes<Real>::transfer(Archive& archive) {
+void Probes::transfer(Archive& archive) {
   for (ForceProbe& probe : forces_) {
     archive.part(probe.name + "_fluid_before", probe.fluid_before);
-    archive.part(probe.name + "_grains", probe.grains);
+    archive.part(probe.name + "_grains_since", probe.grains_since);
   }
 }
-
-template class Probes<float>;
-template class Probes<double>;
 
 }  // namespace lahar::cases

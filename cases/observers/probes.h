@@ -1,32 +1,27 @@
 #pragma once
-// The probes of a scene: depth and pressure at points, force and moment on walls. Definitions in docs/outputs.md.
-#include <map>
+// The probes of a scene: depth and pressure at points, force and moment on walls.
 #include <string>
 #include <vector>
 
-#include "cases/files/series_writer.h"
-#include "cases/scene/scene.h"
-#include "coupling/coupled_step.h"
+#include "cases/observers/observer.h"
 
 namespace lahar::cases {
 
-template <class Real>
-class Probes {
+class Probes final : public Observer {
  public:
-  /// Declares a column per quantity.
-  Probes(const scene::Scene& scene, coupling::CoupledStep<Real>& step, SeriesWriter& series);
-
-  /// To be called after every step: grains push only while they touch.
-  void after_step();
-  /// Sums since the last row, for a checkpoint.
-  void transfer(Archive& archive);
-  /// Appends the present values to a row, in the order of the columns. Forces are means over the `interval` (s) since
-  /// the last row.
-  void sample(std::vector<double>& row, double interval, std::map<std::string, double>& metrics);
+  explicit Probes(const Observed& run);
+  static bool applies(const Observed& run) { return !run.scene.probes.empty(); }
+  [[nodiscard]] std::string_view name() const override { return "probes"; }
+  /// Grains push only while they touch.
+  void after_step() override;
+  void sample(double interval) override;
+  /// Sums since the last row.
+  void transfer(Archive& archive) override;
 
  private:
+  /// Force and moment, or their sums over time.
   struct Load {
-    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< times time, about the origin
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
     void transfer(Archive& archive) {
       archive.value("force", force);
       archive.value("moment", moment);
@@ -36,17 +31,21 @@ class Probes {
     std::string name;
     std::uint32_t wall;
     Vec3 point;
-    Load fluid_before, grains;
+    Load fluid_before, grains_since;  // N s and N m s about the origin: at the last row, since the last row
+    Load fluid, grains, both;         // N and N m about the point: means over the time since the last row
   };
-  void sample_force(ForceProbe& probe, std::vector<double>& row, double interval,
-                    std::map<std::string, double>& metrics);
+  struct Level {
+    Vec3 point;
+    double depth;  ///< m, at the last row
+  };
+  void declare_level(const scene::Probe& probe);
+  void declare_pressure(const scene::Probe& probe);
+  void declare_force(const scene::Probe& probe);
+  void declare_load(std::size_t probe, const std::string& source, const std::string& who, Load ForceProbe::*load);
+  [[nodiscard]] static Load mean_load(const Load& sum, double interval, const Vec3& point);
 
-  const scene::Scene& scene_;
-  coupling::CoupledStep<Real>& step_;
+  std::vector<Level> levels_;
   std::vector<ForceProbe> forces_;
 };
-
-extern template class Probes<float>;
-extern template class Probes<double>;
 
 }  // namespace lahar::cases

@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "cases/observers/peaks.h"
-
 namespace lahar::cases {
 
 bool SectionFrame::holds(const Vec3& p) const {
@@ -38,8 +36,7 @@ std::pair<double, double> reach(const SectionFrame& f, const Vec3& direction, do
 
 }  // namespace
 
-template <class Real>
-Flux liquid_flux(const lbm::Fluid<Real>& fluid, const SectionFrame& frame, const scene::Domain& domain, const Vec3& up,
+Flux liquid_flux(const FluidView& fluid, const SectionFrame& frame, const scene::Domain& domain, const Vec3& up,
                  double datum) {
   const double spacing = fluid.units().cell_size / 2, rho = fluid.options().density, g = fluid.options().gravity.norm();
   const auto [left, right] = reach(frame, frame.across, frame.half_width, domain);
@@ -66,51 +63,72 @@ Flux liquid_flux(const lbm::Fluid<Real>& fluid, const SectionFrame& frame, const
   return flux;
 }
 
-template <class Real>
-Sections<Real>::Sections(const scene::Scene& scene, coupling::CoupledStep<Real>& step, SeriesWriter& series,
-                         const Vec3& up, double datum)
-    : scene_(scene), step_(step), up_(up), datum_(datum) {
-  for (const auto& s : scene.sections) {
-    Counter counter{s.name, frame_of(s, scene.domain), {}, {}};
-    if (step.fluid()) {
-      series.declare(s.name + "_discharge_m3_s", "m^3/s", "liquid through the section");
-      series.declare(s.name + "_liquid_power_W", "W",
-                     "kinetic and potential energy of the liquid through the section, and work of the pressure on it");
-    }
-    if (step.solids()) {
-      series.declare(s.name + "_grains_kg_s", "kg/s", "grains through the section since the last row");
-      series.declare(s.name + "_grains_power_W", "W", "kinetic and potential energy of these grains");
-      const auto& p = step.solids()->particles();
-      for (std::size_t i = 0; i < p.size(); ++i) counter.places.push_back(p.position[i]);
-    }
+namespace {
+
+Label of_section(const std::string& section, const std::string& rest) { return {section + rest, "SECTION" + rest}; }
+
+}  // namespace
+
+Sections::Sections(const Observed& run) : Observer(run) {
+  for (const auto& s : run.scene.sections) {
+    Counter counter;
+    counter.name = s.name;
+    counter.frame = frame_of(s, run.scene.domain);
+    if (const dem::Solids* solids = run.simulation.solids())
+      for (std::size_t i = 0; i < solids->particles().size(); ++i)
+        counter.places.push_back(solids->particles().position[i]);
     counters_.push_back(std::move(counter));
+    if (run.simulation.fluid()) declare_liquid(counters_.size() - 1);
+    if (run.simulation.solids()) declare_grains(counters_.size() - 1);
   }
 }
 
-template <class Real>
-void Sections<Real>::sample(std::vector<double>& row, double interval, std::map<std::string, double>& metrics) {
+void Sections::declare_liquid(std::size_t k) {
+  const std::string name = counters_[k].name;
+  column(of_section(name, "_discharge_m3_s"), "m^3/s", "liquid through the section, positive along its normal",
+         [this, k] { return counters_[k].now.volume; })
+      .peak(of_section(name, "_discharge_peak_m3_s"), "m^3/s", "largest discharge of the rows")
+      .peak_time(of_section(name, "_discharge_peak_time_s"));
+  column(of_section(name, "_liquid_power_W"), "W",
+         "energy flux of the liquid: (rho u^2/2 + rho g h + p) times the discharge at each point",
+         [this, k] { return counters_[k].now.energy; });
+  result(of_section(name, "_volume_m3"), "m^3",
+         "liquid that passed, less what came back (trapezoidal rule over the rows)",
+         [this, k] { return counters_[k].volume; });
+  result(of_section(name, "_liquid_energy_kJ"), "kJ", "energy of the liquid that passed",
+         [this, k] { return counters_[k].liquid_energy; });
+}
+
+void Sections::declare_grains(std::size_t k) {
+  const std::string name = counters_[k].name;
+  column(of_section(name, "_grains_kg_s"), "kg/s", "grains whose centre crossed the rectangle since the last row",
+         [this, k] { return counters_[k].grain_rate; });
+  column(of_section(name, "_grains_power_W"), "W",
+         "kinetic and potential energy of grains that crossed since the last row",
+         [this, k] { return counters_[k].grain_power; });
+  result(of_section(name, "_grains_kg"), "kg", "grains that passed, less those that came back",
+         [this, k] { return counters_[k].grain_mass; });
+  result(of_section(name, "_grains_energy_kJ"), "kJ", "energy of the grains that passed",
+         [this, k] { return counters_[k].grain_energy; });
+}
+
+void Sections::sample(double interval) {
   for (Counter& counter : counters_) {
-    if (step_.fluid()) sample_liquid(counter, row, interval, metrics);
-    if (step_.solids()) sample_grains(counter, row, interval, metrics);
+    if (run_.simulation.fluid()) sample_liquid(counter, interval);
+    if (run_.simulation.solids()) sample_grains(counter, interval);
   }
 }
 
-template <class Real>
-void Sections<Real>::sample_liquid(Counter& counter, std::vector<double>& row, double interval,
-                                   std::map<std::string, double>& metrics) {
-  const Flux now = liquid_flux(*step_.fluid(), counter.frame, scene_.domain, up_, datum_);
-  row.insert(row.end(), {now.volume, now.energy});
-  metrics[counter.name + "_volume_m3"] += 0.5 * (now.volume + counter.before.volume) * interval;
-  metrics[counter.name + "_liquid_energy_kJ"] += 0.5e-3 * (now.energy + counter.before.energy) * interval;
-  note_peak(metrics, counter.name + "_discharge", "m3_s", now.volume, step_.time());
-  counter.before = now;
+void Sections::sample_liquid(Counter& counter, double interval) {
+  const Flux now = liquid_flux(*run_.simulation.fluid(), counter.frame, run_.scene.domain, run_.up, run_.datum);
+  counter.volume += 0.5 * (now.volume + counter.now.volume) * interval;
+  counter.liquid_energy += 0.5e-3 * (now.energy + counter.now.energy) * interval;
+  counter.now = now;
 }
 
 /// A grain passes where the straight way of its centre between two rows crosses the rectangle.
-template <class Real>
-void Sections<Real>::sample_grains(Counter& counter, std::vector<double>& row, double interval,
-                                   std::map<std::string, double>& metrics) {
-  const auto& p = step_.solids()->particles();
+void Sections::sample_grains(Counter& counter, double interval) {
+  const auto& p = run_.simulation.solids()->particles();
   const SectionFrame& f = counter.frame;
   double mass = 0, energy = 0;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -123,28 +141,21 @@ void Sections<Real>::sample_grains(Counter& counter, std::vector<double>& row, d
     mass += sign * p.mass[i];
     energy += sign * (0.5 * p.mass[i] * p.velocity[i].squaredNorm() +
                       0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm() +
-                      p.mass[i] * scene_.gravity.magnitude * (up_.dot(place) - datum_));
+                      p.mass[i] * run_.scene.gravity.magnitude * run_.height(place));
   }
   const double rate = interval > 0 ? 1 / interval : 0.0;
-  row.insert(row.end(), {rate * mass, rate * energy});
-  metrics[counter.name + "_grains_kg"] += mass;
-  metrics[counter.name + "_grains_energy_kJ"] += energy / 1000;
+  counter.grain_rate = rate * mass, counter.grain_power = rate * energy;
+  counter.grain_mass += mass, counter.grain_energy += energy / 1000;
 }
 
-template <class Real>
-void Sections<Real>::transfer(Archive& archive) {
+void Sections::transfer(Archive& archive) {
   for (Counter& counter : counters_) {
-    archive.value(counter.name + "_volume_before", counter.before.volume);
-    archive.value(counter.name + "_energy_before", counter.before.energy);
+    const auto value = [&](const char* what, double& x) { archive.value(counter.name + what, x); };
+    value("_volume_before", counter.now.volume), value("_energy_before", counter.now.energy);
+    value("_volume", counter.volume), value("_liquid_energy", counter.liquid_energy);
+    value("_grain_mass", counter.grain_mass), value("_grain_energy", counter.grain_energy);
     archive.list(counter.name + "_places", counter.places);
   }
 }
-
-template Flux liquid_flux<float>(const lbm::Fluid<float>&, const SectionFrame&, const scene::Domain&, const Vec3&,
-                                 double);
-template Flux liquid_flux<double>(const lbm::Fluid<double>&, const SectionFrame&, const scene::Domain&, const Vec3&,
-                                  double);
-template class Sections<float>;
-template class Sections<double>;
 
 }  // namespace lahar::cases

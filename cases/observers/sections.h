@@ -1,12 +1,9 @@
 #pragma once
-// Discharge and energy through the sections of a scene. Definitions in docs/outputs.md.
-#include <map>
+// Discharge and energy through the sections of a scene.
 #include <string>
 #include <vector>
 
-#include "cases/files/series_writer.h"
-#include "cases/scene/scene.h"
-#include "coupling/coupled_step.h"
+#include "cases/observers/observer.h"
 
 namespace lahar::cases {
 
@@ -30,41 +27,34 @@ struct Flux {
 
 /// Sums over points half a cell apart, a quarter of a cell off the plane on both sides. `up` is the unit vector against
 /// gravity, heights count from `datum` (m) along it.
-template <class Real>
-Flux liquid_flux(const lbm::Fluid<Real>& fluid, const SectionFrame& frame, const scene::Domain& domain, const Vec3& up,
+Flux liquid_flux(const FluidView& fluid, const SectionFrame& frame, const scene::Domain& domain, const Vec3& up,
                  double datum);
 
-template <class Real>
-class Sections {
+class Sections final : public Observer {
  public:
-  /// Declares a column per quantity. `up` and `datum` as in liquid_flux.
-  Sections(const scene::Scene& scene, coupling::CoupledStep<Real>& step, SeriesWriter& series, const Vec3& up,
-           double datum);
-  /// What the next row is compared with, for a checkpoint.
-  void transfer(Archive& archive);
-  /// Appends the present values to a row, in the order of the columns; `interval` (s) is that since the last row.
-  void sample(std::vector<double>& row, double interval, std::map<std::string, double>& metrics);
+  explicit Sections(const Observed& run);
+  static bool applies(const Observed& run) { return !run.scene.sections.empty(); }
+  [[nodiscard]] std::string_view name() const override { return "sections"; }
+  void sample(double interval) override;
+  /// What the next row is compared with, and what has passed.
+  void transfer(Archive& archive) override;
 
  private:
   struct Counter {
     std::string name;
     SectionFrame frame;
-    Flux before;
-    std::vector<Vec3> places;  ///< of the particles at the last row
+    Flux now;                                 ///< of the liquid at the last row
+    double grain_rate = 0, grain_power = 0;   ///< kg/s and W since the row before
+    std::vector<Vec3> places;                 ///< of the particles at the last row
+    double volume = 0, liquid_energy = 0;     ///< m^3 and kJ of liquid that passed
+    double grain_mass = 0, grain_energy = 0;  ///< kg and kJ of grains that passed
   };
-  void sample_liquid(Counter& counter, std::vector<double>& row, double interval,
-                     std::map<std::string, double>& metrics);
-  void sample_grains(Counter& counter, std::vector<double>& row, double interval,
-                     std::map<std::string, double>& metrics);
+  void declare_liquid(std::size_t counter);
+  void declare_grains(std::size_t counter);
+  void sample_liquid(Counter& counter, double interval);
+  void sample_grains(Counter& counter, double interval);
 
-  const scene::Scene& scene_;
-  coupling::CoupledStep<Real>& step_;
-  Vec3 up_;
-  double datum_;
   std::vector<Counter> counters_;
 };
-
-extern template class Sections<float>;
-extern template class Sections<double>;
 
 }  // namespace lahar::cases

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "cases/scene/names.h"
 #include "core/check.h"
 
 namespace lahar::cases {
@@ -23,7 +24,7 @@ void add_common_options(CLI::App& app, CommonOptions& o) {
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
   app.add_option("--precision", o.precision, "Number format of the fluid")
-      ->check(CLI::IsMember({"float", "double"}))
+      ->check(CLI::IsMember(scene::words<scene::Precision>()))
       ->type_name("float|double");
   app.add_flag("--quiet", o.quiet, "Print nothing but mistakes");
   app.add_flag("--overwrite", o.overwrite, "Replace a former run in the output folder");

@@ -7,6 +7,7 @@
 
 #include "cases/assembly/geometry.h"
 #include "cases/files/png_file.h"
+#include "cases/pictures/camera.h"
 #include "cases/pictures/picture.h"
 
 namespace lahar::cases {
@@ -22,8 +23,7 @@ Camera camera_of(const scene::Scene& scene, const PictureStyle& style) {
 
 }  // namespace
 
-template <class Real>
-Outputs<Real>::Outputs(const scene::Scene& scene, std::filesystem::path folder)
+Outputs::Outputs(const scene::Scene& scene, std::filesystem::path folder)
     : scene_(scene),
       folder_(std::move(folder)),
       walls_(scene::make_walls(scene)),
@@ -34,50 +34,45 @@ Outputs<Real>::Outputs(const scene::Scene& scene, std::filesystem::path folder)
   if (scene.fluid.enabled) volumes_.emplace(folder_);
 }
 
-template <class Real>
-void Outputs<Real>::write_due(coupling::CoupledStep<Real>& step) {
-  if (frames_.due(step.time())) write_fields(step);
-  if (pictures_.due(step.time())) write_picture(step);
+void Outputs::write_due(Simulation& run) {
+  if (frames_.due(run.time())) write_fields(run);
+  if (pictures_.due(run.time())) write_picture(run);
 }
 
-template <class Real>
-void Outputs<Real>::finish(coupling::CoupledStep<Real>& step) {
-  if (frames_.wants_last(step.time())) write_fields(step);
-  if (pictures_.wants_last(step.time())) write_picture(step);
+void Outputs::finish(Simulation& run) {
+  if (frames_.wants_last(run.time())) write_fields(run);
+  if (pictures_.wants_last(run.time())) write_picture(run);
 }
 
-template <class Real>
-void Outputs<Real>::write_fields(coupling::CoupledStep<Real>& step) {
-  if (particles_) particles_->write(step.time(), step.solids()->particles(), step.solids()->bonds());
-  if (volumes_) volumes_->write(step.time(), step.fluid()->snapshot());
-  frames_.note(step.time());
+void Outputs::write_fields(Simulation& run) {
+  if (particles_) particles_->write(run.time(), run.solids()->particles(), run.solids()->bonds());
+  if (volumes_) volumes_->write(run.time(), run.fluid()->snapshot());
+  frames_.note(run.time());
 }
 
-template <class Real>
-void Outputs<Real>::write_picture(coupling::CoupledStep<Real>& step) {
+void Outputs::write_picture(Simulation& run) {
   lbm::FluidSnapshot fluid;
   PictureScene view;
-  if (step.solids()) {
-    view.particles = &step.solids()->particles();
-    view.bonds = &step.solids()->bonds();
+  if (run.solids()) {
+    view.particles = &run.solids()->particles();
+    view.bonds = &run.solids()->bonds();
   }
-  if (step.fluid()) {
-    fluid = step.fluid()->snapshot();
+  if (run.fluid()) {
+    fluid = run.fluid()->snapshot();
     view.fluid = &fluid;
   }
   view.walls = &walls_;
   view.box = {scene_.domain.lower, scene_.domain.upper};
   view.gravity = scene_.gravity.vector();
-  view.time_s = step.time();
+  view.time_s = run.time();
   PictureStyle style;
   style.title = scene_.identity.title;
   write_png(folder_ / fmt::format("image_{:06d}.png", pictures_.done()),
             render_picture(view, camera_of(scene_, style), style));
-  pictures_.note(step.time());
+  pictures_.note(run.time());
 }
 
-template <class Real>
-void Outputs<Real>::transfer(Archive& archive) {
+void Outputs::transfer(Archive& archive) {
   archive.part("frames", frames_);
   archive.part("pictures", pictures_);
   ParticleWriter none(folder_);  // of a run that has no frames of particles
@@ -88,8 +83,7 @@ void Outputs<Real>::transfer(Archive& archive) {
 }
 
 /// Numbered files from the next number on.
-template <class Real>
-void Outputs<Real>::remove_later_files() const {
+void Outputs::remove_later_files() const {
   std::vector<std::filesystem::path> later;
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();
@@ -101,8 +95,5 @@ void Outputs<Real>::remove_later_files() const {
   }
   for (const auto& path : later) std::filesystem::remove(path);
 }
-
-template class Outputs<float>;
-template class Outputs<double>;
 
 }  // namespace lahar::cases

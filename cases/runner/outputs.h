@@ -3,31 +3,29 @@
 #include <filesystem>
 #include <optional>
 
+#include "cases/assembly/simulation.h"
 #include "cases/files/particle_writer.h"
 #include "cases/files/vdb_writer.h"
-#include "cases/pictures/camera.h"
 #include "cases/runner/schedule.h"
 #include "cases/scene/scene.h"
 #include "core/geometry.h"
-#include "coupling/coupled_step.h"
 
 namespace lahar::cases {
 
-template <class Real>
 class Outputs {
  public:
   Outputs(const scene::Scene& scene, std::filesystem::path folder);
   /// Writes whatever is due at the present time.
-  void write_due(coupling::CoupledStep<Real>& step);
+  void write_due(Simulation& run);
   /// Writes a last frame, if one is wanted and the last is older than the present time.
-  void finish(coupling::CoupledStep<Real>& step);
+  void finish(Simulation& run);
   /// Frame numbers of a checkpoint. Loading drops frames that came later: they will be written again.
   void transfer(Archive& archive);
 
  private:
   void remove_later_files() const;
-  void write_fields(coupling::CoupledStep<Real>& step);
-  void write_picture(coupling::CoupledStep<Real>& step);
+  void write_fields(Simulation& run);
+  void write_picture(Simulation& run);
 
   const scene::Scene& scene_;
   std::filesystem::path folder_;
@@ -36,8 +34,5 @@ class Outputs {
   std::optional<VdbWriter> volumes_;
   Schedule frames_, pictures_;
 };
-
-extern template class Outputs<float>;
-extern template class Outputs<double>;
 
 }  // namespace lahar::cases

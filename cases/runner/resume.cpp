@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "cases/assembly/load.h"
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/output_folder.h"
-#include "cases/scene/load.h"
 #include "core/check.h"
 
 namespace lahar::cases {

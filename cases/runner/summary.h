@@ -6,15 +6,9 @@
 #include <string>
 #include <vector>
 
-namespace lahar::cases {
+#include "cases/observers/result_check.h"
 
-/// A number held against a reference. Only checks that were run are listed.
-struct ResultCheck {
-  std::string name;
-  double value = 0, reference = 0, tolerance = 0;
-  bool pass = false;
-  std::string source;  ///< where the reference is from
-};
+namespace lahar::cases {
 
 struct Performance {
   double mlups = 0;  ///< million lattice cell updates per second
@@ -28,8 +22,8 @@ struct Summary {
   int threads = 0;
   std::string precision;
   double wall_seconds = 0, simulated_seconds = 0;
-  std::map<std::string, double> metrics;  ///< lower_snake names with a unit suffix
-  std::vector<ResultCheck> checks;
+  Metrics metrics;                       ///< lower_snake names with a unit suffix
+  std::vector<ResultCheck> checks;       ///< only those that were run
   std::map<std::string, double> timers;  ///< s by section
   Performance performance;
 };

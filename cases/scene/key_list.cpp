@@ -24,7 +24,7 @@ class Collector {
          .default_value = rule.required ? "" : toml_text(field),
          .required = rule.required,
          .condition = std::string(condition_),
-         .doc = std::string(doc)});
+         .doc = std::string(doc) + choices_text(field)});
   }
   template <class T>
   void table(std::string_view key, T& part, Presence, std::string_view doc) {
@@ -42,7 +42,7 @@ class Collector {
     visit(path, "[" + path + "]", doc, part);
   }
   template <class Body>
-  void for_shape(bool, std::string_view condition, const Body& body) {
+  void only_with(std::string_view, bool, std::string_view condition, const Body& body) {
     condition_ = condition;
     body();
     condition_ = {};

@@ -3,97 +3,131 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "cases/scene/scene.h"
 
 namespace lahar::scene {
 
-template <class E, std::size_t N>
-using NameTable = std::array<std::pair<std::string_view, E>, N>;
+/// One value of an option: its word in a scene file, and what it means for docs/scene_reference.md.
+template <class E>
+struct Choice {
+  std::string_view word;
+  E value;
+  std::string_view meaning = {};  ///< empty where the word says it all
+};
 
-/// `names_of(E{})`: every word of an option with its value.
-constexpr auto names_of(Precision) {
-  return NameTable<Precision, 2>{{{"float", Precision::float32}, {"double", Precision::float64}}};
+// `choices(E{})`: every value of an option. A value is registered by its line here; reading, messages, the resolved
+// scene and the reference page follow.
+constexpr auto choices(Precision) {
+  return std::to_array<Choice<Precision>>(
+      {{"float", Precision::float32, "4 bytes a number"}, {"double", Precision::float64, "8 bytes"}});
 }
-constexpr auto names_of(Face) {
-  return NameTable<Face, 6>{{{"x-", Face::x_lower},
-                             {"x+", Face::x_upper},
-                             {"y-", Face::y_lower},
-                             {"y+", Face::y_upper},
-                             {"z-", Face::z_lower},
-                             {"z+", Face::z_upper}}};
+constexpr auto choices(Face) {
+  return std::to_array<Choice<Face>>({{"x-", Face::x_lower},
+                                      {"x+", Face::x_upper},
+                                      {"y-", Face::y_lower},
+                                      {"y+", Face::y_upper},
+                                      {"z-", Face::z_lower},
+                                      {"z+", Face::z_upper}});
 }
-constexpr auto names_of(Axis) { return NameTable<Axis, 3>{{{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}}}; }
-constexpr auto names_of(WallShape) {
-  return NameTable<WallShape, 6>{{{"plane", WallShape::plane},
-                                  {"box", WallShape::box},
-                                  {"cylinder", WallShape::cylinder},
-                                  {"sphere", WallShape::sphere},
-                                  {"mesh", WallShape::mesh},
-                                  {"heightmap", WallShape::heightmap}}};
+constexpr auto choices(Axis) { return std::to_array<Choice<Axis>>({{"x", Axis::x}, {"y", Axis::y}, {"z", Axis::z}}); }
+constexpr auto choices(WallShape) {
+  return std::to_array<Choice<WallShape>>({{"plane", WallShape::plane},
+                                           {"box", WallShape::box},
+                                           {"cylinder", WallShape::cylinder},
+                                           {"sphere", WallShape::sphere},
+                                           {"mesh", WallShape::mesh},
+                                           {"heightmap", WallShape::heightmap}});
 }
-constexpr auto names_of(RegionShape) {
-  return NameTable<RegionShape, 4>{{{"box", RegionShape::box},
-                                    {"cylinder", RegionShape::cylinder},
-                                    {"sphere", RegionShape::sphere},
-                                    {"mesh", RegionShape::mesh}}};
+constexpr auto choices(RegionShape) {
+  return std::to_array<Choice<RegionShape>>({{"box", RegionShape::box},
+                                             {"cylinder", RegionShape::cylinder},
+                                             {"sphere", RegionShape::sphere},
+                                             {"mesh", RegionShape::mesh}});
 }
-constexpr auto names_of(WallSlip) {
-  return NameTable<WallSlip, 3>{
-      {{"no_slip", WallSlip::no_slip}, {"free_slip", WallSlip::free_slip}, {"wall_model", WallSlip::wall_model}}};
+constexpr auto choices(WallSlip) {
+  return std::to_array<Choice<WallSlip>>(
+      {{"no_slip", WallSlip::no_slip, "not at all"},
+       {"free_slip", WallSlip::free_slip, "freely"},
+       {"wall_model", WallSlip::wall_model, "with the wall stress of a turbulent layer thinner than the cells"}});
 }
-constexpr auto names_of(WallPlacement) {
-  return NameTable<WallPlacement, 2>{
-      {{"half_way", WallPlacement::half_way}, {"interpolated", WallPlacement::interpolated}}};
+constexpr auto choices(WallPlacement) {
+  return std::to_array<Choice<WallPlacement>>(
+      {{"half_way", WallPlacement::half_way, "half-way between cells, a staircase"},
+       {"interpolated", WallPlacement::interpolated,
+        "at their own place between the cells (interpolated bounce-back, second order)"}});
 }
-constexpr auto names_of(FlowLaw) {
-  return NameTable<FlowLaw, 3>{{{"newtonian", FlowLaw::newtonian},
-                                {"bingham", FlowLaw::bingham},
-                                {"herschel_bulkley", FlowLaw::herschel_bulkley}}};
+constexpr auto choices(FlowLaw) {
+  return std::to_array<Choice<FlowLaw>>(
+      {{"newtonian", FlowLaw::newtonian, "the kinematic viscosity alone"},
+       {"bingham", FlowLaw::bingham, "yield stress, and the kinematic viscosity as the plastic one"},
+       {"herschel_bulkley", FlowLaw::herschel_bulkley,
+        "yield stress, consistency and exponent in place of the kinematic viscosity"}});
 }
-constexpr auto names_of(Collision) {
-  return NameTable<Collision, 3>{
-      {{"central_moments", Collision::central_moments}, {"bgk", Collision::bgk}, {"trt", Collision::trt}}};
+constexpr auto choices(CollisionOperator) {
+  return std::to_array<Choice<CollisionOperator>>(
+      {{"central_moments", CollisionOperator::central_moments, "moments about the velocity, relaxed one by one"},
+       {"bgk", CollisionOperator::bgk, "one relaxation time"},
+       {"trt", CollisionOperator::trt, "two relaxation times"}});
 }
-constexpr auto names_of(ContactLaw) {
-  return NameTable<ContactLaw, 2>{{{"hertz_mindlin", ContactLaw::hertz_mindlin}, {"linear", ContactLaw::linear}}};
+constexpr auto choices(ContactLaw) {
+  return std::to_array<Choice<ContactLaw>>(
+      {{"hertz_mindlin", ContactLaw::hertz_mindlin, "elastic spheres of their materials, damped"},
+       {"linear", ContactLaw::linear, "springs and dashpots of one stiffness for all"}});
 }
-constexpr auto names_of(WireContacts) {
-  return NameTable<WireContacts, 2>{{{"beads", WireContacts::beads}, {"capsules", WireContacts::capsules}}};
+constexpr auto choices(WireContacts) {
+  return std::to_array<Choice<WireContacts>>(
+      {{"beads", WireContacts::beads, "bead by bead"},
+       {"capsules", WireContacts::capsules, "as smooth round wires along the beads"}});
 }
-constexpr auto names_of(SizeWeighting) {
-  return NameTable<SizeWeighting, 2>{{{"mass", SizeWeighting::mass}, {"number", SizeWeighting::number}}};
+constexpr auto choices(SizeWeight) {
+  return std::to_array<Choice<SizeWeight>>(
+      {{"mass", SizeWeight::mass, "mass, as sieves do"}, {"number", SizeWeight::number, "grains"}});
 }
-constexpr auto names_of(BodyWeighting) {
-  return NameTable<BodyWeighting, 4>{{{"solid_fraction", BodyWeighting::solid_fraction},
-                                      {"noble_torczynski", BodyWeighting::noble_torczynski},
-                                      {"seepage", BodyWeighting::seepage},
-                                      {"wall_distance", BodyWeighting::wall_distance}}};
+constexpr auto choices(BodyWeighting) {
+  return std::to_array<Choice<BodyWeighting>>(
+      {{"solid_fraction", BodyWeighting::solid_fraction, "the solid fraction"},
+       {"noble_torczynski", BodyWeighting::noble_torczynski, "Noble & Torczynski 1998, with tau - 1/2"},
+       {"seepage", BodyWeighting::seepage, "the same form with a constant from the seepage through a packed bed"},
+       {"wall_distance", BodyWeighting::wall_distance, "from the distance of the cell's centre to the surface"}});
 }
-constexpr auto names_of(SolidOperator) {
-  return NameTable<SolidOperator, 4>{{{"faded", SolidOperator::faded},
-                                      {"equilibrium_difference", SolidOperator::equilibrium_difference},
-                                      {"bounce_back", SolidOperator::bounce_back},
-                                      {"holdych", SolidOperator::holdych}}};
+constexpr auto choices(SolidOperator) {
+  return std::to_array<Choice<SolidOperator>>(
+      {{"faded", SolidOperator::faded, "equilibrium at the body's velocity; the non-equilibrium part is faded"},
+       {"equilibrium_difference", SolidOperator::equilibrium_difference,
+        "difference of equilibria on top of the fluid's own collision (SC2 of Rettinger & Rude 2017)"},
+       {"bounce_back", SolidOperator::bounce_back,
+        "bounce-back of the non-equilibrium part, Noble & Torczynski 1998 (SC1)"},
+       {"holdych", SolidOperator::holdych, "bounce-back at the body's velocity, Holdych 2003 (SC3)"}});
 }
-constexpr auto names_of(NetKind) {
-  return NameTable<NetKind, 2>{{{"rings", NetKind::rings}, {"hexagonal", NetKind::hexagonal}}};
+constexpr auto choices(NetKind) {
+  return std::to_array<Choice<NetKind>>(
+      {{"rings", NetKind::rings, "linked rings"}, {"hexagonal", NetKind::hexagonal, "mesh of double-twisted wire"}});
 }
-constexpr auto names_of(PostFoot) {
-  return NameTable<PostFoot, 2>{{{"fixed", PostFoot::fixed}, {"hinged", PostFoot::hinged}}};
+constexpr auto choices(Foot) {
+  return std::to_array<Choice<Foot>>(
+      {{"fixed", Foot::fixed, "clamped"}, {"hinged", Foot::hinged, "a ball joint that turns freely about all axes"}});
 }
-constexpr auto names_of(ProbeKind) {
-  return NameTable<ProbeKind, 3>{
-      {{"height", ProbeKind::height}, {"pressure", ProbeKind::pressure}, {"force", ProbeKind::force}}};
+constexpr auto choices(ProbeKind) {
+  return std::to_array<Choice<ProbeKind>>({{"height", ProbeKind::height, "depth of liquid above the point"},
+                                           {"pressure", ProbeKind::pressure, "pressure in it"},
+                                           {"force", ProbeKind::force, "force on a wall"}});
+}
+
+/// All words of an option.
+template <class E>
+std::vector<std::string> words() {
+  std::vector<std::string> all;
+  for (const auto& choice : choices(E{})) all.emplace_back(choice.word);
+  return all;
 }
 
 /// The word for an option.
 template <class E>
 std::string name_of(E value) {
-  for (const auto& [name, v] : names_of(E{}))
-    if (v == value) return std::string(name);
+  for (const auto& choice : choices(E{}))
+    if (choice.value == value) return std::string(choice.word);
   return {};
 }
 

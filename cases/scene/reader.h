@@ -76,15 +76,16 @@ class Reader {
   }
 
   template <class Body>
-  void for_shape(bool holds, std::string_view note, const Body& body) {
-    // With an unknown shape (or kind) nobody can tell which keys belong here.
+  void only_with(std::string_view key, bool holds, std::string_view note, const Body& body) {
+    // With an unknown value of the option nobody can tell which keys belong here.
     const Demand before = demand_;
-    if (!findings_.sound({path_of("shape"), path_of("kind")}))
+    if (!findings_.sound({path_of(key)}))
       demand_ = Demand::none;
     else if (!holds)
       demand_ = Demand::out_of_place;
     note_ = note;
     body();
+    note_ = {};
     demand_ = before;
   }
 

@@ -7,25 +7,36 @@
 #include <string>
 #include <vector>
 
+#include "barrier/post.h"
 #include "core/geometry.h"
 #include "core/vector.h"
+#include "dem/packing/grading.h"
+#include "dem/wires/wire_model.h"
+#include "lbm/collision/coverage.h"
+#include "lbm/collision/operators.h"
+#include "lbm/grid/domain.h"
+#include "lbm/rheology/rheology.h"
 
 namespace lahar::scene {
+
+// Choices that a solver offers are the solver's own.
+using barrier::Foot;
+using dem::SizeWeight;
+using dem::WireContacts;
+using lbm::BodyWeighting;
+using lbm::CollisionOperator;
+using lbm::FlowLaw;
+using lbm::SolidOperator;
+using lbm::WallPlacement;
+using Rheology = lbm::RheologyOptions;
 
 enum class Precision { float32, float64 };
 enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
 enum class Axis { x, y, z };
 enum class WallShape { plane, box, cylinder, sphere, mesh, heightmap };
 enum class RegionShape { box, cylinder, sphere, mesh };
-enum class Collision { central_moments, bgk, trt };
 enum class ContactLaw { hertz_mindlin, linear };
-enum class WireContacts { beads, capsules };
-enum class BodyWeighting { solid_fraction, noble_torczynski, seepage, wall_distance };
-enum class SolidOperator { faded, equilibrium_difference, bounce_back, holdych };
-enum class WallPlacement { half_way, interpolated };
-enum class FlowLaw { newtonian, bingham, herschel_bulkley };
 enum class NetKind { rings, hexagonal };
-enum class PostFoot { fixed, hinged };
 enum class ProbeKind { height, pressure, force };
 
 struct Identity {
@@ -77,7 +88,7 @@ struct ShapeFile {
   Vec3 translate = Vec3::Zero();  ///< m
   double spacing = 0;             ///< m, between the points of a plain matrix of heights
   double resolution = 0;          ///< m, 0 = automatic
-  SampledShape sampled;           ///< set by load_shapes
+  SampledShape sampled;           ///< set by load_shapes (cases/assembly/load_shapes.h)
   bool operator==(const ShapeFile&) const = default;
 };
 
@@ -109,15 +120,6 @@ struct FluidRegion {
   bool operator==(const FluidRegion&) const = default;
 };
 
-struct Rheology {
-  FlowLaw law = FlowLaw::newtonian;
-  double yield_stress = 0;  ///< Pa
-  double consistency = 0;   ///< Pa s^n
-  double exponent = 1;
-  double limit_viscosity = 0;  ///< m^2/s
-  bool operator==(const Rheology&) const = default;
-};
-
 /// A value at a time, s.
 struct TimeValue {
   double time = 0, value = 0;
@@ -137,7 +139,7 @@ struct Fluid {
   double density = 1000;              ///< kg/m^3
   double kinematic_viscosity = 1e-6;  ///< m^2/s
   double surface_tension = 0;         ///< N/m
-  Collision collision = Collision::central_moments;
+  CollisionOperator collision = CollisionOperator::central_moments;
   double smagorinsky = 0;
   double lattice_velocity = 0.1;
   double max_speed = 0;  ///< m/s, 0 = from the drop height
@@ -184,8 +186,6 @@ struct GrainSize {
   bool operator==(const GrainSize&) const = default;
 };
 
-enum class SizeWeighting { mass, number };
-
 /// How much of a grading there is: a mass, or a share of the box up to the packing's target height.
 struct GrainAmount {
   double mass = 0;  ///< kg, 0 = by the solid fraction
@@ -197,7 +197,7 @@ struct LogNormalGrains {
   double median = 0;                 ///< m
   double deviation = 0;              ///< of ln d
   double smallest = 0, largest = 0;  ///< m
-  SizeWeighting weighting = SizeWeighting::mass;
+  SizeWeight weighting = SizeWeight::mass;
   GrainAmount amount;
   double density = 0;  ///< kg/m^3
   std::string material;
@@ -288,7 +288,7 @@ struct Posts {
   bool enabled = false;
   std::int64_t spans = 1;
   double height = 0, diameter = 0;  ///< m
-  PostFoot foot = PostFoot::fixed;
+  Foot foot = Foot::fixed;
   double youngs_modulus = 210e9;       ///< Pa
   double area = 0, second_moment = 0;  ///< m^2, m^4
   double density = 7850;               ///< kg/m^3, of the profile
@@ -305,7 +305,7 @@ struct Barrier {
   bool operator==(const Barrier&) const = default;
 };
 
-/// Only in the file: a loaded scene has walls instead, see rigid_barrier.h.
+/// Only in the file: a loaded scene has walls instead, see cases/assembly/rigid_barrier.h.
 struct RigidBarrier {
   bool enabled = false;
   Vec3 origin = Vec3::Zero();                   ///< m, the lower corner, upstream

@@ -1,12 +1,17 @@
 #pragma once
 // The one description of every parameter: key (with its unit), range, default (the member's initializer in scene.h) and
 // meaning. Reading, checking, suggestions, the resolved scene and docs/scene_reference.md all visit it. A visitor has
-//   value(key, member, rule, doc)     one parameter
-//   table(key, part, presence, doc)   a table
-//   array(key, parts, doc)            a list of tables
-//   named(key, parts, doc)            a table of tables, each under its own name
-//   for_shape(holds, condition, body) keys that are meaningful, and needed, only under a condition
-//   when_on(enabled, body)            keys of a part that can be switched off: needed only when it is on
+//   value(key, member, rule, doc)           one parameter
+//   table(key, part, presence, doc)         a table
+//   array(key, parts, doc)                  a list of tables
+//   named(key, parts, doc)                  a table of tables, each under its own name
+//   only_with(key, holds, condition, body)  keys that are meaningful, and needed, only with a value of the option `key`
+//   when_on(enabled, body)                  keys of a part that can be switched off: needed only when it is on
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+
+#include "cases/scene/names.h"
 #include "cases/scene/range.h"
 #include "cases/scene/scene.h"
 
@@ -14,6 +19,14 @@ namespace lahar::scene {
 
 /// Whether a table may be left out altogether.
 enum class Presence { needed, optional };
+
+/// Keys that only belong to some values `of` the option `key`.
+template <class V, class E, class Body>
+void only_with(V& v, std::string_view key, E value, std::initializer_list<E> of, const Body& body) {
+  std::string condition = std::string(key) + " = ";
+  for (const E e : of) condition += (e == *of.begin() ? "\"" : " or \"") + name_of(e) + "\"";
+  v.only_with(key, std::find(of.begin(), of.end(), value) != of.end(), condition, body);
+}
 
 template <class V>
 void describe(V& v, Identity& s) {
@@ -72,40 +85,36 @@ template <class V>
 void describe(V& v, WallSettings& s) {
   v.value("name", s.name, {}, "Name in results.");
   v.value("shape", s.shape, required(), "Shape of the solid.");
-  v.for_shape(s.shape == WallShape::plane, "shape = \"plane\"", [&] {
+  only_with(v, "shape", s.shape, {WallShape::plane}, [&] {
     v.value("point_m", s.point, required(), "A point of the plane.");
     v.value("normal", s.normal, required(), "Normal of the plane, out of the solid; any length but zero.");
   });
-  v.for_shape(s.shape == WallShape::box, "shape = \"box\"", [&] {
+  only_with(v, "shape", s.shape, {WallShape::box}, [&] {
     v.value("lower_m", s.lower, required(), "Lower corner.");
     v.value("upper_m", s.upper, required(), "Upper corner.");
   });
-  v.for_shape(s.shape == WallShape::cylinder, "shape = \"cylinder\"", [&] {
+  only_with(v, "shape", s.shape, {WallShape::cylinder}, [&] {
     v.value("start_m", s.start, required(), "One end of the axis.");
     v.value("end_m", s.end, required(), "Other end of the axis.");
   });
-  v.for_shape(s.shape == WallShape::sphere, "shape = \"sphere\"",
-              [&] { v.value("centre_m", s.centre, required(), "Centre."); });
-  v.for_shape(s.shape == WallShape::cylinder || s.shape == WallShape::sphere, "shape = \"cylinder\" or \"sphere\"",
-              [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
-  v.for_shape(s.shape == WallShape::mesh || s.shape == WallShape::heightmap, "shape = \"mesh\" or \"heightmap\"", [&] {
+  only_with(v, "shape", s.shape, {WallShape::sphere}, [&] { v.value("centre_m", s.centre, required(), "Centre."); });
+  only_with(v, "shape", s.shape, {WallShape::cylinder, WallShape::sphere},
+            [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
+  only_with(v, "shape", s.shape, {WallShape::mesh, WallShape::heightmap}, [&] {
     describe_file(
         v, s.file,
         "File beside the scene: a closed surface (.stl, .ply or .obj), solid inside; or heights, solid below: "
         "an ESRI ASCII grid, or rows of numbers of which the first has the largest y.");
   });
-  v.for_shape(s.shape == WallShape::heightmap, "shape = \"heightmap\"", [&] {
+  only_with(v, "shape", s.shape, {WallShape::heightmap}, [&] {
     v.value("spacing_m", s.file.spacing, {non_negative()},
             "Distance between the heights of a plain matrix, before scaling; its last row begins at (0, 0).");
   });
-  v.value(
-      "slip", s.slip, {},
-      "How water slides along the wall: not at all, freely, or with the wall stress of a turbulent layer thinner than "
-      "the cells.");
+  v.value("slip", s.slip, {}, "How water slides along the wall.");
   v.value("roughness_m", s.roughness, {non_negative()},
           "Equivalent sand roughness of a wall with slip = \"wall_model\"; 0 = smooth.");
   v.value("material", s.material, {}, "Name of a material; needed where the scene has grains or a barrier.");
-  v.for_shape(s.shape == WallShape::plane || s.shape == WallShape::box, "shape = \"plane\" or \"box\"", [&] {
+  only_with(v, "shape", s.shape, {WallShape::plane, WallShape::box}, [&] {
     v.value("velocity_m_s", s.velocity, {}, "Tangential velocity of the surface (the wall itself stays in place).");
   });
 }
@@ -113,28 +122,25 @@ void describe(V& v, WallSettings& s) {
 template <class V>
 void describe(V& v, FluidRegion& s) {
   v.value("shape", s.shape, {}, "Shape of what is full of liquid at the start.");
-  v.for_shape(s.shape == RegionShape::box, "shape = \"box\"", [&] {
+  only_with(v, "shape", s.shape, {RegionShape::box}, [&] {
     v.value("lower_m", s.lower, required(), "Lower corner.");
     v.value("upper_m", s.upper, required(), "Upper corner.");
   });
-  v.for_shape(s.shape == RegionShape::cylinder, "shape = \"cylinder\"", [&] {
+  only_with(v, "shape", s.shape, {RegionShape::cylinder}, [&] {
     v.value("start_m", s.start, required(), "One end of the axis.");
     v.value("end_m", s.end, required(), "Other end of the axis.");
   });
-  v.for_shape(s.shape == RegionShape::sphere, "shape = \"sphere\"",
-              [&] { v.value("centre_m", s.centre, required(), "Centre."); });
-  v.for_shape(s.shape == RegionShape::cylinder || s.shape == RegionShape::sphere, "shape = \"cylinder\" or \"sphere\"",
-              [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
-  v.for_shape(s.shape == RegionShape::mesh, "shape = \"mesh\"",
-              [&] { describe_file(v, s.file, "File beside the scene: a closed surface (.stl, .ply or .obj)."); });
+  only_with(v, "shape", s.shape, {RegionShape::sphere}, [&] { v.value("centre_m", s.centre, required(), "Centre."); });
+  only_with(v, "shape", s.shape, {RegionShape::cylinder, RegionShape::sphere},
+            [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
+  only_with(v, "shape", s.shape, {RegionShape::mesh},
+            [&] { describe_file(v, s.file, "File beside the scene: a closed surface (.stl, .ply or .obj)."); });
   v.value("velocity_m_s", s.velocity, {}, "Velocity at the start.");
 }
 
 template <class V>
 void describe(V& v, Rheology& s) {
-  v.value("law", s.law, {},
-          "Flow law. Bingham: yield stress and the kinematic viscosity as the plastic one. Herschel-Bulkley: yield "
-          "stress, consistency and exponent in place of the kinematic viscosity.");
+  v.value("law", s.law, {}, "Flow law.");
   v.value("yield_stress_Pa", s.yield_stress, {non_negative()}, "Shear stress below which the fluid only creeps.");
   v.value("consistency_Pa_s_n", s.consistency, {non_negative()}, "K of the stress yield + K rate^n.");
   v.value("exponent", s.exponent, {between(0.3, 2)}, "n: below 1 thinner, above 1 thicker in fast shear.");
@@ -173,10 +179,7 @@ void describe(V& v, Fluid& s) {
             "Whether the time step follows the liquid, so that its fastest cell stays about lattice_velocity: shorter "
             "at once where it is too fast, longer when it has been calm. The largest expected speed then sets the "
             "first step alone.");
-    v.value(
-        "wall_placement", s.wall_placement, {},
-        "Where no-slip walls are felt: half-way between cells, or at their own place between the cells (interpolated "
-        "bounce-back, second order).");
+    v.value("wall_placement", s.wall_placement, {}, "Where no-slip walls are felt.");
     v.table("rheology", s.rheology, Presence::optional, "Flow law of mud and slurry. Newtonian when left out.");
     v.array("region", s.regions, "Where the liquid is at the start.");
     v.array("inflow", s.inflows, "Where liquid comes in during the run.");
@@ -222,12 +225,9 @@ void describe(V& v, Solids& s) {
   v.value("bond_stiffness_scale", s.bond_stiffness_scale, {above_up_to(0, 1)}, "Factor on every bond stiffness.");
   v.value("bond_damping_ratio", s.bond_damping_ratio, {between(0, 1)}, "Damping of the bonds, as a share of critical.");
   v.value("wire_contacts", s.wire_contacts, {},
-          "How rings and cables touch each other and grains: bead by bead, or as smooth round wires along the beads. "
-          "With walls they touch bead by bead.");
-  v.value("contact_law", s.contact_law, {},
-          "Law of contacts: Hertz and Mindlin from the materials, or linear springs and dashpots of one stiffness for "
-          "all.");
-  v.for_shape(s.contact_law == ContactLaw::linear, "contact_law = \"linear\"", [&] {
+          "How rings and cables touch each other and grains. With walls they touch bead by bead.");
+  v.value("contact_law", s.contact_law, {}, "Law of contacts.");
+  only_with(v, "contact_law", s.contact_law, {ContactLaw::linear}, [&] {
     v.value("normal_stiffness_N_m", s.normal_stiffness, required(positive()), "Stiffness of the normal spring.");
     v.value("tangential_stiffness_N_m", s.tangential_stiffness, {non_negative()},
             "Stiffness of the tangential spring; 0 = 2/7 of the normal one.");
@@ -261,7 +261,7 @@ void describe(V& v, LogNormalGrains& s) {
   v.value("log_deviation", s.deviation, required(above_up_to(0, 3)), "Standard deviation of ln(diameter).");
   v.value("smallest_diameter_m", s.smallest, required(positive()), "Lower cut-off.");
   v.value("largest_diameter_m", s.largest, required(positive()), "Upper cut-off.");
-  v.value("weighting", s.weighting, {}, "Whether the distribution counts mass, as sieves do, or grains.");
+  v.value("weighting", s.weighting, {}, "What the distribution counts.");
   describe_amount(v, s.amount, s.density, s.material);
 }
 
@@ -324,14 +324,14 @@ void describe_mesh(V& v, Net& s) {
 
 template <class V>
 void describe(V& v, Net& s) {
-  v.value("kind", s.kind, {}, "Linked rings, or hexagonal mesh of double-twisted wire.");
+  v.value("kind", s.kind, {}, "What the net is made of.");
   v.value("origin_m", s.origin, required(), "Lower corner of the net.");
   v.value("width_direction", s.width_direction, {}, "Direction of the width; any length but zero.");
   v.value("height_direction", s.height_direction, {}, "Direction of the height, at right angles to the width.");
   v.value("width_m", s.width, required(positive()),
           "Width of the frame that rings or meshes fill, all wires inside; with posts: of one span.");
   v.value("height_m", s.height, required(positive()), "Height of the frame.");
-  v.for_shape(s.kind == NetKind::rings, "kind = \"rings\"", [&] {
+  only_with(v, "kind", s.kind, {NetKind::rings}, [&] {
     v.value("ring_diameter_m", s.ring_diameter, required(positive()),
             "Diameter of a ring along the wire's centre line.");
     v.value("ring_pitch_m", s.ring_pitch, required(positive()),
@@ -339,7 +339,7 @@ void describe(V& v, Net& s) {
     v.value("beads_per_ring", s.beads_per_ring, required(between(8, 1000)),
             "Beads that make up a ring; they should touch.");
   });
-  v.for_shape(s.kind == NetKind::hexagonal, "kind = \"hexagonal\"", [&] { describe_mesh(v, s); });
+  only_with(v, "kind", s.kind, {NetKind::hexagonal}, [&] { describe_mesh(v, s); });
   v.value("wire_diameter_m", s.wire_diameter, required(positive()), "Diameter of wire and beads of rings and cables.");
   v.value("density_kg_m3", s.density, {positive()}, "Density of the beads.");
   v.value("material", s.material, required(), "Name of a material.");
@@ -393,7 +393,7 @@ void describe(V& v, Posts& s) {
     v.value("height_m", s.height, required(positive()), "Top of the posts above the net's lower edge.");
     v.value("diameter_m", s.diameter, required(positive()),
             "Diameter that the flow meets. Posts stand beside the frames, a wire's diameter away.");
-    v.value("foot", s.foot, {}, "Clamped, or a ball joint that turns freely about all axes.");
+    v.value("foot", s.foot, {}, "How its foot is held.");
     v.value("youngs_modulus_Pa", s.youngs_modulus, {positive()}, "Young's modulus of the profile; steel by default.");
     v.value("area_m2", s.area, required(positive()), "Area of the profile.");
     v.value("second_moment_m4", s.second_moment, required(positive()),
@@ -460,10 +460,9 @@ void describe(V& v, Measure& s) {
 template <class V>
 void describe(V& v, Probe& s) {
   v.value("name", s.name, required(), "Name in results: letters, digits, `_` and `-`.");
-  v.value("kind", s.kind, required(), "Depth of liquid above the point, pressure in it, or force on a wall.");
+  v.value("kind", s.kind, required(), "What is measured.");
   v.value("position_m", s.position, required(), "Where; of a force: the point that its moment is taken about.");
-  v.for_shape(s.kind == ProbeKind::force, "kind = \"force\"",
-              [&] { v.value("wall", s.wall, required(), "Name of a [[wall]]."); });
+  only_with(v, "kind", s.kind, {ProbeKind::force}, [&] { v.value("wall", s.wall, required(), "Name of a [[wall]]."); });
 }
 
 template <class V>

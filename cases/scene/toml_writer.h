@@ -41,7 +41,7 @@ class TomlWriter {
     }
   }
   template <class Body>
-  void for_shape(bool holds, std::string_view, const Body& body) {
+  void only_with(std::string_view, bool holds, std::string_view, const Body& body) {
     if (holds) body();
   }
   template <class Body>

@@ -40,8 +40,7 @@ inline std::string type_text(const Vec3&) { return "three numbers [x, y, z]"; }
 template <class E>
 requires std::is_enum_v<E> std::string type_text(E) {
   std::string all;
-  for (const auto& [name, value] : names_of(E{}))
-    all += (all.empty() ? "one of \"" : ", \"") + std::string(name) + "\"";
+  for (const auto& choice : choices(E{})) all += (all.empty() ? "one of \"" : ", \"") + std::string(choice.word) + "\"";
   return all;
 }
 template <class T>
@@ -51,6 +50,17 @@ std::string type_text(const std::optional<T>&) {
 template <class T>
 std::string type_text(const std::vector<T>&) {
   return "a list, each " + type_text(T{});
+}
+
+/// What the values of an option mean: " `word`: meaning; `word`: meaning."; "" for anything else.
+template <class T>
+std::string choices_text(const T&) {
+  std::string all;
+  if constexpr (std::is_enum_v<T>)
+    for (const auto& choice : choices(T{}))
+      if (!choice.meaning.empty())
+        all += (all.empty() ? " `" : "; `") + std::string(choice.word) + "`: " + std::string(choice.meaning);
+  return all.empty() ? all : all + ".";
 }
 
 /// What a key demands, in words: "three numbers [x, y, z], each above 0".
@@ -69,12 +79,9 @@ template <class E>
 requires std::is_enum_v<E> std::string read(const toml::node& node, const Rule&, E& value) {
   const auto word = node.value_exact<std::string>();
   if (!word) return "is " + kind_text(node);
-  std::vector<std::string> known;
-  for (const auto& [name, v] : names_of(E{})) {
-    if (name == *word) return value = v, std::string{};
-    known.emplace_back(name);
-  }
-  const std::string nearest = nearest_name(*word, known);
+  for (const auto& choice : choices(E{}))
+    if (choice.word == *word) return value = choice.value, std::string{};
+  const std::string nearest = nearest_name(*word, words<E>());
   return "is " + quote(node) + (nearest.empty() ? "" : " (did you mean \"" + nearest + "\"?)");
 }
 

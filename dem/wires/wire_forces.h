@@ -8,11 +8,9 @@
 #include "dem/wires/wire_chains.h"
 #include "dem/wires/wire_contact.h"
 #include "dem/wires/wire_detection.h"
+#include "dem/wires/wire_model.h"
 
 namespace lahar::dem {
-
-/// How wires touch grains and each other: bead by bead, or as smooth round wires along the beads (docs/theory.md).
-enum class WireContacts : std::uint8_t { beads, capsules };
 
 /// Contacts of all wires. Their beads' contacts with walls are not among them, nor is anything between plain particles.
 /// Wires do not resist rolling.

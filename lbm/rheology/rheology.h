@@ -21,6 +21,7 @@ struct RheologyOptions {
   double consistency = 0;      ///< K, Pa s^n; Herschel-Bulkley alone
   double exponent = 1;         ///< n; Herschel-Bulkley alone
   double limit_viscosity = 0;  ///< m^2/s, the largest viscosity: that of the fluid below its yield stress
+  bool operator==(const RheologyOptions&) const = default;
 };
 
 /// The same per mass in lattice units; Bingham has its plastic viscosity as consistency and exponent 1.

@@ -4,13 +4,12 @@
 #include <string>
 
 #include "lbm/collision/coverage.h"
+#include "lbm/collision/operators.h"
 #include "lbm/grid/block.h"
 #include "lbm/rheology/rheology.h"
 #include "lbm/step/streaming.h"
 
 namespace lahar::lbm {
-
-enum class CollisionOperator { central_moments, bgk, trt };
 
 /// Uniform parameters of a sweep, lattice units.
 struct SweepParameters {

@@ -5,7 +5,7 @@
 
 #include "cases/files/series_reader.h"
 #include "cases/runner/run.h"
-#include "cases/scene/load.h"
+#include "cases/assembly/load.h"
 #include "tests/cases/files/test_folder.h"
 
 namespace lahar::cases {

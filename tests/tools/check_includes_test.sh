@@ -37,6 +37,14 @@ expect_refused lbm/collision/bgk.cpp '  #  include "dem/particles.h"  // grains'
 expect_refused dem/contact/hertz.h '#include "../../lbm/fluid.h"' 'path from the root'
 expect_refused dem/contact/hertz.h '#include "linear.h"' 'path from the root'
 
+# Folders of cases: scene to solver runs one way.
+expect_refused cases/scene/reader.cpp '#include "cases/assembly/build.h"' 'cases/scene must not include cases/assembly'
+expect_refused cases/assembly/build.cpp '#include "cases/observers/flow.h"' 'cases/assembly must not include cases/observers'
+expect_refused cases/observers/flow.h '#include "cases/runner/run.h"' 'cases/observers must not include cases/runner'
+expect_allowed cases/assembly/build.cpp '#include "cases/scene/scene.h"'
+expect_allowed cases/runner/run.cpp '#include "cases/observers/flow.h"'
+expect_allowed cases/validate/entry.cpp '#include "cases/runner/run.h"'
+
 expect_refused coupling/audit.cpp '#include <openvdb/openvdb.h>' 'openvdb/openvdb.h'
 expect_refused cases/scene/scene.cpp '#include <openvdb/openvdb.h>' 'openvdb/openvdb.h'
 expect_allowed cases/files/vdb_writer.cpp '#include <openvdb/openvdb.h>'

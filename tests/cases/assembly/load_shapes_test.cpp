@@ -5,8 +5,8 @@
 #include "cases/assembly/build.h"
 #include "cases/assembly/geometry.h"
 #include "cases/scene/writer.h"
+#include "tests/cases/assembly/rejections.h"
 #include "tests/cases/files/shape_texts.h"
-#include "tests/cases/scene/rejections.h"
 
 namespace lahar::scene {
 namespace {

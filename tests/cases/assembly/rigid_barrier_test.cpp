@@ -4,7 +4,7 @@
 
 #include "cases/assembly/geometry.h"
 #include "cases/scene/writer.h"
-#include "tests/cases/scene/rejections.h"
+#include "tests/cases/assembly/rejections.h"
 
 namespace lahar::scene {
 namespace {

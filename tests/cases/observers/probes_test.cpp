@@ -39,9 +39,10 @@ upper_m = [0.32, 0.16, 0.3]
 TEST(FluidSamples, PressureInsideAndAtWalls) {
   const scene::Scene scene = scene::load_text(tank);
   lbm::Fluid<double> fluid(fluid_options(scene));
+  const auto view = view_of(fluid);
   fluid.fill(liquid_regions(scene));
   for (int s = 0; s < 300; ++s) fluid.step();
-  const auto depth = [&](const Vec3& p) { return pressure_at(fluid, p) / (1000 * 9.81); };
+  const auto depth = [&](const Vec3& p) { return pressure_at(*view, p) / (1000 * 9.81); };
   constexpr double half_cell = 0.005;  // the level is felt within half a cell
   EXPECT_NEAR(depth({0.05, 0.05, 0.153}), 0.147, half_cell);
   EXPECT_NEAR(depth({0.05, 0.05, 0.153}) - depth({0.05, 0.05, 0.193}), 0.04, 0.001);
@@ -51,7 +52,7 @@ TEST(FluidSamples, PressureInsideAndAtWalls) {
   EXPECT_NEAR(depth({0.21, 0.08, 0.1}), 0.2, half_cell);
   EXPECT_EQ(depth({0.05, 0.05, 0.35}), 0);
   EXPECT_EQ(depth({0, 0.05, 0.35}), 0);
-  EXPECT_NEAR(depth_over(fluid, Vec3(0.05, 0.05, 0), 0.4), 0.3, 1e-3);
+  EXPECT_NEAR(depth_over(*view, Vec3(0.05, 0.05, 0), 0.4), 0.3, 1e-3);
 }
 
 /// A ball of stone comes to rest on a box: the box carries its weight, and the moment about a corner.

@@ -36,12 +36,13 @@ TEST(Sections, DischargeIsTheVolumeThatArrives) {
   const double places[] = {0.4, 0.43, 0.45};
   for (int k = 0; k < 3; ++k) {
     lbm::Fluid<double> fluid(fluid_options(scene));
+    const auto view = view_of(fluid);
     fluid.fill(liquid_regions(scene));
     const SectionFrame frame = frame_of({"s", Vec3(places[k], 0.08, 0.2), normals[k], 0, 0}, scene.domain);
     double passed = 0;
     while (static_cast<double>(fluid.steps()) * fluid.units().time_step < 0.4) {
       fluid.step();
-      passed += fluid.units().time_step * liquid_flux(fluid, frame, scene.domain, Vec3::UnitZ(), 0).volume;
+      passed += fluid.units().time_step * liquid_flux(*view, frame, scene.domain, Vec3::UnitZ(), 0).volume;
     }
     double behind = 0;
     fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
@@ -56,12 +57,13 @@ TEST(Sections, DischargeIsTheVolumeThatArrives) {
 TEST(Sections, OnlyTheRectangleCounts) {
   const scene::Scene scene = scene::load_text(dam);
   lbm::Fluid<double> fluid(fluid_options(scene));
+  const auto view = view_of(fluid);
   fluid.fill_everything([](const Vec3&) { return Vec3(0.05, 0, 0); }, [](const Vec3&) { return 0.0; });
   // Between two steps the velocity is that after half of the force, which here is gravity: u_x is untouched by it.
   const double speed = fluid.units().velocity_to_si(0.05), width = 0.08, height = 0.2;
   const auto flux = [&](const Vec3& normal) {
     const SectionFrame frame = frame_of({"s", Vec3(0.5, 0.08, 0.2), normal, width, height}, scene.domain);
-    return liquid_flux(fluid, frame, scene.domain, Vec3::UnitZ(), 0.2);
+    return liquid_flux(*view, frame, scene.domain, Vec3::UnitZ(), 0.2);
   };
   EXPECT_NEAR(flux(Vec3(3, 0, 0)).volume, speed * width * height, 1e-9 * speed);
   EXPECT_NEAR(flux(Vec3(-1, 0, 0)).volume, -speed * width * height, 1e-9 * speed);

@@ -40,7 +40,7 @@ struct DefaultsReader {
     array("", parts, doc);
   }
   template <class Body>
-  void for_shape(bool, std::string_view, const Body& body) {
+  void only_with(std::string_view, bool, std::string_view, const Body& body) {
     body();
   }
   template <class Body>
@@ -76,6 +76,18 @@ TEST(KeyList, DimensionalKeysNameTheirUnit) {
                                    "position", "lower", "upper", "height", "width", "pitch", "time_step"})
         EXPECT_FALSE(key.key.ends_with(quantity)) << table.path << "." << key.key;
     }
+}
+
+TEST(KeyList, OptionsAreExplainedWordByWord) {
+  for (const TableEntry& table : all_keys())
+    for (const KeyEntry& key : table.keys) {
+      if (table.path + "." + key.key != "fluid.collision") continue;
+      for (const auto& choice : choices(CollisionOperator{}))
+        EXPECT_NE(key.doc.find("`" + std::string(choice.word) + "`: " + std::string(choice.meaning)),
+                  std::string::npos);
+      return;
+    }
+  FAIL() << "there is no fluid.collision";
 }
 
 TEST(KeyList, ReferencePageIsCurrent) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace lahar::scene {
 namespace {
 
@@ -25,9 +27,20 @@ TEST(NearestName, SuggestsNothingForAStranger) {
   EXPECT_EQ(nearest_name("x", {}), "");
 }
 
+/// Every value of an option has a word of its own that leads back to it.
+template <class E>
+void expect_words(E) {
+  std::set<std::string_view> words;
+  for (const auto& choice : choices(E{})) {
+    EXPECT_EQ(name_of(choice.value), choice.word);
+    EXPECT_TRUE(words.insert(choice.word).second) << choice.word;
+  }
+}
+
 TEST(Names, EveryOptionHasAWordThatLeadsBack) {
-  for (const auto& [name, value] : names_of(Collision{})) EXPECT_EQ(name_of(value), name);
-  for (const auto& [name, value] : names_of(Face{})) EXPECT_EQ(name_of(value), name);
+  expect_words(CollisionOperator{}), expect_words(BodyWeighting{}), expect_words(SolidOperator{});
+  expect_words(WallPlacement{}), expect_words(FlowLaw{}), expect_words(WireContacts{}), expect_words(Foot{});
+  expect_words(SizeWeight{}), expect_words(Face{}), expect_words(ContactLaw{});
   EXPECT_EQ(name_of(Precision::float64), "double");
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cases/scene/load.h"
+#include "cases/assembly/load.h"
 #include "core/check.h"
 
 namespace lahar::scene {

@@ -70,10 +70,10 @@ TEST(Value, ListsObeyTheirLengths) {
 }
 
 TEST(Value, SuggestsTheNearestWordOfAnOption) {
-  Collision collision = Collision::trt;
+  CollisionOperator collision = CollisionOperator::trt;
   EXPECT_EQ(read_text("\"central_moment\"", collision), "is \"central_moment\" (did you mean \"central_moments\"?)");
   EXPECT_EQ(read_text("\"bgk\"", collision), "");
-  EXPECT_EQ(collision, Collision::bgk);
+  EXPECT_EQ(collision, CollisionOperator::bgk);
 }
 
 TEST(Value, SaysWhatIsExpected) {

@@ -1,0 +1,145 @@
+// Cross checks of the posts and of a net of hexagonal mesh.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cases/assembly/cross_checks.h"
+#include "cases/assembly/geometry.h"
+#include "cases/assembly/net_spec.h"
+#include "dem/time_step.h"
+
+namespace lahar::scene {
+namespace {
+
+const char* const kPosts = "barrier.posts";
+
+std::string key_of(const char* key) { return fmt::format("{}.{}", kPosts, key); }
+
+void check_size(const Scene& scene, Findings& findings) {
+  const Posts& posts = scene.barrier.posts;
+  if (posts.height < scene.barrier.net.height)
+    findings.mistake(key_of("height_m"),
+                     fmt::format("{} is {:g}, shorter than the net, expected at least barrier.net.height_m, {:g}",
+                                 key_of("height_m"), posts.height, scene.barrier.net.height));
+  if (posts.height < 6 * posts.diameter)
+    findings.mistake(key_of("diameter_m"),
+                     fmt::format("{} is {:g}, too thick for a beam of {:g} m, expected at most a sixth of it, {:.4g}",
+                                 key_of("diameter_m"), posts.diameter, posts.height, posts.height / 6));
+}
+
+/// Where something that stands in the ground lies, in words, or nothing if all is well.
+const char* out_of_place(const Scene& scene, const Walls& walls, const Vec3& p) {
+  const double slack = scene.barrier.net.wire_diameter;
+  if (!scene.domain.contains(p, slack)) return "outside the domain";
+  if (!walls.empty() && -walls.nearest(p).distance > slack) return "below the ground or inside a wall";
+  return nullptr;
+}
+
+void check_bases(const Scene& scene, const barrier::SpansSpec& spec, const Walls& walls, Findings& findings) {
+  for (const int k : {0, spec.spans}) {
+    const Vec3 base = post_base(spec, k);
+    if (const char* where = out_of_place(scene, walls, base))
+      return findings.mistake(
+          key_of("spans"),
+          fmt::format("{}: post {} at ({:g}, {:g}, {:g}) stands {}, expected fewer or narrower spans, or another "
+                      "barrier.net.origin_m",
+                      key_of("spans"), k, base.x(), base.y(), base.z(), where));
+  }
+}
+
+void check_retaining(const Scene& scene, const barrier::SpansSpec& spec, const Walls& walls, std::size_t n,
+                     Findings& findings) {
+  const std::string path = fmt::format("{}.retaining[{}]", kPosts, n), key = path + ".anchor_offset_m";
+  const barrier::RetainingSpec& cable = spec.retaining[n];
+  if (cable.post > spec.spans)
+    return findings.mistake(path + ".post", fmt::format("{}.post is {}, expected 0 to {}, or -1 for every post", path,
+                                                        cable.post, spec.spans));
+  const Vec3 aside = cable.anchor - cable.anchor.dot(spec.net.up) * spec.net.up;
+  if (aside.norm() < spec.post_diameter)
+    return findings.mistake(
+        key, fmt::format("{} leads {:.3g} m away from the post's axis, expected at least its diameter, {:g}", key,
+                         aside.norm(), spec.post_diameter));
+  if (cable.anchor.dot(spec.net.up) >= spec.post_height)
+    return findings.mistake(key, fmt::format("{} leads above the head of the post, expected an anchor below it", key));
+  for (int k = 0; k <= spec.spans; ++k) {
+    if (cable.post != -1 && cable.post != k) continue;
+    const Vec3 anchor = post_base(spec, k) + cable.anchor;
+    if (const char* where = out_of_place(scene, walls, anchor))
+      return findings.mistake(key,
+                              fmt::format("{}: the anchor of post {} at ({:g}, {:g}, {:g}) lies {}, expected it on "
+                                          "the ground inside [domain]",
+                                          key, k, anchor.x(), anchor.y(), anchor.z(), where));
+  }
+  if (!cable.dissipators_at.empty() && scene.barrier.bonds.dissipator_stiffness.empty())
+    findings.mistake(path + ".dissipator_places",
+                     fmt::format("{}.dissipator_places without barrier.bonds.dissipator_stiffness_N_m3, expected the "
+                                 "stiffness of their stages",
+                                 path));
+}
+
+void check_post_step(const barrier::SpansSpec& spec, Findings& findings) {
+  constexpr double least = 1e-8;  // s, as of the net's bonds
+  dem::Particles particles;
+  dem::Bonds bonds;
+  add_post(post_spec(spec, 0), particles, bonds);
+  if (const double step = dem::bond_time_step(bonds, particles); step < least)
+    findings.mistake(
+        key_of("youngs_modulus_Pa"),
+        fmt::format("{}: these posts need a time step of {:.2g} s, expected a modulus, section and density "
+                    "that allow {:g} s",
+                    key_of("youngs_modulus_Pa"), step, least));
+}
+
+/// One line for a tensile law that makes no sense.
+void check_law(const Scene& scene, const char* wire, Findings& findings) {
+  const bool twist = std::string_view(wire) == "twist";
+  const barrier::RingNetSpec spec = make_net_spec(scene);
+  const std::string key = fmt::format("barrier.net.{}_force_N", wire);
+  try {
+    const double length = twist ? spec.mesh->twist_length : spec.mesh->single_length();
+    const dem::BondSort sort = wire_law_bond(twist ? spec.mesh->twist : spec.mesh->single, length, *spec.mesh);
+    if (const double step = dem::bond_time_step(sort, spec.mesh->node_mass()); step < 1e-8)
+      findings.mistake(key, fmt::format("{} needs a time step of {:.2g} s with nodes of {:.2g} kg, expected a law that "
+                                        "allows 1e-08 s",
+                                        key, step, spec.mesh->node_mass()));
+  } catch (const InputError& e) {
+    findings.mistake(key, fmt::format("{}: {}, expected rising points that the curve bends down between", key,
+                                      e.mistakes().front().message));
+  }
+}
+
+}  // namespace
+
+void check_ring_stiffness(const Scene& scene, Findings& findings) {
+  const std::string key = "barrier.bonds.ring_stiffness_N_m3";
+  if (!findings.sound({key, "barrier.net.kind"})) return;
+  const double stiffness = scene.barrier.bonds.ring_stiffness;
+  if (scene.barrier.net.kind == NetKind::rings && stiffness == 0)
+    findings.mistake(key, key + " is 0 or missing, expected a number above 0");
+  if (scene.barrier.net.kind != NetKind::rings && stiffness > 0)
+    findings.mistake(key, key + " does not apply here, expected only with barrier.net.kind = \"rings\"");
+}
+
+void check_hexagonal_net(const Scene& scene, Findings& findings) {
+  const Net& net = scene.barrier.net;
+  if (net.kind != NetKind::hexagonal || !findings.sound({"barrier.net"})) return;
+  if (net.twist_length >= net.mesh_height)
+    return findings.mistake("barrier.net.twist_length_m",
+                            fmt::format("barrier.net.twist_length_m is {:g}, expected below mesh_height_m, {:g}",
+                                        net.twist_length, net.mesh_height));
+  for (const char* wire : {"single", "twist"}) check_law(scene, wire, findings);
+}
+
+void check_posts(const Scene& scene, Findings& findings) {
+  if (!scene.barrier.posts.enabled || !findings.sound({"barrier", "materials", "solids"})) return;
+  check_size(scene, findings);
+  if (!findings.sound({kPosts})) return;
+  const barrier::SpansSpec spec = make_spans_spec(scene);
+  check_post_step(spec, findings);
+  if (!findings.sound({"domain"})) return;
+  const Walls walls = findings.sound({"wall"}) ? make_walls(scene) : Walls{};
+  check_bases(scene, spec, walls, findings);
+  for (std::size_t n = 0; n < spec.retaining.size(); ++n) check_retaining(scene, spec, walls, n, findings);
+}
+
+}  // namespace lahar::scene

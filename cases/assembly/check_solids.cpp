@@ -1,0 +1,258 @@
+// Cross checks of grains, barrier and of what refers to them.
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "cases/assembly/check_gradings.h"
+#include "cases/assembly/cross_checks.h"
+#include "cases/assembly/geometry.h"
+#include "cases/assembly/grain_sizes.h"
+#include "cases/assembly/net_spec.h"
+#include "dem/time_step.h"
+
+namespace lahar::scene {
+namespace {
+
+/// The largest depth (m, > 0) at which points of a box lie inside walls, on a lattice that includes the corners.
+double depth_in_walls(const Walls& walls, const Vec3& lower, const Vec3& upper) {
+  constexpr int n = 8;
+  double deepest = 0;
+  for (int i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i) {
+    const Vec3 part(i % (n + 1), i / (n + 1) % (n + 1), i / ((n + 1) * (n + 1)));
+    const Vec3 p = lower + (upper - lower).cwiseProduct(part / n);
+    if (!walls.empty()) deepest = std::max(deepest, -walls.nearest(p).distance);
+  }
+  return deepest;
+}
+
+void check_packing_content(const Packing& packing, const std::string& path, Findings& findings) {
+  const Vec3 extent = packing.upper - packing.lower;
+  double volume = 0;
+  for (std::size_t k = 0; k < packing.sizes.size(); ++k) {
+    const GrainSize& size = packing.sizes[k];
+    const std::string key = fmt::format("{}.sizes[{}].diameter_m", path, k);
+    if (size.diameter > extent.minCoeff())
+      findings.mistake(key, fmt::format("{} is {:g}, expected at most the smallest extent of the box, {:g}", key,
+                                        size.diameter, extent.minCoeff()));
+    volume += static_cast<double>(size.count) * std::numbers::pi / 6 * std::pow(size.diameter, 3);
+  }
+  for (const LogNormalGrains& g : packing.log_normal) volume += solid_volume(packing, g.amount, g.density);
+  for (const SievedGrains& g : packing.sieved) volume += solid_volume(packing, g.amount, g.density);
+  constexpr double densest = 0.74;  // of equal spheres; mixtures settle far below
+  if (volume > densest * extent.prod())
+    findings.mistake(path, fmt::format("{}: grains fill {:.2f} of the box, expected at most {}", path,
+                                       volume / extent.prod(), densest));
+}
+
+void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
+  const Packing& packing = scene.grains.packings[i];
+  const std::string path = fmt::format("grains.packing[{}]", i);
+  if (!findings.sound({path})) return;
+  if (packing.sizes.empty() && packing.log_normal.empty() && packing.sieved.empty())
+    return findings.mistake(path, path + " has no grains, expected at least one [[grains.packing.sizes]]");
+  check_gradings(scene, i, findings);
+  if (findings.sound({path})) check_packing_content(packing, path, findings);
+  const double slack = 1e-6 * (packing.upper - packing.lower).norm();
+  if (findings.sound({"domain"}) &&
+      !(scene.domain.contains(packing.lower, slack) && scene.domain.contains(packing.upper, slack)))
+    return findings.mistake(path + ".lower_m", path + " reaches outside the domain, expected it inside [domain]");
+  if (!findings.sound({"wall"})) return;
+  if (const double depth = depth_in_walls(make_walls(scene), packing.lower, packing.upper); depth > slack)
+    findings.mistake(path + ".lower_m",
+                     fmt::format("{} reaches {:.3g} m into a wall, expected it in free space", path, depth));
+}
+
+void check_sphere(const Scene& scene, std::size_t i, Findings& findings) {
+  const GrainSphere& s = scene.grains.spheres[i];
+  const std::string path = fmt::format("grains.sphere[{}]", i);
+  if (!findings.sound({path})) return;
+  constexpr double largest_overlap = 0.1;  // of the radius: more would burst apart
+  if (findings.sound({"domain"})) {
+    const double room = (scene.domain.upper - scene.domain.lower).minCoeff();
+    if (s.diameter > room)
+      findings.mistake(path + ".diameter_m",
+                       fmt::format("{}.diameter_m is {:g}, expected at most the smallest extent of "
+                                   "the domain, {:g}",
+                                   path, s.diameter, room));
+    if (!scene.domain.contains(s.position))
+      findings.mistake(path + ".position_m", path + ".position_m lies outside the domain, expected it inside [domain]");
+  }
+  if (!findings.sound({"wall", path})) return;
+  const Walls walls = make_walls(scene);
+  if (!s.fixed && !walls.empty() && walls.nearest(s.position).distance < (1 - largest_overlap) * s.diameter / 2)
+    findings.mistake(path + ".position_m", path + " is inside a wall, expected it in free space");
+  for (std::size_t k = 0; k < i; ++k) {
+    const GrainSphere& other = scene.grains.spheres[k];
+    if (!findings.sound({fmt::format("grains.sphere[{}]", k)})) continue;
+    const double gap = (s.position - other.position).norm() - (s.diameter + other.diameter) / 2;
+    if (-gap > largest_overlap * std::min(s.diameter, other.diameter) / 2)
+      findings.mistake(path + ".position_m", fmt::format("{} overlaps grains.sphere[{}], expected a gap", path, k));
+  }
+}
+
+bool check_directions(const Net& net, Findings& findings) {
+  for (const auto& [v, key] : {std::pair{net.width_direction, "width"}, std::pair{net.height_direction, "height"}})
+    if (v.norm() == 0)
+      findings.mistake(fmt::format("barrier.net.{}_direction", key),
+                       fmt::format("barrier.net.{}_direction is zero, expected a direction", key));
+  if (!findings.sound({"barrier.net"})) return false;
+  const bool square = std::abs(net.width_direction.normalized().dot(net.height_direction.normalized())) < 1e-6;
+  if (!square)
+    findings.mistake("barrier.net.height_direction",
+                     "barrier.net.height_direction is not at right angles to width_direction, expected it so");
+  return square;
+}
+
+/// A frame must hold at least one ring with its cables.
+void check_frame(const Net& net, Findings& findings) {
+  if (net.kind != NetKind::rings) return;  // building it names sizes that would do
+  const double least = net.ring_diameter + 2 * net.wire_diameter;
+  for (const auto& [length, key] :
+       {std::pair{net.width, "barrier.net.width_m"}, std::pair{net.height, "barrier.net.height_m"}})
+    if (length < least)
+      findings.mistake(key,
+                       fmt::format("{} is {:g}, expected at least a ring and its cables, {:g}", key, length, least));
+}
+
+void check_net_place(const Scene& scene, Findings& findings) {
+  const Net& net = scene.barrier.net;
+  const barrier::SpansSpec spans = make_spans_spec(scene);
+  const double more = scene.barrier.posts.enabled ? (spans.spans - 1) * post_distance(spans) : 0.0;
+  const Vec3 across = (net.width + more) * net.width_direction.normalized(),
+             up = net.height * net.height_direction.normalized();
+  struct Corner {
+    Vec3 position;
+    std::string key;
+  };
+  const double slack = net.wire_diameter;
+  const Walls walls = findings.sound({"wall"}) ? make_walls(scene) : Walls{};
+  for (const auto& [p, key] : std::array<Corner, 3>{Corner{net.origin, "barrier.net.origin_m"},
+                                                    Corner{net.origin + across, "barrier.net.width_m"},
+                                                    Corner{net.origin + up, "barrier.net.height_m"}}) {
+    if (!findings.sound({"barrier.net.origin_m"})) return;
+    const double depth = walls.empty() ? 0.0 : -walls.nearest(p).distance;
+    const char* where = !scene.domain.contains(p, slack) ? "the domain" : depth > slack ? "the walls" : nullptr;
+    if (where)
+      findings.mistake(
+          key, fmt::format("{}: the net's corner ({:g}, {:g}, {:g}) lies outside {}, expected it in the channel", key,
+                           p.x(), p.y(), p.z(), where));
+  }
+}
+
+void check_dissipators(const BarrierBonds& bonds, Findings& findings) {
+  if (!findings.sound({"barrier.bonds"})) return;
+  const std::string path = "barrier.bonds.dissipator_force_limit_N";
+  const auto& k = bonds.dissipator_stiffness;
+  const auto& limits = bonds.dissipator_force_limit;
+  if (k.size() == 1)
+    return findings.mistake("barrier.bonds.dissipator_stiffness_N_m3",
+                            "barrier.bonds.dissipator_stiffness_N_m3 has 1 entry, expected none, two or three");
+  const std::size_t expected = k.empty() ? 0 : k.size() - 1;
+  if (limits.size() != expected)
+    return findings.mistake(
+        path, fmt::format("{} has {} entries, expected {}: one less than stages", path, limits.size(), expected));
+  if (limits.size() == 2 && limits[1] <= limits[0])
+    findings.mistake(path, path + " does not rise, expected the second above the first");
+}
+
+/// A stiffness that no run could follow: most likely meant in another unit.
+void check_bond_steps(const Scene& scene, Findings& findings) {
+  if (!findings.sound({"barrier", "materials", "solids"})) return;
+  constexpr double least = 1e-8;  // s; the paper's is 5e-7
+  const barrier::RingNetSpec spec = make_net_spec(scene);
+  const double mass = scene.barrier.net.density * std::numbers::pi / 6 * std::pow(scene.barrier.net.wire_diameter, 3);
+  const auto refuse = [&](const dem::BondSort& sort, const std::string& key) {
+    const double step = dem::bond_time_step(sort, mass);
+    if (step < least)
+      findings.mistake("barrier.bonds." + key,
+                       fmt::format("barrier.bonds.{} needs a time step of {:.2g} s with beads of {:.2g} kg, expected a "
+                                   "stiffness per unit area (N/m^3) that allows {:g} s",
+                                   key, step, mass, least));
+  };
+  if (!spec.mesh) refuse(spec.ring, "ring_stiffness_N_m3");
+  refuse(spec.cable, "cable_stiffness_N_m3");
+  if (!scene.barrier.bonds.dissipator_stiffness.empty()) refuse(spec.dissipator, "dissipator_stiffness_N_m3");
+}
+
+void check_section(const Scene& scene, Findings& findings) {
+  const Measure& m = scene.measure;
+  const std::optional<double> section = section_of(scene);
+  if (!section || !findings.sound({"measure", "domain", "barrier.net.origin_m"})) return;
+  const double low = scene.domain.lower.x(), high = scene.domain.upper.x();
+  const auto inside = [&](double x) { return x >= low && x <= high; };
+  const auto refuse = [&](const std::string& key, double x) {
+    if (!inside(x))
+      findings.mistake(
+          key, fmt::format("{} leads to x = {:g}, expected inside the domain, {:g} to {:g}", key, x, low, high));
+  };
+  refuse("measure.section_x_m", *section);
+  if (!findings.sound({"measure"})) return;
+  refuse("measure.inflow_distance_m", *section - m.inflow_distance);
+  refuse("measure.outflow_distance_m", *section + m.outflow_distance);
+}
+
+}  // namespace
+
+void check_grains(const Scene& scene, Findings& findings) {
+  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) check_packing(scene, i, findings);
+  for (std::size_t i = 0; i < scene.grains.spheres.size(); ++i) check_sphere(scene, i, findings);
+}
+
+void check_barrier(const Scene& scene, Findings& findings) {
+  if (!scene.barrier.enabled) return;
+  check_dissipators(scene.barrier.bonds, findings);
+  check_ring_stiffness(scene, findings);
+  check_bond_steps(scene, findings);
+  if (!findings.sound({"barrier.net"}) || !check_directions(scene.barrier.net, findings)) return;
+  check_frame(scene.barrier.net, findings);
+  if (findings.sound({"domain", "barrier.posts", "barrier.net.width_m", "barrier.net.height_m"}))
+    check_net_place(scene, findings);
+  check_hexagonal_net(scene, findings);
+  check_posts(scene, findings);
+}
+
+void check_net_can_be_built(const Scene& scene, Findings& findings) {
+  if (!scene.barrier.enabled || !findings.mistakes().empty()) return;
+  dem::Particles particles;
+  dem::Bonds bonds;
+  const auto attempt = [&](const std::string& path, const auto& build) {
+    try {
+      build();
+    } catch (const InputError& e) {
+      for (const InputMistake& m : e.mistakes()) findings.mistake(path, path + ": " + m.message);
+    }
+  };
+  attempt("barrier.net", [&] { barrier::build_net(make_net_spec(scene), particles, bonds); });
+  if (scene.barrier.posts.enabled && findings.mistakes().empty())
+    attempt("barrier.posts", [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
+}
+
+void check_uses(const Scene& scene, Findings& findings) {
+  if (scene.coupling.enabled && findings.sound({"coupling", "fluid", "grains", "barrier"})) {
+    if (!scene.fluid.enabled)
+      findings.mistake("coupling.enabled",
+                       "coupling.enabled is true without a fluid, expected fluid.enabled = true as well");
+    if (!scene.has_solids())
+      findings.mistake("coupling.enabled", "coupling.enabled is true without grains or barrier, expected some");
+  }
+  const bool turns = scene.coupling.solid_operator == SolidOperator::bounce_back ||
+                     scene.coupling.solid_operator == SolidOperator::holdych;
+  if (scene.coupling.enabled && turns && findings.sound({"coupling", "fluid"}) &&
+      (scene.fluid.smagorinsky > 0 || scene.fluid.rheology.law != FlowLaw::newtonian))
+    findings.mistake("coupling.solid_operator",
+                     "coupling.solid_operator turns populations, which is for a constant viscosity alone, expected "
+                     "fluid.smagorinsky = 0 and a Newtonian fluid, or another solid operator");
+  if (scene.coupling.enabled && scene.coupling.solid_operator == SolidOperator::holdych &&
+      scene.coupling.body_weighting == BodyWeighting::wall_distance && findings.sound({"coupling"}))
+    findings.mistake(
+        "coupling.solid_operator",
+        "coupling.solid_operator = \"holdych\" turns the flow round by 2 B, which is stable for B up to 1, and "
+        "wall_distance has B up to 2; expected another body_weighting or another solid operator");
+  if (!scene.fluid.enabled && !scene.has_solids() && findings.sound({"fluid", "grains", "barrier"}))
+    findings.mistake("scene", "the scene is empty, expected a fluid, grains or a barrier");
+  check_section(scene, findings);
+}
+
+}  // namespace lahar::scene

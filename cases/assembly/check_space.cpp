@@ -1,0 +1,175 @@
+// Cross checks of extents: boxes, walls, fluid regions, cells.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cases/assembly/cross_checks.h"
+#include "cases/assembly/memory.h"
+
+namespace lahar::scene {
+namespace {
+
+/// Adds a mistake unless a box has an extent along every axis. Returns whether the box is usable.
+bool check_box(const Vec3& lower, const Vec3& upper, const std::string& path, Findings& findings) {
+  if (!findings.sound({path + ".lower_m", path + ".upper_m"})) return false;
+  if ((upper.array() > lower.array()).all()) return true;
+  findings.mistake(path + ".upper_m", path + ".upper_m is not above lower_m, expected every component above");
+  return false;
+}
+
+void check_wall(const WallSettings& w, const std::string& path, Findings& findings) {
+  if (!findings.sound({path})) return;
+  if (w.roughness > 0 && w.slip != WallSlip::wall_model)
+    findings.mistake(path + ".roughness_m", path + ".roughness_m without a wall model, expected slip = \"wall_model\"");
+  if (w.shape == WallShape::box) check_box(w.lower, w.upper, path, findings);
+  if (w.shape == WallShape::cylinder && (w.end - w.start).norm() == 0)
+    findings.mistake(path + ".end_m", path + ".end_m equals start_m, expected an axis with a length");
+  if (w.shape != WallShape::plane) return;
+  if (w.normal.norm() == 0) {
+    findings.mistake(path + ".normal", path + ".normal is zero, expected a direction");
+  } else if (std::abs(w.normal.normalized().dot(w.velocity)) > 1e-9 * (1 + w.velocity.norm())) {
+    findings.mistake(path + ".velocity_m_s",
+                     path + ".velocity_m_s leaves the plane, expected it at right angles to normal");
+  }
+}
+
+void check_region(const Scene& scene, std::size_t i, Findings& findings) {
+  const FluidRegion& r = scene.fluid.regions[i];
+  const std::string path = fmt::format("fluid.region[{}]", i);
+  if (!findings.sound({path, "domain"})) return;
+  if (r.shape == RegionShape::cylinder && (r.end - r.start).norm() == 0)
+    return findings.mistake(path + ".end_m", path + ".end_m equals start_m, expected an axis with a length");
+  if (r.shape == RegionShape::box && !check_box(r.lower, r.upper, path, findings)) return;
+  const double slack = 1e-9 * (scene.domain.upper - scene.domain.lower).norm();
+  if (r.shape != RegionShape::box) {
+    if (!scene.domain.contains(r.lower, slack) || !scene.domain.contains(r.upper, slack))
+      findings.mistake(path + ".shape", path + " reaches outside the domain, expected it inside [domain]");
+    return;
+  }
+  for (const auto& [corner, key] : {std::pair{r.lower, ".lower_m"}, std::pair{r.upper, ".upper_m"}})
+    if (!scene.domain.contains(corner, slack))
+      findings.mistake(path + key, fmt::format("{}{} lies outside the domain, expected it inside [domain]", path, key));
+}
+
+void check_inflow(const Scene& scene, std::size_t i, Findings& findings) {
+  const Inflow& in = scene.fluid.inflows[i];
+  const std::string path = fmt::format("fluid.inflow[{}]", i);
+  if (!check_box(in.lower, in.upper, path, findings)) return;
+  const double slack = 1e-9 * (scene.domain.upper - scene.domain.lower).norm();
+  if (findings.sound({"domain"}) && !(scene.domain.contains(in.lower, slack) && scene.domain.contains(in.upper, slack)))
+    findings.mistake(path + ".lower_m", path + " lies outside the domain, expected it inside [domain]");
+  if (findings.sound({"fluid.cell_size_m"}) && (in.upper - in.lower).minCoeff() < scene.fluid.cell_size)
+    findings.mistake(path + ".upper_m", path + ".upper_m: the box is thinner than a cell, expected at least one");
+  if (!findings.sound({path + ".discharge_m3_s"})) return;
+  for (std::size_t k = 0; k + 1 < in.discharge.size(); ++k)
+    if (in.discharge[k + 1].time <= in.discharge[k].time)
+      return findings.mistake(
+          path + ".discharge_m3_s",
+          fmt::format("{}.discharge_m3_s: entry {} is not later than the one before, expected rising "
+                      "times",
+                      path, k + 2));
+}
+
+void check_rheology(const Scene& scene, Findings& findings) {
+  const Rheology& r = scene.fluid.rheology;
+  const std::string path = "fluid.rheology";
+  if (!findings.sound({path, "fluid.smagorinsky", "fluid.collision", "fluid.kinematic_viscosity_m2_s", "wall"})) return;
+  const auto wrong = [&](const std::string& key, const std::string& text) {
+    findings.mistake(path + key, path + key + text);
+  };
+  if (r.law == FlowLaw::newtonian) {
+    if (r.yield_stress > 0 || r.consistency > 0)
+      wrong(".law", " is \"newtonian\" with a yield stress or a consistency, expected another law");
+    return;
+  }
+  if (r.law == FlowLaw::herschel_bulkley && r.consistency == 0)
+    wrong(".consistency_Pa_s_n", " is 0, expected above 0 with this law");
+  if (r.law == FlowLaw::bingham && (r.consistency > 0 || r.exponent != 1))
+    wrong(".law", " is \"bingham\" with a consistency or an exponent, expected \"herschel_bulkley\"");
+  if (r.law == FlowLaw::bingham ? r.limit_viscosity <= scene.fluid.kinematic_viscosity : r.limit_viscosity == 0)
+    wrong(
+        ".limit_viscosity_m2_s",
+        fmt::format(" is {:g}, expected the viscosity below the yield stress, above that of flow", r.limit_viscosity));
+  if (scene.fluid.smagorinsky > 0)
+    wrong(".law",
+          " with fluid.smagorinsky above 0, expected one or the other: an eddy viscosity would hide the yield stress");
+  if (scene.fluid.collision == CollisionOperator::bgk)
+    wrong(".law", " with collision = \"bgk\", expected another operator: its walls slip where the viscosity is large");
+  for (const WallSettings& w : scene.walls)
+    if (w.slip == WallSlip::wall_model)
+      return wrong(".law", " with a wall of slip = \"wall_model\", expected walls without: its law is that of water");
+}
+
+void check_cells(const Scene& scene, Findings& findings) {
+  const std::string path = "fluid.cell_size_m";
+  if (!findings.sound({path, "domain"})) return;
+  const double dx = scene.fluid.cell_size;
+  const Vec3 extent = scene.domain.upper - scene.domain.lower;
+  constexpr double most_along_axis = 1 << 20;
+  if (dx > extent.minCoeff())
+    return findings.mistake(path, fmt::format("{} is {:g}, expected at most the smallest extent of the domain, {:g}",
+                                              path, dx, extent.minCoeff()));
+  if (extent.maxCoeff() / dx > most_along_axis)
+    return findings.mistake(path, fmt::format("{} is {:g}: {:.3g} cells along the domain, expected at most {:.0f}",
+                                              path, dx, extent.maxCoeff() / dx, most_along_axis));
+  if (!findings.sound({"fluid.region"})) return;
+  const double need = liquid_cells(scene) * static_cast<double>(fluid_bytes_per_cell(scene.run.precision));
+  const auto have = static_cast<double>(physical_memory());
+  if (need > have)
+    findings.mistake(path,
+                     fmt::format("{} is {:g}: the liquid alone takes {:.3g} cells and {:.1f} GB, expected at most "
+                                 "the {:.1f} GB of this machine",
+                                 path, dx, liquid_cells(scene), need * 1e-9, have * 1e-9));
+}
+
+void check_periodic(const Scene& scene, Findings& findings) {
+  const std::string path = "domain.periodic_axes";
+  if (!findings.sound({"domain"}) || scene.domain.periodic_axes.empty()) return;
+  if (scene.has_solids()) return findings.mistake(path, path + " with grains or a barrier, expected fluid alone");
+  for (const Axis axis : scene.domain.periodic_axes) {
+    const int k = static_cast<int>(axis);
+    if (scene.domain.open(static_cast<Face>(2 * k)) || scene.domain.open(static_cast<Face>(2 * k + 1)))
+      findings.mistake(path, path + " names an axis with an open face, expected one or the other");
+    if (!scene.fluid.enabled || !findings.sound({"fluid.cell_size_m"})) continue;
+    const double blocks = (scene.domain.upper - scene.domain.lower)[k] / (8 * scene.fluid.cell_size);
+    if (std::abs(blocks - std::round(blocks)) > 1e-6 || blocks < 0.5)
+      findings.mistake(path, path + ": the axis is not a multiple of 8 cells long, expected one");
+  }
+}
+
+void check_speed(const Scene& scene, Findings& findings) {
+  if (scene.fluid.max_speed > 0 || scene.gravity.magnitude > 0) return;
+  if (!findings.sound({"fluid.max_speed_m_s", "gravity", "fluid.region", "wall"})) return;
+  double fastest = 0;
+  for (const FluidRegion& r : scene.fluid.regions) fastest = std::max(fastest, r.velocity.norm());
+  for (const WallSettings& w : scene.walls) fastest = std::max(fastest, w.velocity.norm());
+  for (const Inflow& i : scene.fluid.inflows) fastest = std::max(fastest, i.velocity.norm());
+  if (fastest == 0)
+    findings.mistake("fluid.max_speed_m_s",
+                     "fluid.max_speed_m_s is 0 where nothing moves and nothing falls, expected the "
+                     "largest speed");
+}
+
+}  // namespace
+
+void check_shapes(const Scene& scene, Findings& findings) {
+  check_box(scene.domain.lower, scene.domain.upper, "domain", findings);
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) check_wall(scene.walls[i], fmt::format("wall[{}]", i), findings);
+  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i)
+    check_box(scene.grains.packings[i].lower, scene.grains.packings[i].upper, fmt::format("grains.packing[{}]", i),
+              findings);
+}
+
+void check_fluid(const Scene& scene, Findings& findings) {
+  check_periodic(scene, findings);
+  if (!scene.fluid.enabled) return;
+  if (scene.fluid.regions.empty() && scene.fluid.inflows.empty() && findings.sound({"fluid.region", "fluid.inflow"}))
+    findings.mistake("fluid", "fluid has no liquid, expected at least one [[fluid.region]] or [[fluid.inflow]]");
+  check_rheology(scene, findings);
+  for (std::size_t i = 0; i < scene.fluid.inflows.size(); ++i) check_inflow(scene, i, findings);
+  for (std::size_t i = 0; i < scene.fluid.regions.size(); ++i) check_region(scene, i, findings);
+  check_cells(scene, findings);
+  check_speed(scene, findings);
+}
+
+}  // namespace lahar::scene

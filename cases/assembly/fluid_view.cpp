@@ -1,0 +1,49 @@
+#include "cases/assembly/fluid_view.h"
+
+namespace lahar::cases {
+
+namespace {
+
+template <class Real>
+class ViewOf final : public FluidView {
+ public:
+  explicit ViewOf(lbm::Fluid<Real>& fluid) : fluid_(fluid) {}
+
+  [[nodiscard]] const lbm::FluidOptions& options() const override { return fluid_.options(); }
+  [[nodiscard]] const LatticeUnits& units() const override { return fluid_.units(); }
+  [[nodiscard]] const lbm::Domain& domain() const override { return fluid_.grid().domain(); }
+  [[nodiscard]] std::int64_t steps() const override { return fluid_.steps(); }
+  [[nodiscard]] const lbm::TimeStepRecord& time_step_record() const override { return fluid_.time_step_record(); }
+  [[nodiscard]] bool is_in_order() const override { return fluid_.is_in_order(); }
+  [[nodiscard]] std::map<std::string, double> seconds() const override { return fluid_.timers().seconds(); }
+  [[nodiscard]] std::size_t wet_cells() const override { return fluid_.wet_cells(); }
+  [[nodiscard]] std::size_t active_blocks() const override { return fluid_.grid().active().size(); }
+  [[nodiscard]] double cell_updates() const override { return fluid_.cell_updates(); }
+  [[nodiscard]] double max_speed_lu() const override { return fluid_.max_speed_lu(); }
+  [[nodiscard]] std::size_t limited_cells() const override { return fluid_.limited_cells(); }
+  [[nodiscard]] double liquid_mass() const override { return fluid_.liquid_mass(); }
+  [[nodiscard]] double mass_drift() const override { return fluid_.mass_drift(); }
+  [[nodiscard]] LiquidTransfers transfers() const override {
+    const double mass = units().mass();
+    const lbm::LiquidAccount& account = fluid_.account();
+    return {fluid_.outflow_mass(), fluid_.inflow_mass(), fluid_.rescaled_mass(), account.pooled_total * mass,
+            account.walls.returned * mass};
+  }
+  void measure_walls() override { fluid_.measure_walls(); }
+  [[nodiscard]] const std::vector<lbm::WallLoad>& wall_loads() const override { return fluid_.wall_loads(); }
+  void for_each_wet_cell(const std::function<void(const lbm::WetCell&)>& visit) const override {
+    fluid_.for_each_wet_cell(visit);
+  }
+  [[nodiscard]] std::optional<lbm::WetCell> cell_at(const Vec3& p) const override { return fluid_.cell_at(p); }
+  [[nodiscard]] lbm::FluidSnapshot snapshot() const override { return fluid_.snapshot(); }
+
+ private:
+  lbm::Fluid<Real>& fluid_;
+};
+
+}  // namespace
+
+std::unique_ptr<FluidView> view_of(lbm::Fluid<float>& fluid) { return std::make_unique<ViewOf<float>>(fluid); }
+std::unique_ptr<FluidView> view_of(lbm::Fluid<double>& fluid) { return std::make_unique<ViewOf<double>>(fluid); }
+
+}  // namespace lahar::cases

@@ -1,0 +1,40 @@
+#include "cases/assembly/load.h"
+
+#include "cases/assembly/cross_checks.h"
+#include "cases/assembly/load_shapes.h"
+#include "cases/assembly/rigid_barrier.h"
+#include "cases/scene/reader.h"
+
+namespace lahar::scene {
+namespace {
+
+/// What is off holds defaults, so that two scenes that run alike compare alike.
+void normalise(Scene& scene) {
+  scene.identity.base.reset();
+  if (!scene.fluid.enabled) scene.fluid = {};
+  if (!scene.barrier.enabled) scene.barrier = {};
+  if (!scene.barrier.posts.enabled) scene.barrier.posts = {};
+  if (!scene.coupling.enabled) scene.coupling = {};
+  scene.measure.section_x = section_of(scene);
+}
+
+}  // namespace
+
+Scene load(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  Findings findings(file.string());
+  std::vector<InputMistake> bad_overrides;
+  const toml::table root = read_document(file, overrides, bad_overrides);
+  for (const InputMistake& m : bad_overrides) findings.mistake_at({m.file, m.line, m.column}, m.message);
+  Scene scene;
+  Reader reader(root, "", findings);
+  describe(reader, scene);
+  reader.refuse_unknown();
+  build_rigid_barrier(scene, findings);
+  load_shapes(scene, findings);
+  check_together(scene, findings);
+  if (const auto mistakes = findings.mistakes(); !mistakes.empty()) throw InputError(mistakes);
+  normalise(scene);
+  return scene;
+}
+
+}  // namespace lahar::scene

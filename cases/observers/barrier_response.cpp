@@ -1,0 +1,61 @@
+#include "cases/observers/barrier_response.h"
+
+#include <algorithm>
+
+#include "cases/pictures/chart.h"
+
+namespace lahar::cases {
+
+BarrierResponse::BarrierResponse(const Observed& run) : Observer(run) {
+  for (const auto c : barrier::all_components)
+    if (is_reported(c, *run.simulation.net())) declare_component(c);
+  column("barrier_elongation_m", "m", "largest displacement of a bead along the flow", [this] {
+    return now_.elongation;
+  }).peak("max_elongation_m", "m", "largest `barrier_elongation_m` of the rows");
+  column("barrier_elastic_J", "J", "elastic energy of all bonds", [this] {
+    return now_[barrier::Component::barrier].energy.elastic();
+  }).peak("peak_barrier_elastic_J", "J", "largest `barrier_elastic_J` of the rows");
+  column("dissipator_elongation_m", "m", "largest elongation of a dissipator", [this] {
+    return now_.largest_dissipator_elongation;
+  }).peak("max_dissipator_elongation_m", "m", "largest `dissipator_elongation_m` of the rows");
+  column("wet_beads", "1", "beads of rings and cables in the fluid",
+         [this] { return static_cast<double>(run_.simulation.wet_beads()); });
+}
+
+void BarrierResponse::declare_component(barrier::Component component) {
+  const std::string part(barrier::name(component));
+  column({part + "_force_sum_N", "PART_force_sum_N"}, "N",
+         "sum over the bonds of a part of the barrier of the force's magnitude; grows with the number of beads",
+         [this, component] { return now_[component].force_sum; })
+      .peak({"peak_" + part + "_sum_kN", "peak_PART_sum_kN"}, "kN", "largest `PART_force_sum_N` of the rows", 1000);
+  column({part + "_max_tension_N", "PART_max_tension_N"}, "N", "largest tension of a bond of a part of the barrier",
+         [this, component] { return now_[component].max_tension; })
+      .peak({"peak_" + part + "_tension_kN", "peak_PART_tension_kN"}, "kN", "largest `PART_max_tension_N` of the rows",
+            1000);
+}
+
+void BarrierResponse::sample(double) {
+  const auto& solids = *run_.simulation.solids();
+  now_ = barrier::response(*run_.simulation.net(), solids.particles(), solids.bonds(), run_.scene.gravity.vector());
+  times_.push_back(run_.simulation.time());
+  for (std::size_t c = 0; c < cable_sums_.size(); ++c)
+    cable_sums_[c].push_back(now_[barrier::all_components[c]].force_sum / 1000);
+}
+
+void BarrierResponse::transfer(Archive& archive) {
+  archive.list("times", times_);
+  for (std::size_t c = 0; c < cable_sums_.size(); ++c) archive.list("cable_sums_" + std::to_string(c), cable_sums_[c]);
+}
+
+void BarrierResponse::finish(const std::filesystem::path& folder) const {
+  Chart chart{.title = "Sum of bond forces in the cables", .x = {"time", "s"}, .y = {"force", "kN"}};
+  for (std::size_t c = 0; c < cable_sums_.size(); ++c) {
+    ChartSeries line{std::string(barrier::name(barrier::all_components[c])), times_, cable_sums_[c]};
+    std::replace(line.name.begin(), line.name.end(), '_', ' ');
+    if (c == 3) line.dash = Dash::dashed;  // the left cable, often pulled the same way, shows in between
+    chart.series.push_back(std::move(line));
+  }
+  chart.write_all(folder / "cable_forces.png");
+}
+
+}  // namespace lahar::cases

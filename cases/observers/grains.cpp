@@ -1,0 +1,47 @@
+#include "cases/observers/grains.h"
+
+#include <algorithm>
+
+namespace lahar::cases {
+
+Grains::Grains(const Observed& run) : Observer(run), crossed_(run.simulation.solids()->particles().size(), 0) {
+  column("grains_kinetic_J", "J", "translation and rotation of the grains", [this] { return kinetic_; });
+  column("grains_potential_J", "J", "potential energy of the grains about the datum", [this] { return potential_; });
+  column("grains_front_x_m", "m", "foremost point of the grains", [this] { return front_; });
+  column("grains_passed_kg", "kg", "mass of grains beyond the outflow section or gone", [this] { return passed_; });
+  if (run.section)
+    event("particle_arrival_s", "s", "first row with `grains_front_x_m` at the measured section or beyond",
+          [this] { return front_ >= *run_.section ? run_.simulation.time() : kUnknown; });
+}
+
+void Grains::sample(double) {
+  const auto& p = run_.simulation.solids()->particles();
+  const double g = run_.scene.gravity.magnitude;
+  kinetic_ = potential_ = passed_ = 0;
+  front_ = run_.scene.domain.lower.x();
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.kind[i] != dem::ParticleKind::grain) continue;
+    const double move =
+        0.5 * p.mass[i] * p.velocity[i].squaredNorm() + 0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm();
+    const double fall = p.mass[i] * g * run_.height(p.position[i]);
+    const bool gone = p.state[i] == dem::ParticleState::removed;
+    if (!gone) {
+      kinetic_ += move, potential_ += fall;
+      front_ = std::max(front_, p.position.x[i] + p.radius[i]);
+    }
+    if (!run_.section) continue;
+    const bool beyond = gone || p.position.x[i] > *run_.section + run_.scene.measure.outflow_distance;
+    if (beyond && !crossed_[i]) {
+      crossed_[i] = 1;
+      energy_out_ += move + fall;
+    }
+    if (crossed_[i]) passed_ += p.mass[i];
+  }
+}
+
+void Grains::transfer(Archive& archive) {
+  archive.list_of("crossed", crossed_, crossed_.size());
+  archive.value("energy_out", energy_out_);
+}
+
+}  // namespace lahar::cases

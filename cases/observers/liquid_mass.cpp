@@ -1,0 +1,34 @@
+#include "cases/observers/liquid_mass.h"
+
+namespace lahar::cases {
+
+LiquidMass::LiquidMass(const Observed& run) : Observer(run) {
+  const FluidView& fluid = *run.simulation.fluid();
+  column("liquid_mass_kg", "kg", "liquid in the domain", [&] { return fluid.liquid_mass(); });
+  column("outflow_mass_kg", "kg", "liquid that left through open faces", [&] { return fluid.transfers().left; });
+  column("liquid_mass_drift_rel", "1",
+         "(in the domain + left - come in - rescaled - at the start) / (at the start + come in)",
+         [&] { return fluid.mass_drift(); })
+      .peak_magnitude("liquid_mass_drift_rel", "largest `liquid_mass_drift_rel` of the rows, without its sign");
+  result("liquid_mass_start_kg", "kg", "liquid at the start", [&] {
+    const LiquidTransfers t = fluid.transfers();
+    return fluid.liquid_mass() + t.left - t.came_in - t.rescaled;
+  });
+  if (!run.scene.fluid.inflows.empty())
+    result("liquid_inflow_kg", "kg", "liquid that came in through inflow boxes",
+           [&] { return fluid.transfers().came_in; });
+  result("liquid_wall_balance_kg", "kg", "mass that interpolated walls took from cells and got back; absent if none",
+         [&] {
+           const double returned = fluid.transfers().wall_balance;
+           return returned > 0 ? returned : kUnknown;
+         });
+  result("liquid_left_kg", "kg", "liquid that left through open faces", [&] { return fluid.transfers().left; });
+  result("liquid_pooled_kg", "kg", "liquid that went through the pool of isolated cells",
+         [&] { return fluid.transfers().pooled; });
+}
+
+std::vector<ResultCheck> LiquidMass::checks(const Metrics& metrics) const {
+  return vanishes(metrics, "liquid_mass_drift_rel", "liquid_mass_ledger", 1e-4, "conservation of mass");
+}
+
+}  // namespace lahar::cases

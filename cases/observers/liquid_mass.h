@@ -1,0 +1,15 @@
+#pragma once
+// The ledger of the liquid's mass.
+#include "cases/observers/observer.h"
+
+namespace lahar::cases {
+
+class LiquidMass final : public Observer {
+ public:
+  explicit LiquidMass(const Observed& run);
+  static bool applies(const Observed& run) { return run.simulation.fluid() != nullptr; }
+  [[nodiscard]] std::string_view name() const override { return "liquid_mass"; }
+  [[nodiscard]] std::vector<ResultCheck> checks(const Metrics& metrics) const override;
+};
+
+}  // namespace lahar::cases

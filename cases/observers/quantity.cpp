@@ -1,0 +1,38 @@
+#include "cases/observers/quantity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lahar::cases {
+
+bool Quantity::is_followed() const {
+  return is_column ||
+         std::any_of(metrics.begin(), metrics.end(), [](const Metric& m) { return m.follow != Follow::last; });
+}
+
+void follow_row(const Quantity& quantity, double value, double time, Metrics& found) {
+  bool rose = false;
+  for (const Metric& m : quantity.metrics) {
+    const std::string& name = m.label.name;
+    if (m.follow == Follow::peak || m.follow == Follow::peak_magnitude) {
+      const double now = (m.follow == Follow::peak ? value : std::abs(value)) / m.divisor;
+      double& peak = found[name];
+      rose = now > peak;
+      if (rose) peak = now;
+    } else if (m.follow == Follow::peak_time) {
+      double& when = found[name];
+      if (rose) when = time;
+    } else if (m.follow == Follow::first && !std::isnan(value)) {
+      found.try_emplace(name, value / m.divisor);
+    }
+  }
+}
+
+void close_books(const Quantity& quantity, Metrics& found) {
+  for (const Metric& m : quantity.metrics) {
+    if (m.follow != Follow::last) continue;
+    if (const double value = quantity.read(); !std::isnan(value)) found[m.label.name] = value / m.divisor;
+  }
+}
+
+}  // namespace lahar::cases

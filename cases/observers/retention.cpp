@@ -1,0 +1,59 @@
+#include "cases/observers/retention.h"
+
+#include <algorithm>
+
+namespace lahar::cases {
+
+Retention::Retention(const Observed& run) : Observer(run) {
+  result("retained_mass_ratio", "1",
+         "share by mass of the grains that are held at the end: upstream of the measured section, or of the foremost "
+         "bead where the net has bulged beyond it",
+         [this] { return now().mass; });
+  result(
+      "retained_small_grains_ratio", "1",
+      "share by number of the grains smaller than the middle of smallest and largest that are held; absent if all are "
+      "equal",
+      [this] { return now().small; });
+  result("retained_large_grains_ratio", "1", "share by number of the larger grains that are held",
+         [this] { return now().large; });
+}
+
+/// How far down a grain may be and still count as held: the net's section, or the foremost bead where the net has
+/// bulged beyond it.
+double Retention::limit() const {
+  double limit = *run_.section;
+  const auto& p = run_.simulation.solids()->particles();
+  for (std::size_t i = 0; run_.simulation.net() && i < p.size(); ++i)
+    if (p.kind[i] == dem::ParticleKind::bead) limit = std::max(limit, p.position.x[i] + p.radius[i]);
+  return limit;
+}
+
+Retained Retention::now() const {
+  const auto& p = run_.simulation.solids()->particles();
+  const double furthest = limit();
+  const auto is_kept = [&](std::size_t i) {
+    return p.state[i] != dem::ParticleState::removed && p.position.x[i] <= furthest;
+  };
+  double mass = 0, kept = 0, smallest = 1e300, largest = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.kind[i] != dem::ParticleKind::grain) continue;
+    mass += p.mass[i];
+    kept += is_kept(i) ? p.mass[i] : 0.0;
+    smallest = std::min(smallest, p.radius[i]), largest = std::max(largest, p.radius[i]);
+  }
+  Retained retained;
+  if (mass <= 0) return retained;
+  retained.mass = kept / mass;
+  if (!(largest > smallest)) return retained;
+  double count[2] = {0, 0}, held[2] = {0, 0};
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (p.kind[i] != dem::ParticleKind::grain) continue;
+    const std::size_t size = p.radius[i] > 0.5 * (smallest + largest) ? 1 : 0;
+    count[size] += 1, held[size] += is_kept(i) ? 1 : 0;
+  }
+  if (count[0] > 0) retained.small = held[0] / count[0];
+  if (count[1] > 0) retained.large = held[1] / count[1];
+  return retained;
+}
+
+}  // namespace lahar::cases

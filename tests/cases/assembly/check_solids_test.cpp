@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include "tests/cases/assembly/rejections.h"
+
+namespace lahar::scene {
+namespace {
+
+class SolidsMistake : public testing::TestWithParam<Rejection> {};
+
+TEST_P(SolidsMistake, IsTheOneMistake) { expect_rejection(case_file("debris_flow/scene.toml"), GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(
+    CrossChecks, SolidsMistake,
+    testing::Values(
+        Rejection{{"grains.packing[0].upper_m=[0.75, 1.8, -1]"}, "grains.packing[0].upper_m", "is not above lower_m"},
+        Rejection{
+            {"grains.packing[0].upper_m=[0.75, 1.8, 1.6]"}, "grains.packing[0] reaches outside the domain", "expected"},
+        Rejection{{"grains.packing[0].upper_m=[0.75, 1.8, 0.4]"}, "grains.packing[0]: grains fill", "at most 0.74"},
+        Rejection{{"grains.packing[0].sizes=[]"}, "grains.packing[0] has no grains", "sizes"},
+        Rejection{{"grains.packing[0].sizes[1].diameter_m=0.8", "grains.packing[0].sizes[1].count=1"},
+                  "grains.packing[0].sizes[1].diameter_m",
+                  "smallest extent of the box"},
+        Rejection{{"wall[0].point_m=[0, 0, 0.1]", "barrier.net.origin_m=[4.1, 0, 0.1]"},
+                  "grains.packing[0] reaches 0.1 m",
+                  "free space"},
+        Rejection{{"barrier.net.width_m=1.86"}, "barrier.net.width_m", "outside the domain"},
+        Rejection{
+            {"domain.upper_m=[5.6, 1.9, 1.5]", "barrier.net.width_m=1.86"}, "barrier.net.width_m", "outside the walls"},
+        Rejection{{"barrier.net.origin_m=[4.1, 0, 0.6]"}, "barrier.net.height_m", "outside the domain"},
+        Rejection{{"barrier.net.origin_m=[4.1, 0, -0.1]"}, "barrier.net.origin_m", "outside the domain"},
+        Rejection{{"barrier.net.height_m=0.06"}, "barrier.net.height_m", "at least a ring and its cables, 0.0822"},
+        Rejection{{"barrier.net.height_m=0.24"}, "barrier.net: ", "would do"},
+        Rejection{{"barrier.net.width_direction=[0, 0, 0]"}, "barrier.net.width_direction", "is zero"},
+        Rejection{{"barrier.net.height_direction=[0, 1, 1]"}, "barrier.net.height_direction", "right angles"},
+        Rejection{{"barrier.net.ring_diameter_m=0.062", "barrier.net.beads_per_ring=32"}, "barrier.net: ", "interlock"},
+        Rejection{{"barrier.net.beads_per_ring=20"}, "barrier.net: beads of a ring", "pass through each other"},
+        Rejection{{"barrier.net.beads_per_ring=60"}, "barrier.net: beads of a ring", "overlap"},
+        Rejection{{"barrier.net.ring_pitch_m=0.03"}, "barrier.net: ", "interlock"},
+        Rejection{{"barrier.net.ring_diameter_m=0"}, "barrier.net.ring_diameter_m", "above 0"},
+        Rejection{{"barrier.anchors.cable_places=[0, 1.2]"}, "barrier.anchors.cable_places", "from 0 to 1"},
+        Rejection{{"barrier.bonds.dissipator_places=[-0.1]"}, "barrier.bonds.dissipator_places", "from 0 to 1"},
+        Rejection{{"barrier.bonds.cable_stiffness_N_m3=1e18"}, "barrier.bonds.cable_stiffness_N_m3", "allows 1e-08 s"},
+        Rejection{{"barrier.bonds.dissipator_stiffness_N_m3=[1e19, 1]"},
+                  "barrier.bonds.dissipator_stiffness_N_m3",
+                  "needs a time step"},
+        Rejection{
+            {"barrier.bonds.dissipator_stiffness_N_m3=[8e11]"}, "barrier.bonds.dissipator_stiffness_N_m3", "1 entry"},
+        Rejection{
+            {"barrier.bonds.dissipator_force_limit_N=[]"}, "barrier.bonds.dissipator_force_limit_N", "expected 1"},
+        Rejection{
+            {"barrier.bonds.dissipator_stiffness_N_m3=[3, 2, 3]", "barrier.bonds.dissipator_force_limit_N=[5, 4]"},
+            "barrier.bonds.dissipator_force_limit_N",
+            "does not rise"},
+        Rejection{{"fluid.enabled=false"}, "coupling.enabled", "without a fluid"},
+        Rejection{
+            {"coupling.solid_operator='holdych'", "coupling.body_weighting='wall_distance'", "fluid.smagorinsky=0"},
+            "coupling.solid_operator",
+            "another body_weighting"},
+        Rejection{{"coupling.solid_operator='bounce_back'", "fluid.smagorinsky=0.1"},
+                  "coupling.solid_operator",
+                  "a constant viscosity alone"},
+        Rejection{{"domain.periodic_axes=['y']"}, "domain.periodic_axes", "expected fluid alone"},
+        Rejection{{"measure.outflow_distance_m=2"}, "measure.outflow_distance_m", "leads to x = 6.1"}));
+
+class SphereMistake : public testing::TestWithParam<Rejection> {};
+
+TEST_P(SphereMistake, IsTheOneMistake) { expect_rejection(case_file("bouncing_sphere/scene.toml"), GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(
+    CrossChecks, SphereMistake,
+    testing::Values(
+        Rejection{{"grains.sphere[0].position_m=[0, 0, 2]"}, "grains.sphere[0].position_m", "outside the domain"},
+        Rejection{{"grains.sphere[0].position_m=[0, 0, 0.02]"}, "grains.sphere[0] is inside a wall", "free space"},
+        Rejection{{"grains.sphere[0].diameter_m=1.05"}, "grains.sphere[0].diameter_m", "smallest extent of the domain"},
+        Rejection{{"grains.sphere[1].position_m=[0, 0.05, 0.55]", "grains.sphere[1].diameter_m=0.1",
+                   "grains.sphere[1].density_kg_m3=1", "grains.sphere[1].material=steel"},
+                  "grains.sphere[1] overlaps grains.sphere[0]",
+                  "gap"},
+        Rejection{{"grains.sphere=[]"}, "the scene is empty", "expected a fluid, grains or a barrier"},
+        Rejection{{"probe[0].name=p", "probe[0].kind=pressure", "probe[0].position_m=[0, 0, 0.5]"},
+                  "probe[0] without a fluid",
+                  "fluid.enabled"}));
+
+TEST(CheckSolids, TouchingSpheresAndFixedOnesInWallsAreFine) {
+  EXPECT_TRUE(
+      mistakes_in(case_file("bouncing_sphere/scene.toml"), {"grains.sphere[0].position_m=[0, 0, 0.05]"}).empty());
+  EXPECT_TRUE(mistakes_in(case_file("bouncing_sphere/scene.toml"),
+                          {"grains.sphere[0].position_m=[0, 0, 0]", "grains.sphere[0].fixed=true"})
+                  .empty());
+}
+
+TEST(CheckSolids, TheSectionIsTheNetsPlaneUnlessGiven) {
+  EXPECT_EQ(debris_flow().measure.section_x, 4.1);
+  EXPECT_EQ(load(case_file("debris_flow/scene.toml"),
+                 {"measure.section_x_m=4", "barrier.net.width_m=0.38", "barrier.net.height_m=0.26"})
+                .measure.section_x,
+            4.0);
+  EXPECT_FALSE(load(case_file("hanging_net/scene.toml")).measure.section_x.has_value());
+}
+
+}  // namespace
+}  // namespace lahar::scene

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include "tests/cases/assembly/rejections.h"
+
+namespace lahar::scene {
+namespace {
+
+class SpaceMistake : public testing::TestWithParam<Rejection> {};
+
+TEST_P(SpaceMistake, IsTheOneMistake) { expect_rejection(case_file("dam_break/scene.toml"), GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(
+    CrossChecks, SpaceMistake,
+    testing::Values(
+        Rejection{{"domain.upper_m=[1.6, 0.3, 0.0]"}, "domain.upper_m", "is not above lower_m"},
+        Rejection{{"fluid.region[0].upper_m=[0.3, 0, 0.6]"}, "fluid.region[0].upper_m", "is not above lower_m"},
+        Rejection{{"fluid.region[0].upper_m=[0.3, 0.3, 0.9]"}, "fluid.region[0].upper_m", "outside the domain"},
+        Rejection{{"fluid.region[0].lower_m=[-0.1, 0, 0]"}, "fluid.region[0].lower_m", "outside the domain"},
+        Rejection{{"fluid.region=[]"}, "fluid has no liquid", "[[fluid.region]]"},
+        Rejection{{"fluid.cell_size_m=0.5"}, "fluid.cell_size_m", "smallest extent of the domain, 0.3"},
+        Rejection{{"fluid.cell_size_m=1e-5"}, "fluid.cell_size_m", "GB of this machine"},
+        Rejection{{"fluid.cell_size_m=1e-9"}, "fluid.cell_size_m", "cells along the domain"},
+        Rejection{{"gravity.magnitude_m_s2=0"}, "fluid.max_speed_m_s", "nothing moves and nothing falls"},
+        Rejection{{"wall[0].normal=[0, 0, 0]"}, "wall[0].normal", "is zero"},
+        Rejection{{"wall[0].velocity_m_s=[0, 1, 0]"}, "wall[0].velocity_m_s", "leaves the plane"},
+        Rejection{{"wall[2].shape=box", "wall[2].lower_m=[0, 0, 0]", "wall[2].upper_m=[1, 0, 1]"},
+                  "wall[2].upper_m",
+                  "is not above"},
+        Rejection{
+            {"wall[2].shape=cylinder", "wall[2].start_m=[1, 0, 0]", "wall[2].end_m=[1, 0, 0]", "wall[2].radius_m=0.1"},
+            "wall[2].end_m",
+            "expected an axis"},
+        Rejection{
+            {"wall[2].shape=cylinder", "wall[2].start_m=[1, 0, 0]", "wall[2].end_m=[1, 0, 1]", "wall[2].radius_m=0"},
+            "wall[2].radius_m",
+            "above 0"},
+        Rejection{{"domain.periodic_axes=['z']"}, "domain.periodic_axes", "with an open face"},
+        Rejection{{"domain.periodic_axes=['y']"}, "domain.periodic_axes", "multiple of 8 cells"},
+        Rejection{{"probe[0].position_m=[9, 0, 0]"}, "probe[0].position_m", "outside the domain"},
+        Rejection{{"coupling.enabled=true"}, "coupling.enabled", "without grains or barrier"},
+        Rejection{{"measure.section_x_m=1.5"}, "measure.outflow_distance_m", "leads to x = 1.825"},
+        Rejection{{"measure.section_x_m=0.1"}, "measure.inflow_distance_m", "leads to x = -0.05"}));
+
+TEST(CheckSpace, AWallOrAFluidThatMovesIsSpeedEnough) {
+  const std::string no_gravity = "gravity.magnitude_m_s2=0";
+  EXPECT_TRUE(mistakes_in(case_file("dam_break/scene.toml"), {no_gravity, "wall[0].velocity_m_s=[1, 0, 0]"}).empty());
+  EXPECT_TRUE(
+      mistakes_in(case_file("dam_break/scene.toml"), {no_gravity, "fluid.region[0].velocity_m_s=[1, 0, 0]"}).empty());
+  EXPECT_TRUE(mistakes_in(case_file("dam_break/scene.toml"), {no_gravity, "fluid.max_speed_m_s=1"}).empty());
+}
+
+TEST(CheckSpace, APeriodicAxisOfWholeBlocks) {
+  const Scene scene =
+      load(case_file("dam_break/scene.toml"), {"domain.periodic_axes=['y']", "domain.upper_m=[1.6, 0.32, 0.8]"});
+  EXPECT_TRUE(scene.domain.periodic(Axis::y));
+  EXPECT_FALSE(scene.domain.periodic(Axis::x));
+}
+
+}  // namespace
+}  // namespace lahar::scene

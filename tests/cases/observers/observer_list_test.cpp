@@ -1,0 +1,109 @@
+#include "cases/observers/observer_list.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "cases/files/series_reader.h"
+#include "cases/observers/flow.h"
+#include "cases/observers/fluid_cells.h"
+#include "cases/observers/quantity_tables.h"
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::cases {
+namespace {
+
+scene::Scene everything() { return scene::load(scene::source_folder() / "tests/cases/observers/everything.toml"); }
+
+TEST(ObserverList, NamesAreTheirOwnAndEndInTheirUnit) {
+  const scene::Scene scene = everything();
+  const auto simulation = build_simulation(scene, Beginning::checkpoint);
+  const ObserverList observers(scene, *simulation);
+  std::set<std::string> columns, metrics;
+  for (const Quantity* q : observers.quantities()) {
+    EXPECT_TRUE(q->read) << q->label.name;
+    EXPECT_TRUE(!q->is_column || columns.insert(q->label.name).second) << q->label.name;
+    for (const Metric& m : q->metrics) {
+      EXPECT_TRUE(metrics.insert(m.label.name).second) << m.label.name;
+      const std::string unit = m.unit == "m^3/s" ? "m3_s" : m.unit == "m^3" ? "m3" : m.unit;
+      EXPECT_TRUE(unit == "1" || m.label.name.ends_with("_" + unit)) << m.label.name;
+    }
+  }
+  EXPECT_GT(columns.size(), 40u);
+  EXPECT_GT(metrics.size(), 50u);
+}
+
+/// The row of a moment, and the metrics that follow from it.
+TEST(ObserverList, ARowHoldsWhatIsThere) {
+  const scene::Scene scene = everything();
+  const auto simulation = build_simulation(scene);
+  ObserverList observers(scene, *simulation);
+  const scene::ScratchFolder scratch;
+  {
+    SeriesWriter series(scratch.path() / "series.h5");
+    observers.declare(series);
+    observers.sample(series);
+    simulation->advance();
+    observers.after_step();
+    observers.sample(series);
+  }
+  const Series series = read_series(scratch.path() / "series.h5");
+  ASSERT_EQ(series.time_s.size(), 2u);
+  EXPECT_EQ(series.find("liquid_mass_kg")->values[1], simulation->fluid()->liquid_mass());
+  EXPECT_EQ(series.find("wet_cells")->values[1], static_cast<double>(simulation->fluid()->wet_cells()));
+  EXPECT_EQ(series.find("fluid_kinetic_J")->values[1], observers.find<Flow>()->now().kinetic);
+  EXPECT_GT(series.find("grains_potential_J")->values[0], 0);
+  const Metrics metrics = observers.metrics();
+  EXPECT_EQ(metrics.at("max_speed_lu"), simulation->fluid()->max_speed_lu());
+  EXPECT_EQ(metrics.at("retained_mass_ratio"), 1);
+  EXPECT_FALSE(metrics.contains("front_arrival_s"));
+  EXPECT_GE(observers.find<FluidCells>()->most_blocks(), simulation->fluid()->active_blocks());
+  EXPECT_EQ(observers.last_time(), simulation->time());
+  for (const ResultCheck& check : observers.checks()) EXPECT_TRUE(check.pass) << check.name;
+  EXPECT_EQ(observers.checks().size(), 3u);
+}
+
+/// A scene has the quantities of its parts alone.
+TEST(ObserverList, OnlyWhatTheSceneHas) {
+  const scene::Scene scene = scene::load_text(scene::small_scene);
+  const auto simulation = build_simulation(scene);
+  const ObserverList observers(scene, *simulation);
+  EXPECT_EQ(observers.find<Flow>(), nullptr);
+  std::set<std::string> names;
+  for (const Quantity* q : observers.quantities()) names.insert(q->label.name);
+  EXPECT_TRUE(names.contains("grains_kinetic_J"));
+  EXPECT_FALSE(names.contains("liquid_mass_kg"));
+  EXPECT_TRUE(observers.checks().empty());
+}
+
+TEST(QuantityTables, PatternsStandOnce) {
+  const scene::Scene scene = everything();
+  const auto simulation = build_simulation(scene, Beginning::checkpoint);
+  const std::string text = quantity_tables(ObserverList(scene, *simulation).quantities(), Naming::patterns);
+  const auto count = [&](const std::string& word) {
+    std::size_t n = 0;
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(count("| `PART_force_sum_N` |"), 1u);
+  EXPECT_EQ(count("| `PROBE_fluid_force_AXIS_N` |"), 1u);
+  EXPECT_EQ(count("| `PROBE` |"), 2u);  // depth and pressure
+  EXPECT_EQ(count("lower_cable"), 0u);
+}
+
+/// The tables of docs/outputs.md are those that the observers make.
+TEST(QuantityTables, DocsAreCurrent) {
+  const scene::Scene scene = everything();
+  const auto simulation = build_simulation(scene, Beginning::checkpoint);
+  const std::string text = quantity_tables(ObserverList(scene, *simulation).quantities(), Naming::patterns);
+  const std::string docs = scene::file_text(scene::source_folder() / "docs/outputs.md");
+  const std::string begin = "<!-- made by tools/write_quantities -->\n", end = "<!-- end -->\n";
+  const auto from = docs.find(begin), to = docs.find(end);
+  ASSERT_NE(from, std::string::npos);
+  ASSERT_NE(to, std::string::npos);
+  EXPECT_EQ(docs.substr(from + begin.size(), to - from - begin.size()), text)
+      << "write it anew: tools/write_quantities";
+}
+
+}  // namespace
+}  // namespace lahar::cases
