@@ -108,6 +108,7 @@ void CoupledStep<Real>::hold_fluid_forces() {
     on_wires = wires_->apply(*fluid_, particles);
     from_wires = wires_->given_to_fluid();
   }
+  if (field_writer_) field_writer_(*fluid_);
   release_unused_body_fields(fluid_->grid());
   {
     const ScopedTimer timer(timers_.section("fluid"));

@@ -1,5 +1,6 @@
 #pragma once
 // THE step: fluid, grains and barrier advance together by one fluid time step.
+#include <functional>
 #include <limits>
 #include <optional>
 
@@ -31,6 +32,11 @@ class CoupledStep {
 
   /// Fills boxes with water and grains together: where grains stand, the rest is liquid. Before the first step.
   void fill(const std::vector<lbm::LiquidRegion>& regions);
+
+  /// Called in every step when the bodies are in the fluid's fields, before the fluid's step: for what acts on the
+  /// fluid there and is no particle. Blocks that it writes it marks as used and edited. The audit does not know of it.
+  using FieldWriter = std::function<void(lbm::Fluid<Real>&)>;
+  void set_field_writer(FieldWriter writer) { field_writer_ = std::move(writer); }
 
   /// Advances by one fluid step (or `substeps` DEM steps without fluid).
   void advance();
@@ -64,6 +70,7 @@ class CoupledStep {
   BodyMap<Real> bodies_;
   std::optional<WireDrag<Real>> wires_;
   std::optional<WireMap<Real>> resolved_wires_;
+  FieldWriter field_writer_;
   MomentumAudit audit_;
   StepClock clock_;
   double longest_substep_ = 0;  // s

@@ -9,9 +9,6 @@
 
 #include "cases/runner/machine.h"
 #include "cases/scene/names.h"
-#include "cases/validate/bodies/entries.h"
-#include "cases/validate/fluid/entries.h"
-#include "cases/validate/solids/entries.h"
 #include "core/timers.h"
 
 namespace lahar::validate {
@@ -38,11 +35,10 @@ bool Outcome::pass() const {
   return failure.empty() && !rows.empty() && std::all_of(rows.begin(), rows.end(), [](const Row& r) { return r.pass; });
 }
 
-std::vector<Entry> all_entries() {
-  std::vector<Entry> all;
-  for (auto group : {fluid_entries, bodies_entries, solids_entries})
-    for (Entry& e : group()) all.push_back(std::move(e));
-  return all;
+std::string Source::line() const {
+  std::string text_and_files = text;
+  for (const std::string& file : files) text_and_files += (&file == &files.front() ? " (" : ", ") + file;
+  return files.empty() ? text : text_and_files + ")";
 }
 
 namespace {
@@ -52,8 +48,8 @@ std::string group_of(const std::string& name) { return name.substr(0, name.find(
 [[noreturn]] void refuse(const std::vector<Entry>& entries, const std::string& name) {
   std::vector<std::string> known;
   for (const Entry& e : entries) {
-    known.push_back(e.name);
-    known.push_back(group_of(e.name));
+    for (const std::string& known_name : {e.name, e.alias})
+      if (!known_name.empty()) known.insert(known.end(), {known_name, group_of(known_name)});
   }
   const std::string nearest = scene::nearest_name(name, known);
   throw std::invalid_argument(
@@ -67,7 +63,7 @@ nlohmann::json number(double x) { return std::isfinite(x) ? nlohmann::json(x) : 
 
 std::vector<Entry> select_entries(const std::vector<Entry>& entries, const std::vector<std::string>& names) {
   const auto asks_for = [](const std::string& name, const Entry& e) {
-    return name == e.name || name == group_of(e.name);
+    return name == e.name || name == e.alias || name == group_of(e.name) || name == group_of(e.alias);
   };
   for (const std::string& name : names)
     if (std::none_of(entries.begin(), entries.end(), [&](const Entry& e) { return asks_for(name, e); }))
@@ -80,7 +76,8 @@ std::vector<Entry> select_entries(const std::vector<Entry>& entries, const std::
 }
 
 Outcome run_entry(const Entry& entry, const Context& context) {
-  Outcome outcome{.name = entry.name, .source = entry.source, .rows = {}, .seconds = 0, .failure = {}};
+  Outcome outcome{
+      .name = entry.name, .alias = entry.alias, .source = entry.source.line(), .rows = {}, .seconds = 0, .failure = {}};
   Timers timers;
   try {
     const ScopedTimer timer(timers.section("entry"));
@@ -101,7 +98,7 @@ std::string outcome_text(const Outcome& o) {
   return text;
 }
 
-std::string outcomes_json(const std::vector<Outcome>& outcomes) {
+std::string outcomes_json(const std::vector<Outcome>& outcomes, const Context& context) {
   nlohmann::json entries = nlohmann::json::array();
   for (const Outcome& o : outcomes) {
     nlohmann::json rows = nlohmann::json::array();
@@ -114,10 +111,14 @@ std::string outcomes_json(const std::vector<Outcome>& outcomes) {
                       {"pass", r.pass}});
     nlohmann::json entry = {
         {"name", o.name}, {"rows", rows}, {"pass", o.pass()}, {"seconds", o.seconds}, {"source", o.source}};
+    if (!o.alias.empty()) entry["alias"] = o.alias;
     if (!o.failure.empty()) entry["failure"] = o.failure;
     entries.push_back(entry);
   }
-  return nlohmann::json({{"machine", cases::machine_name()}, {"commit", cases::commit()}, {"entries", entries}})
+  return nlohmann::json({{"machine", cases::machine_name()},
+                         {"commit", cases::commit()},
+                         {"quick", context.quick},
+                         {"entries", entries}})
              .dump(2) +
          "\n";
 }

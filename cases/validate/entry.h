@@ -1,5 +1,6 @@
 #pragma once
-// An entry of the ladder: one question with a known answer, asked of the same code that runs a scene.
+// An entry of the ladder: one question with a known answer, asked of the same code that runs a scene. A file of
+// cases/validate/<group> exports one entry; entries.txt lists the files.
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -32,26 +33,42 @@ struct Context {
   std::filesystem::path plots;  ///< where to draw charts; empty for none
 };
 
+/// Runs a templated question in the precision that the context asks for: ask.operator()<float>() or <double>().
+template <class Ask>
+auto in_precision(const Context& context, const Ask& ask) {
+  return context.precision == Precision::float32 ? ask.template operator()<float>() : ask.template operator()<double>();
+}
+
+/// Where a reference is from.
+struct Source {
+  std::string text;                     ///< author and year, or the law
+  std::vector<std::string> files = {};  ///< of cases/validate/reference, whose first lines give the provenance
+
+  /// The text, then the files in brackets.
+  [[nodiscard]] std::string line() const;
+};
+
 struct Entry {
-  std::string name;    ///< group.name, for example fluid.cavity_re1000
-  std::string source;  ///< where the reference is from
+  std::string name;  ///< group.name, for example fluid.cavity_re1000; group and name are those of its file
+  Source source;
   std::function<std::vector<Row>(const Context&)> run;
+  std::string alias = {};  ///< another name that asks for it (entries.txt)
 };
 
 /// What an entry found.
 struct Outcome {
-  std::string name, source;
+  std::string name, alias, source;
   std::vector<Row> rows;
   double seconds = 0;
   std::string failure;  ///< why it stopped before its end; empty otherwise
   [[nodiscard]] bool pass() const;
 };
 
-/// All entries, group by group in the order of the ladder.
+/// All entries in the order of entries.txt, from which the build makes this function.
 std::vector<Entry> all_entries();
 
-/// The entries that the names ask for: an entry's name, a group (fluid), or nothing for all. Throws
-/// std::invalid_argument for a name that is none, with the nearest known one.
+/// The entries that the names ask for: an entry's name or alias, the group of either (fluid), or nothing for all.
+/// Throws std::invalid_argument for a name that is none, with the nearest known one.
 std::vector<Entry> select_entries(const std::vector<Entry>& entries, const std::vector<std::string>& names);
 
 /// Runs an entry; what it throws becomes its failure.
@@ -59,7 +76,7 @@ Outcome run_entry(const Entry& entry, const Context& context);
 
 /// Table for the terminal.
 std::string outcome_text(const Outcome& outcome);
-/// {"machine", "commit", "entries": [...]}; numbers that are not finite become null.
-std::string outcomes_json(const std::vector<Outcome>& outcomes);
+/// {"machine", "commit", "quick", "entries": [...]}; numbers that are not finite become null.
+std::string outcomes_json(const std::vector<Outcome>& outcomes, const Context& context);
 
 }  // namespace lahar::validate

@@ -8,7 +8,6 @@
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
 #include "cases/validate/entry.h"
-#include "cases/validate/outcome_table.h"
 #include "core/check.h"
 #include "core/parallel.h"
 
@@ -17,7 +16,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> names;
-  std::string json, table;
+  std::string json;
   bool list = false, quick = false;
   cases::CommonOptions common;
 };
@@ -49,7 +48,8 @@ int run(const Arguments& a) {
     refuse(e.what());
   }
   if (a.list) {
-    for (const Entry& e : entries) fmt::print("{:<32} {}\n", e.name, e.source);
+    for (const Entry& e : entries)
+      fmt::print("{:<44} {:<28} {}\n", e.name, e.alias.empty() ? "" : "(" + e.alias + ")", e.source.line());
     return cases::exit_done;
   }
   const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
@@ -61,8 +61,7 @@ int run(const Arguments& a) {
     outcomes.push_back(run_entry(e, context));
     if (!a.common.quiet) fmt::print("{}", outcome_text(outcomes.back()));
     std::fflush(stdout);
-    if (!a.json.empty()) cases::replace_text_file(a.json, outcomes_json(outcomes));
-    if (!a.table.empty()) cases::replace_text_file(a.table, outcomes_markdown(outcomes, context));
+    if (!a.json.empty()) cases::replace_text_file(a.json, outcomes_json(outcomes, context));
   }
   std::size_t reached = 0;
   for (const Outcome& o : outcomes) reached += o.pass();
@@ -80,11 +79,9 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "validate " + cases::version() + " (" + cases::commit() + ")");
   validate::Arguments arguments;
   app.add_option("names", arguments.names, "Entries or groups (default: all)")->type_name("NAME|GROUP");
-  app.add_flag("--list", arguments.list, "List the entries and do not run them");
+  app.add_flag("--list", arguments.list, "List the entries, their aliases and sources, and do not run them");
   app.add_flag("--quick", arguments.quick, "Coarser grids and fewer steps: minutes instead of hours, fewer bars");
   app.add_option("--json", arguments.json, "Write the results there")->type_name("FILE");
-  app.add_option("--table", arguments.table, "Write the results there as a page of tables (Markdown)")
-      ->type_name("FILE");
   cases::add_common_options(app, arguments.common);
   return cases::parse_and_run(app, argc, argv, [&] { return validate::run(arguments); });
 }

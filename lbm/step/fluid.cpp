@@ -46,6 +46,9 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
           "Fluid: the time step is longer than ripples of two cells allow (core/capillary.h)");
   require(o.rheology.law == FlowLaw::newtonian || o.smagorinsky == 0,
           "Fluid: Smagorinsky is for Newtonian fluids alone");
+  // Its walls slip where the viscosity is large.
+  require(o.rheology.law == FlowLaw::newtonian || o.collision != CollisionOperator::bgk,
+          "Fluid: BGK is for Newtonian fluids alone");
   require(!turns_populations(o.solid_operator) || (o.rheology.law == FlowLaw::newtonian && o.smagorinsky == 0),
           "Fluid: solid operators that turn populations are for a constant viscosity alone");
   const auto& walls = o.domain.walls.all();

@@ -3,6 +3,7 @@
 #include <experimental/simd>
 #include <limits>
 
+#include "core/check.h"
 #include "core/denormals.h"
 #include "lbm/collision/bgk.h"
 #include "lbm/collision/central_moments.h"
@@ -235,8 +236,12 @@ class BlockKernel {
 template <class Real, bool kMixed, bool kBody, class Operator>
 BlockSweep<Real> pick_viscosity(const SweepParameters& p) {
   using Kernel = BlockKernel<Real, kMixed, kBody>;
-  if (p.rheology.law == FlowLaw::bingham) return &Kernel::template run<Operator, Bingham>;
-  if (p.rheology.law == FlowLaw::herschel_bulkley) return &Kernel::template run<Operator, HerschelBulkley>;
+  if constexpr (std::is_same_v<Operator, Bgk>) {
+    require(p.rheology.law == FlowLaw::newtonian, "choose_sweep: BGK is for Newtonian fluids alone");
+  } else {
+    if (p.rheology.law == FlowLaw::bingham) return &Kernel::template run<Operator, Bingham>;
+    if (p.rheology.law == FlowLaw::herschel_bulkley) return &Kernel::template run<Operator, HerschelBulkley>;
+  }
   return p.smagorinsky > 0 ? &Kernel::template run<Operator, Smagorinsky> : &Kernel::template run<Operator, Newtonian>;
 }
 

@@ -127,10 +127,10 @@ TEST_P(QuickCalibration, ReachesItsBars) {
   EXPECT_TRUE(outcome.pass()) << validate::outcome_text(outcome);
 }
 
-INSTANTIATE_TEST_SUITE_P(Solids, QuickCalibration,
-                         testing::Values("solids.ring_pull", "solids.energy_dissipator", "solids.rockfall",
-                                         "solids.net_at_rest"),
-                         [](const auto& param) { return std::string(param.param).substr(7); });
+INSTANTIATE_TEST_SUITE_P(Barrier, QuickCalibration,
+                         testing::Values("barrier.ring_pull", "barrier.energy_dissipator", "barrier.rockfall",
+                                         "barrier.net_at_rest"),
+                         [](const auto& param) { return std::string(param.param).substr(8); });
 
 }  // namespace
 }  // namespace lahar::cases

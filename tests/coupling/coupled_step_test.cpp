@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "core/parallel.h"
@@ -103,6 +104,31 @@ TEST(CoupledStep, RunsWithFluidAloneAndSolidsAlone) {
   for (int s = 0; s < 100; ++s) stone.advance();
   EXPECT_NEAR(stone.solids()->particles().velocity.z[0], -9.81 * stone.time(), 1e-9);
   EXPECT_THROW((CoupledStep<float>(std::nullopt, std::nullopt, {})), std::logic_error);
+}
+
+/// Every cell as if a body at rest stood there: the stream comes to rest, and goes on where nothing is written.
+TEST(CoupledStep, FieldWriterActsInEveryStep) {
+  lbm::FluidOptions fluid = stream(16, 1, 1);
+  fluid.kinematic_viscosity = 0.05;
+  fluid.gravity = Vec3::Zero();
+  for (const bool writes : {true, false}) {
+    CoupledStep<double> step(fluid, grains(fluid, {grain(Vec3(8, 8, 8), 0.5, 1000)}), {.wire_drag = false});
+    step.fluid()->fill_everything([](const Vec3&) { return Vec3(0.05, 0, 0); }, [](const Vec3&) { return 0.0; });
+    int calls = 0;
+    if (writes)
+      step.set_field_writer([&](lbm::Fluid<double>& f) {
+        ++calls;
+        for (const lbm::BlockIndex b : f.grid().active()) {
+          auto& fields = f.grid().require_body(b);
+          fields.used = fields.edited = true;
+          std::fill_n(fields.coverage, lbm::kBlockCells, 1.0);
+          std::fill_n(fields.resistance, lbm::kBlockCells, 0.1);
+        }
+      });
+    for (int s = 0; s < 100; ++s) step.advance();
+    EXPECT_EQ(calls, writes ? 100 : 0);
+    EXPECT_NEAR(step.fluid()->max_speed_lu(), writes ? 0 : 0.05, 0.01);
+  }
 }
 
 /// The fluid's step changes under way: the sub-steps stay whole and short, and the stone sinks as without.

@@ -111,6 +111,7 @@ std::string json_of(const Session& session) {
                        {"ratio", f.ratio},
                        {"against", f.against},
                        {"bar", f.bar},
+                       {"at_least", f.at_least},
                        {"pass", f.pass()}});
   for (std::size_t k = 0; k < session.figures.size(); ++k)
     if (!session.figures[k].measured()) entries[k]["not_measured"] = session.figures[k].missing;

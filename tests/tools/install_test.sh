@@ -20,3 +20,9 @@ capture "$scratch/build/consumer"
 
 capture "$prefix/bin/lahar" --help
 [ "$status" -eq 0 ] || fail "the installed lahar: $output"
+
+# Reference data are those beside the installed program: a mistake in them is told with its place.
+sed -i 's/274.1127/far/' "$prefix/share/lahar/cases/validate/reference/dem_hertz.csv"
+capture "$prefix/bin/validate" dem.elastic_impact_of_spheres
+expect_equal 'status with a mistake in the reference data' "$status" 1
+expect_contains "$output" 'share/lahar/cases/validate/reference/dem_hertz.csv:4:'

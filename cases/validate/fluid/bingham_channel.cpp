@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "cases/validate/fluid/entries.h"
+#include "cases/validate/entry.h"
 #include "lbm/step/fluid.h"
 
 namespace lahar::validate {
@@ -121,6 +121,6 @@ std::vector<Row> run(const Context& context) {
 
 }  // namespace
 
-Entry bingham_channel() { return {"fluid.bingham_channel", "Bird, Dai & Yarusso 1983, exact profiles", run}; }
+Entry bingham_channel() { return {"fluid.bingham_channel", {"Bird, Dai & Yarusso 1983, exact profiles"}, run}; }
 
 }  // namespace lahar::validate

@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "cases/pictures/chart.h"
-#include "cases/validate/fluid/entries.h"
+#include "cases/validate/entry.h"
 #include "cases/validate/fluid/flows.h"
+#include "cases/validate/reference_table.h"
 
 namespace lahar::validate {
 
@@ -26,48 +30,17 @@ struct Stage {
 constexpr std::array<Stage, 4> kStages = {{{24, 0.1, 2e-3}, {48, 0.1, 1e-3}, {96, 0.1, 5e-4}, {96, 0.05, 3e-4}}};
 constexpr std::array<Stage, 2> kQuickStages = {{{16, 0.1, 4e-3}, {32, 0.1, 4e-3}}};
 
-struct Point {
-  double place, speed;  // in units of the cube's side and the lid's speed
-};
+/// (place, speed) in units of the cube's side and the lid's speed.
+using Points = std::vector<std::pair<double, double>>;
 
-// Albensoeder & Kuhlmann 2005 (J. Comput. Phys. 206), tables 5 and 6, transcribed in tum-pbs/PICT
-// (tests/validations.py). Trust: high (spectral); the transcription was checked for the end values only.
-constexpr std::array<Point, 17> kSpeedY = {{// v(x, 0, 0)
-                                            {0.5, 0.0},
-                                            {0.4453, -0.20623},
-                                            {0.4375, -0.22283},
-                                            {0.4297, -0.23696},
-                                            {0.3984, -0.27293},
-                                            {0.3281, -0.2516},
-                                            {0.2187, -0.10999},
-                                            {0.0469, -0.00612},
-                                            {0.0, 0.00802},
-                                            {-0.1172, 0.03905},
-                                            {-0.2344, 0.07334},
-                                            {-0.3516, 0.12183},
-                                            {-0.4531, 0.33171},
-                                            {-0.4609, 0.39821},
-                                            {-0.4688, 0.48443},
-                                            {-0.4766, 0.58964},
-                                            {-0.5, 1.0}}};
-constexpr std::array<Point, 17> kSpeedX = {{// u(0, y, 0)
-                                            {-0.5, 0.0},
-                                            {-0.4375, -0.21738},
-                                            {-0.4297, -0.22746},
-                                            {-0.4219, -0.23503},
-                                            {-0.4062, -0.24407},
-                                            {-0.3437, -0.22924},
-                                            {-0.2734, -0.1758},
-                                            {-0.2656, -0.16987},
-                                            {0.0, -0.03674},
-                                            {0.3047, 0.15223},
-                                            {0.3594, 0.31117},
-                                            {0.4063, 0.43423},
-                                            {0.4453, 0.33511},
-                                            {0.4531, 0.29032},
-                                            {0.4609, 0.24095},
-                                            {0.4688, 0.18864},
-                                            {0.5, 0.0}}};
+struct Spectral {
+  Points v, u;  ///< v(x, 0, 0), u(0, y, 0)
+  Spectral() {
+    const ReferenceTable table = reference("cavity3d_re1000_albensoeder.csv");
+    v = table.where("profile", "v(x,0,0)").points("coord", "value");
+    u = table.where("profile", "u(0,y,0)").points("coord", "value");
+  }
+};
 
 /// Velocity and density of the cell centres of a cube.
 class CubeField {
@@ -151,10 +124,10 @@ double interpolate(const Profile& p, double place) {
 }
 
 /// RMS difference over the points of a table that are not on a wall.
-double rms_difference(const Profile& profile, std::span<const Point> table) {
+double rms_difference(const Profile& profile, const Points& points) {
   double sum = 0;
-  const auto inner = table.subspan(1, table.size() - 2);
-  for (const Point& point : inner) sum += std::pow(interpolate(profile, point.place) - point.speed, 2);
+  const auto inner = std::span(points).subspan(1, points.size() - 2);
+  for (const auto& [place, speed] : inner) sum += std::pow(interpolate(profile, place) - speed, 2);
   return std::sqrt(sum / static_cast<double>(inner.size()));
 }
 
@@ -199,20 +172,20 @@ Steady run_to_rest(const CubeField& start, const Stage& stage) {
   return result;
 }
 
-void draw(const Profiles& profiles, int cells, const std::filesystem::path& folder) {
+void draw(const Profiles& profiles, const Spectral& spectral, int cells, const std::filesystem::path& folder) {
   const auto computed = [&](const char* name, const Profile& profile) {
     return cases::ChartSeries{.name = fmt::format("{}, {}^{{3}}", name, cells), .x = profile.place, .y = profile.speed};
   };
-  const auto spectral = [](const char* name, std::span<const Point> table) {
-    cases::ChartSeries reference{.name = name, .mark = cases::Mark::points, .colour = cases::ChartColour::black};
-    for (const Point& p : table) reference.x.push_back(p.place), reference.y.push_back(p.speed);
-    return reference;
+  const auto exact = [](const char* name, const Points& points) {
+    cases::ChartSeries series{.name = name, .mark = cases::Mark::points, .colour = cases::ChartColour::black};
+    for (const auto& [place, speed] : points) series.x.push_back(place), series.y.push_back(speed);
+    return series;
   };
   cases::Chart{.title = "Lid-driven cube, Re = 1000",
                .x = {"x or y / side"},
                .y = {"speed / lid speed"},
-               .series = {computed("v(x, 0, 0)", profiles.v), spectral("v, spectral", kSpeedY),
-                          computed("u(0, y, 0)", profiles.u), spectral("u, spectral", kSpeedX)}}
+               .series = {computed("v(x, 0, 0)", profiles.v), exact("v, spectral", spectral.v),
+                          computed("u(0, y, 0)", profiles.u), exact("u, spectral", spectral.u)}}
       .write_all(folder / "cavity_re1000.png");
 }
 
@@ -221,6 +194,7 @@ std::vector<Row> compare(const Context& context) {
   const std::span<const Stage> stages =
       context.quick ? std::span<const Stage>(kQuickStages) : std::span<const Stage>(kStages);
   Steady steady{CubeField(8), 1, 0};
+  const Spectral spectral;
   std::vector<Row> rows;
   for (const Stage& stage : stages) {
     steady = run_to_rest<Real>(steady.field, stage);
@@ -230,10 +204,10 @@ std::vector<Row> compare(const Context& context) {
     const double tolerance = std::max(0.01, 28.0 / (stage.cells * stage.cells));
     const std::string grid = fmt::format("{}^3, lid at {:g} lu", stage.cells, stage.lid_speed);
     rows.push_back(
-        at_most_row("RMS of v(x, 0, 0) / lid speed, " + grid, rms_difference(profiles.v, kSpeedY), tolerance));
+        at_most_row("RMS of v(x, 0, 0) / lid speed, " + grid, rms_difference(profiles.v, spectral.v), tolerance));
     rows.push_back(
-        at_most_row("RMS of u(0, y, 0) / lid speed, " + grid, rms_difference(profiles.u, kSpeedX), tolerance));
-    if (last && !context.plots.empty()) draw(profiles, stage.cells, context.plots);
+        at_most_row("RMS of u(0, y, 0) / lid speed, " + grid, rms_difference(profiles.u, spectral.u), tolerance));
+    if (last && !context.plots.empty()) draw(profiles, spectral, stage.cells, context.plots);
   }
   rows.push_back(at_most_row(fmt::format("change in passage {} of the lid", steady.passages), steady.change,
                              stages.back().small_change));
@@ -243,8 +217,10 @@ std::vector<Row> compare(const Context& context) {
 }  // namespace
 
 Entry cavity_re1000() {
-  return {"fluid.cavity_re1000", "Albensoeder & Kuhlmann 2005, tables 5 and 6 (spectral)", [](const Context& context) {
-            return context.precision == Precision::float32 ? compare<float>(context) : compare<double>(context);
+  return {"fluid.cavity_re1000",
+          {"Albensoeder & Kuhlmann 2005, tables 5 and 6 (spectral)", {"cavity3d_re1000_albensoeder.csv"}},
+          [](const Context& context) {
+            return in_precision(context, [&]<class Real>() { return compare<Real>(context); });
           }};
 }
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "cases/validate/fluid/entries.h"
+#include "cases/validate/entry.h"
 #include "cases/validate/fluid/flows.h"
 #include "core/parallel.h"
 
@@ -97,6 +97,6 @@ std::vector<Row> run(const Context& context) {
 
 }  // namespace
 
-Entry determinism() { return {"fluid.determinism", "the program itself, run again", run}; }
+Entry determinism() { return {"fluid.determinism", {"the program itself, run again"}, run}; }
 
 }  // namespace lahar::validate

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <random>
 
-#include "cases/validate/fluid/entries.h"
+#include "cases/validate/entry.h"
 #include "lbm/boundary/wall_model.h"
 #include "lbm/step/fluid.h"
 
@@ -86,6 +86,6 @@ std::vector<Row> run(const Context& context) {
 
 }  // namespace
 
-Entry log_law_channel() { return {"fluid.log_law_channel", "logarithmic law, Keulegan 1938", run}; }
+Entry log_law_channel() { return {"fluid.log_law_channel", {"logarithmic law, Keulegan 1938"}, run}; }
 
 }  // namespace lahar::validate

@@ -5,7 +5,7 @@
 
 #include <numbers>
 
-#include "cases/validate/fluid/entries.h"
+#include "cases/validate/entry.h"
 #include "cases/validate/fluid/flows.h"
 
 namespace lahar::validate {
@@ -135,6 +135,8 @@ std::vector<Row> run(const Context& context) {
 
 }  // namespace
 
-Entry order_couette() { return {"fluid.order_couette", "exact solution of the Navier-Stokes equations (series)", run}; }
+Entry order_couette() {
+  return {"fluid.order_couette", {"exact solution of the Navier-Stokes equations (series)"}, run};
+}
 
 }  // namespace lahar::validate

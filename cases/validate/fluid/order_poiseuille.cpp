@@ -1,7 +1,7 @@
 // Plane Poiseuille flow between half-way walls, driven by a body force from rest: u = g z (H - z) / (2 nu).
 #include <fmt/format.h>
 
-#include "cases/validate/fluid/entries.h"
+#include "cases/validate/entry.h"
 #include "cases/validate/fluid/flows.h"
 
 namespace lahar::validate {
@@ -104,6 +104,6 @@ std::vector<Row> run(const Context& context) {
 
 }  // namespace
 
-Entry order_poiseuille() { return {"fluid.order_poiseuille", "exact solution of the Navier-Stokes equations", run}; }
+Entry order_poiseuille() { return {"fluid.order_poiseuille", {"exact solution of the Navier-Stokes equations"}, run}; }
 
 }  // namespace lahar::validate

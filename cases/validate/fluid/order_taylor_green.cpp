@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-#include "cases/validate/fluid/entries.h"
+#include "cases/validate/entry.h"
 #include "cases/validate/fluid/flows.h"
 
 namespace lahar::validate {
@@ -115,7 +115,8 @@ std::vector<Row> run(const Context& context) {
 
 Entry order_taylor_green() {
   return {"fluid.order_taylor_green",
-          "exact solution of the Navier-Stokes equations (Taylor & Green 1937, in two dimensions)", run};
+          {"exact solution of the Navier-Stokes equations (Taylor & Green 1937, in two dimensions)"},
+          run};
 }
 
 }  // namespace lahar::validate

@@ -1,7 +1,7 @@
 // Which operators stay stable at vanishing viscosity, with and without an eddy viscosity, in float.
 #include <fmt/format.h>
 
-#include "cases/validate/fluid/entries.h"
+#include "cases/validate/entry.h"
 #include "cases/validate/fluid/periodic_flows.h"
 
 namespace lahar::validate {
@@ -40,7 +40,7 @@ std::vector<Row> run(const Context& context) {
 }  // namespace
 
 Entry shear_layer() {
-  return {"fluid.shear_layer", "energy of an unforced flow cannot rise; Minion & Brown 1997 for the layer", run};
+  return {"fluid.shear_layer", {"energy of an unforced flow cannot rise; Minion & Brown 1997 for the layer"}, run};
 }
 
 }  // namespace lahar::validate

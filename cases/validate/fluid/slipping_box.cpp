@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "cases/validate/fluid/entries.h"
+#include "cases/validate/entry.h"
 #include "cases/validate/fluid/flows.h"
 
 namespace lahar::validate {
@@ -64,7 +64,7 @@ std::vector<Row> run(const Context& context) {
 }  // namespace
 
 Entry slipping_box() {
-  return {"fluid.slipping_box", "energy and momentum of an unforced flow between slipping walls", run};
+  return {"fluid.slipping_box", {"energy and momentum of an unforced flow between slipping walls"}, run};
 }
 
 }  // namespace lahar::validate

@@ -1,0 +1,84 @@
+// Films of half a cell to three cells run down a dry slope of 35 degrees: a thicker one runs no slower, none leaves
+// scraps behind, no cell holds less than nothing.
+#include <algorithm>
+#include <cstdio>
+
+#include "cases/validate/entry.h"
+#include "cases/validate/free_surface/slope.h"
+#include "cases/validate/free_surface/surface_flows.h"
+
+namespace lahar::validate {
+namespace {
+
+/// Mass of wet cells without a wet cell around, of all liquid; and the lowest mass of an interface cell, lu.
+struct Scraps {
+  double isolated = 0, lowest = 0;
+};
+
+template <class Real>
+Scraps scraps_of(const lbm::Fluid<Real>& fluid) {
+  Scraps s;
+  double all = 0;
+  const auto& grid = fluid.grid();
+  for (const lbm::BlockIndex b : grid.active()) {
+    const auto& block = grid.block(b);
+    for (int n = 0; n < lbm::kBlockCells; ++n) {
+      const lbm::CellType type = block.type[static_cast<std::size_t>(n)];
+      if (!lbm::is_wet(type)) continue;
+      const double mass = type == lbm::CellType::interface ? static_cast<double>(block.surface->mass[n]) : 1.0;
+      all += mass;
+      s.lowest = std::min(s.lowest, mass);
+      bool alone = true;
+      for (int i = 1; i < lbm::D3Q19::q; ++i) alone = alone && !lbm::is_wet(grid.type(grid.neighbour({b, n}, i)));
+      if (alone) s.isolated += mass;
+    }
+  }
+  s.isolated /= all;
+  return s;
+}
+
+/// Front of a slab 40 cells long and of given height after `steps` on a dry no-slip bed.
+template <class Real>
+double advance_film(double height, int steps, Scraps& worst) {
+  const Vec3i cells(160, 8, 12);
+  lbm::FluidOptions o = open_tank(cells, 0.02, down_slope(1e-4));
+  o.domain.faces[2] = o.domain.faces[3] = lbm::FaceKind::periodic;
+  lbm::Fluid<Real> fluid(o);
+  fluid.fill({{Vec3::Zero(), Vec3(40, cells.y() - 1e-9, height)}});
+  for (int s = 1; s <= steps; ++s) {
+    fluid.step();
+    if (s % 100 != 0) continue;
+    const Scraps now = scraps_of(fluid);
+    worst.isolated = std::max(worst.isolated, now.isolated);
+    worst.lowest = std::min(worst.lowest, now.lowest);
+  }
+  double front = 0;
+  fluid.for_each_wet_cell([&](const lbm::WetCell& c) { front = std::max(front, c.centre.x() + c.fill_level - 0.5); });
+  return front;
+}
+
+std::vector<Row> run(const Context& context) {
+  return in_precision(context, [&]<class Real>() {
+    std::vector<Row> rows;
+    Scraps worst;
+    double before = 0;
+    for (const double height : {0.5, 1.0, 2.0, 3.0}) {
+      const double front = advance_film<Real>(height, context.quick ? 500 : 4000, worst);
+      char label[64];
+      std::snprintf(label, sizeof label, "front of %.1f cells, no less than of the thinner, cells", height);
+      rows.push_back(at_least_row(label, front, before));
+      before = front;
+    }
+    rows.push_back(at_most_row("liquid in isolated cells, of all", worst.isolated, 1e-3));
+    rows.push_back(at_least_row("lowest mass of a cell, of a cell", worst.lowest, -0.01));
+    return rows;
+  });
+}
+
+}  // namespace
+
+Entry thin_films() {
+  return {"free_surface.thin_films", {"case H4 of the hard cases: thin films on a dry slope", {"hard_cases.csv"}}, run};
+}
+
+}  // namespace lahar::validate

@@ -1,0 +1,83 @@
+// The ladder's own machinery.
+#include "cases/validate/entry.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace lahar::validate {
+namespace {
+
+Entry entry(const std::string& name, std::vector<Row> rows) {
+  return {name, {"here", {"a.csv", "b.csv"}}, [rows](const Context&) { return rows; }};
+}
+
+const std::vector<Entry> kSome = {entry("fluid.one", {absolute_row("x", 1, 1, 0)}), entry("fluid.two", {}),
+                                  entry("solids.one", {absolute_row("x", 2, 1, 0.5)})};
+
+TEST(ValidateSelection, TakesNamesGroupsAndAll) {
+  EXPECT_EQ(select_entries(kSome, {}).size(), 3u);
+  EXPECT_EQ(select_entries(kSome, {"fluid"}).size(), 2u);
+  const auto chosen = select_entries(kSome, {"solids.one", "fluid.one"});
+  ASSERT_EQ(chosen.size(), 2u);
+  EXPECT_EQ(chosen[0].name, "fluid.one");  // in the order of the ladder
+}
+
+TEST(ValidateSelection, KnowsAliasesAndTheirGroups) {
+  std::vector<Entry> some = kSome;
+  some[2].alias = "fluid.three";
+  EXPECT_EQ(select_entries(some, {"fluid.three"}).at(0).name, "solids.one");
+  EXPECT_EQ(select_entries(some, {"fluid"}).size(), 3u);
+  EXPECT_EQ(select_entries(some, {"solids"}).size(), 1u);
+  EXPECT_EQ(run_entry(some[2], {}).alias, "fluid.three");
+}
+
+TEST(ValidateSelection, RefusesUnknownNamesWithTheNearest) {
+  try {
+    (void)select_entries(kSome, {"fluid.tow"});
+    FAIL() << "fluid.tow is no entry";
+  } catch (const std::invalid_argument& e) {
+    EXPECT_NE(std::string(e.what()).find("fluid.two"), std::string::npos) << e.what();
+  }
+}
+
+TEST(ValidateRows, PassOnlyWithinTheirBars) {
+  EXPECT_TRUE(relative_row("", 1.04, 1, 0.05).pass);
+  EXPECT_FALSE(relative_row("", 1.06, 1, 0.05).pass);
+  EXPECT_FALSE(relative_row("", std::nan(""), 1, 0.05).pass);
+  EXPECT_TRUE(at_least_row("", 1.9, 1.9).pass);
+  EXPECT_FALSE(at_least_row("", std::nan(""), 1.9).pass);
+  EXPECT_FALSE(at_most_row("", 2, 1.9).pass);
+  EXPECT_DOUBLE_EQ(at_least_row("", 1.5, 1.9).error, 1.9 - 1.5);
+}
+
+TEST(ValidateOutcome, NeedsRowsThatAllPassAndNoFailure) {
+  EXPECT_TRUE(run_entry(kSome[0], {}).pass());
+  EXPECT_FALSE(run_entry(kSome[1], {}).pass());  // no rows: nothing was asked
+  EXPECT_FALSE(run_entry(kSome[2], {}).pass());
+  const Entry broken{
+      "fluid.broken", {"here"}, [](const Context&) -> std::vector<Row> { throw std::runtime_error("why"); }};
+  const Outcome outcome = run_entry(broken, {});
+  EXPECT_EQ(outcome.failure, "why");
+  EXPECT_FALSE(outcome.pass());
+}
+
+TEST(ValidateOutcome, IsWrittenAsJson) {
+  const Entry odd = entry("fluid.odd", {at_most_row("infinite", std::numeric_limits<double>::infinity(), 1)});
+  const auto json =
+      nlohmann::json::parse(outcomes_json({run_entry(kSome[0], {}), run_entry(odd, {})}, {.quick = true, .plots = {}}));
+  EXPECT_TRUE(json.contains("machine") && json.contains("commit"));
+  ASSERT_EQ(json["entries"].size(), 2u);
+  const auto& first = json["entries"][0];
+  EXPECT_EQ(first["name"], "fluid.one");
+  EXPECT_EQ(first["pass"], true);
+  EXPECT_EQ(first["source"], "here (a.csv, b.csv)");
+  EXPECT_EQ(json["quick"], true);
+  EXPECT_EQ(first["rows"][0]["value"], 1.0);
+  EXPECT_TRUE(json["entries"][1]["rows"][0]["value"].is_null());
+  EXPECT_EQ(json["entries"][1]["pass"], false);
+}
+
+}  // namespace
+}  // namespace lahar::validate
