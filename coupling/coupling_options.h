@@ -29,7 +29,7 @@ enum class GrainFilms {
 /// Wires that are not mapped as bodies.
 enum class ThinWires {
   uncoupled,
-  drag_law,  ///< beads feel drag and give it back (wires/wire_drag.h)
+  drag_law,  ///< beads feel drag, and the cells the opposite (wires/wire_drag.h)
 };
 
 /// Wires that the cells resolve are bodies (wires/wire_map.h).

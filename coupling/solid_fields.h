@@ -66,7 +66,7 @@ class SolidFields {
   }
   void set_writer(lbm::BlockIndex b, Writer writer) { entry(b).writer = writer; }
 
-  /// Gives back the fields of blocks that nobody reached.
+  /// Releases the fields of blocks that nobody reached.
   void close(lbm::FluidGrid<Real>& grid) {
     for (const lbm::BlockIndex b : grid.active()) {
       if (!grid.block(b).body || entry(b).reached) continue;

@@ -89,7 +89,7 @@ Vec3 momentum_of(CoupledStep<double>& step) {
 /// What the grains lose the water gets: by the books of the step, and by the momentum of both.
 TEST(GrainExchange, APointForceConservesMomentum) {
   lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);
-  fluid.kinematic_viscosity = 0.02;
+  fluid.kinematic_viscosity = 0.002;  // a grain answers the explicit force within a few steps
   CoupledStep<double> step(fluid, two_grains(Vec3::Zero()), {.substeps = 5}, std::make_unique<PointDrag>());
   step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
   const auto of_grains = [&] {
@@ -105,8 +105,9 @@ TEST(GrainExchange, APointForceConservesMomentum) {
   const auto& grid = step.fluid()->grid();
   for (const lbm::BlockIndex b : grid.active()) {
     EXPECT_EQ(grid.block(b).impulse, nullptr);  // used up
-    if (const auto* body = grid.block(b).body)
-      for (const double weight : body->exchange_weight) EXPECT_EQ(weight, 0);
+    const lbm::BodyFields<double>* const body = grid.block(b).body;
+    if (!body) continue;
+    for (const double weight : body->exchange_weight) EXPECT_EQ(weight, 0);
   }
 }
 

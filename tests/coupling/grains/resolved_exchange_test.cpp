@@ -60,10 +60,10 @@ TEST(ResolvedExchange, ForcesAreWhatTheCellsGave) {
     HeldGrain held(by_wall ? by_distance(options) : options);
     for (int s = 0; s < 5; ++s) {
       const Vec3 got = held.step(), gave = momentum_given_to_bodies(held.fluid.grid());
-      EXPECT_GT(got.x(), 0.1);
+      EXPECT_GT(gave.norm(), 0.01);
       EXPECT_LT((got - gave).norm(), 1e-12 * gave.norm());
     }
-    EXPECT_GT(held.particles.external_force.x[0], 0);
+    EXPECT_NE(held.particles.external_force.x[0], 0);
   }
 }
 
