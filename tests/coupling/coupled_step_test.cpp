@@ -109,7 +109,8 @@ TEST(CoupledStep, FieldWriterActsInEveryStep) {
   fluid.kinematic_viscosity = 0.05;
   fluid.gravity = Vec3::Zero();
   for (const bool writes : {true, false}) {
-    CoupledStep<double> step(fluid, grains(fluid, {grain(Vec3(8, 8, 8), 0.5, 1000)}), {.thin_wires = ThinWires::uncoupled});
+    CoupledStep<double> step(fluid, grains(fluid, {grain(Vec3(8, 8, 8), 0.5, 1000)}),
+                             {.thin_wires = ThinWires::uncoupled});
     step.fluid()->fill_everything([](const Vec3&) { return Vec3(0.05, 0, 0); }, [](const Vec3&) { return 0.0; });
     int calls = 0;
     if (writes)
