@@ -6,13 +6,22 @@
 
 namespace lahar::coupling {
 
+/// Impulses in a step, lu: what the solids got, summed over solids, and what the fluid gave, summed over cells.
+struct ExchangedMomentum {
+  Vec3 to_solids = Vec3::Zero(), from_fluid = Vec3::Zero();
+  ExchangedMomentum& operator+=(const ExchangedMomentum& o) {
+    to_solids += o.to_solids, from_fluid += o.from_fluid;
+    return *this;
+  }
+};
+
 /// Impulses in lattice units, summed over the steps. What the solids got must be what the fluid gave.
 class MomentumAudit {
  public:
-  void book(const Vec3& to_solids, const Vec3& from_fluid) {
-    difference_ += to_solids - from_fluid;
-    exchanged_ += from_fluid.cwiseAbs();
-    worst_ = std::max(worst_, (to_solids - from_fluid).norm());
+  void book(const ExchangedMomentum& step) {
+    difference_ += step.to_solids - step.from_fluid;
+    exchanged_ += step.from_fluid.cwiseAbs();
+    worst_ = std::max(worst_, (step.to_solids - step.from_fluid).norm());
   }
   /// |sum of differences| over the sum of what was exchanged, 0 if nothing was.
   [[nodiscard]] double relative() const {

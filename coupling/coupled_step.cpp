@@ -2,15 +2,29 @@
 
 #include <cmath>
 
-#include "coupling/grains/body_fields.h"
 #include "coupling/grains/lubrication.h"
 
 namespace lahar::coupling {
 
+namespace {
+
+template <class Real>
+std::unique_ptr<GrainExchange<Real>> chosen_exchange(const std::optional<lbm::FluidOptions>& fluid,
+                                                     const CouplingOptions& options) {
+  return fluid ? make_grain_exchange<Real>(options.grains, *fluid) : nullptr;
+}
+
+}  // namespace
+
 template <class Real>
 CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::optional<dem::Solids> solids,
                                CouplingOptions options)
-    : solids_(std::move(solids)), options_(options), bodies_(options.radius_shift) {
+    : CoupledStep(fluid, std::move(solids), options, chosen_exchange<Real>(fluid, options)) {}
+
+template <class Real>
+CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::optional<dem::Solids> solids,
+                               CouplingOptions options, std::unique_ptr<GrainExchange<Real>> exchange)
+    : solids_(std::move(solids)), options_(options) {
   require(fluid || solids_, "CoupledStep: neither fluid nor solids");
   require(options_.substeps > 0, "CoupledStep: substeps must be positive");
   if (fluid) {
@@ -21,27 +35,28 @@ CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::opti
     clock_ = StepClock(solids_->options().time_step * options_.substeps);
   }
   longest_substep_ = clock_.time_step() / options_.substeps;
-  if (fluid_ && solids_ && options_.wire_drag) wires_.emplace(solids_->particles(), solids_->bonds());
-  if (fluid_ && solids_ && std::isfinite(options_.resolve_wires_from)) {
-    const double smallest = options_.resolve_wires_from * fluid_->units().cell_size * (1 - 1e-9);
-    resolved_wires_.emplace(solids_->particles(), solids_->bonds(), smallest, options_.radius_shift);
-  }
-  choose_wires();
+  const bool coupled = fluid_ && solids_;
+  if (coupled && exchange) grains_.emplace(std::move(exchange));
+  if (coupled && options_.mapped_wires)
+    mapped_wires_.emplace(solids_->particles(), solids_->bonds(), *options_.mapped_wires, fluid_->units().cell_size);
+  if (coupled && options_.thin_wires == ThinWires::drag_law)
+    thin_wires_.emplace(solids_->particles(), solids_->bonds());
+  if (fluid_) choose_wires();
 }
 
 /// Each piece of wire is either mapped or left to the drag law.
 template <class Real>
 void CoupledStep<Real>::choose_wires() {
-  if (wires_ && resolved_wires_) wires_->leave_out(solids_->bonds(), resolved_wires_->wires().is_mapped());
-  if (fluid_) fluid_->keep_velocities(wires_ && wires_->beads() > 0);
+  if (thin_wires_ && mapped_wires_) thin_wires_->leave_out(solids_->bonds(), mapped_wires_->wires().is_mapped());
+  fluid_->keep_velocities((thin_wires_ && thin_wires_->beads() > 0) || (grains_ && grains_->samples_velocity()));
 }
 
 template <class Real>
 std::size_t CoupledStep<Real>::wet_beads() const {
-  std::size_t sum = wires_ ? wires_->wet_beads() : 0;
-  if (!resolved_wires_) return sum;
-  for (const dem::ParticleIndex i : resolved_wires_->wires().beads())
-    sum += resolved_wires_->wet_volume_of(i) > 0 && !(wires_ && wires_->acts_on(i));
+  std::size_t sum = thin_wires_ ? thin_wires_->wet_beads() : 0;
+  if (!mapped_wires_) return sum;
+  for (const dem::ParticleIndex i : mapped_wires_->wires().beads())
+    sum += mapped_wires_->wet_volume_of(i) > 0 && !(thin_wires_ && thin_wires_->acts_on(i));
   return sum;
 }
 
@@ -49,25 +64,20 @@ template <class Real>
 void CoupledStep<Real>::fill(const std::vector<lbm::LiquidRegion>& regions) {
   require(fluid_.has_value(), "CoupledStep::fill: there is no fluid");
   fluid_->fill(regions);
-  if (!solids_ || !(options_.immersed_grains || resolved_wires_)) return;
-  if (options_.immersed_grains) bodies_.embed(*fluid_, solids_->particles());
-  if (resolved_wires_) resolved_wires_->embed(*fluid_, solids_->particles(), solids_->bonds());
-  fluid_->open_ledger();
+  if (grains_) grains_->embed(*fluid_, solids_->particles(), fields_);
+  if (mapped_wires_) mapped_wires_->embed(*fluid_, solids_->particles(), solids_->bonds(), fields_);
+  if (grains_ || mapped_wires_) fluid_->open_ledger();
 }
 
 template <class Real>
 void CoupledStep<Real>::advance() {
+  const bool coupled = fluid_ && solids_;
   if (fluid_) follow_time_step();
-  if (fluid_ && solids_) {
-    hold_fluid_forces();
-  } else if (fluid_) {
-    const ScopedTimer timer(timers_.section("fluid"));
-    fluid_->step();
-  }
-  if (solids_) {
-    const ScopedTimer timer(timers_.section("solids"));
-    solids_->advance(options_.substeps);
-  }
+  if (coupled) map_bodies();     // solids at their places of now, in the fluid's cells
+  if (coupled) give_impulses();  // forces that are known before the step
+  if (fluid_) step_fluid();
+  if (coupled) gather_forces();   // of the fluid, held over the sub-steps that follow
+  if (solids_) advance_solids();  // by as many sub-steps as the fluid's step takes
   clock_.advance();
 }
 
@@ -84,50 +94,65 @@ void CoupledStep<Real>::follow_time_step() {
 template <class Real>
 void CoupledStep<Real>::map_bodies() {
   const dem::Particles& particles = solids_->particles();
-  clear_body_fields(fluid_->grid());
-  if (options_.immersed_grains) {
+  fields_.open(fluid_->grid());
+  if (grains_) {
     const ScopedTimer timer(timers_.section("coupling.body_map"));
-    bodies_.update(*fluid_, particles);
+    grains_->update(*fluid_, particles, fields_);
   }
-  if (!resolved_wires_) return;
-  const ScopedTimer timer(timers_.section("coupling.wire_map"));
-  if (resolved_wires_->follow_breakage(particles, solids_->bonds())) choose_wires();
-  resolved_wires_->update(*fluid_, particles, solids_->bonds());
+  if (mapped_wires_) {
+    const ScopedTimer timer(timers_.section("coupling.wire_map"));
+    if (mapped_wires_->follow_breakage(particles, solids_->bonds())) choose_wires();
+    mapped_wires_->update(*fluid_, particles, solids_->bonds(), fields_);
+  }
 }
 
-/// Fluid step between the solids' places of now; the forces that come out are held over the sub-steps that follow.
 template <class Real>
-void CoupledStep<Real>::hold_fluid_forces() {
+void CoupledStep<Real>::give_impulses() {
   dem::Particles& particles = solids_->particles();
   particles.external_force.fill(Vec3::Zero());
   particles.external_torque.fill(Vec3::Zero());
-  Vec3 on_wires = Vec3::Zero(), from_wires = Vec3::Zero();
-  map_bodies();
-  if (wires_) {
+  impulses_ = {};
+  if (grains_) impulses_ += grains_->give_impulses(*fluid_, particles);
+  if (thin_wires_) {
     const ScopedTimer timer(timers_.section("coupling.wires"));
-    on_wires = wires_->apply(*fluid_, particles);
-    from_wires = wires_->given_to_fluid();
+    impulses_ += thin_wires_->apply(*fluid_, particles, fields_);
   }
-  if (field_writer_) field_writer_(*fluid_);
-  release_unused_body_fields(fluid_->grid());
-  {
-    const ScopedTimer timer(timers_.section("fluid"));
-    fluid_->step();
-  }
-  if (options_.immersed_grains || resolved_wires_) {
+  if (field_writer_) field_writer_(*fluid_, fields_);
+  fields_.close(fluid_->grid());
+}
+
+template <class Real>
+void CoupledStep<Real>::step_fluid() {
+  const ScopedTimer timer(timers_.section("fluid"));
+  fluid_->step();
+}
+
+template <class Real>
+void CoupledStep<Real>::gather_forces() {
+  dem::Particles& particles = solids_->particles();
+  if (grains_ || mapped_wires_) {
     const ScopedTimer timer(timers_.section("coupling.forces"));
     Vec3 on_bodies = Vec3::Zero();
-    if (options_.immersed_grains) on_bodies += bodies_.add_forces(*fluid_, particles);
-    if (resolved_wires_) on_bodies += resolved_wires_->add_forces(*fluid_, particles);
-    audit_.book(on_bodies, momentum_given_to_bodies(fluid_->grid()));
+    if (grains_) on_bodies += grains_->add_forces(*fluid_, particles);
+    if (mapped_wires_) on_bodies += mapped_wires_->add_forces(*fluid_, particles);
+    audit_.book({on_bodies, momentum_given_to_bodies(fluid_->grid())});
   }
-  if (options_.immersed_grains && options_.lubrication) {
-    const ScopedTimer timer(timers_.section("coupling.lubrication"));
-    const lbm::FluidOptions& o = fluid_->options();
-    add_lubrication(particles, o.domain.cell_size, o.density * o.kinematic_viscosity, clock_.time_step(),
-                    [&](const Vec3& p) { return fluid_->cell_at(p).has_value(); });
-  }
-  audit_.book(on_wires, -from_wires);
+  if (grains_ && options_.films == GrainFilms::lubrication) add_films();
+  audit_.book(impulses_);
+}
+
+template <class Real>
+void CoupledStep<Real>::add_films() {
+  const ScopedTimer timer(timers_.section("coupling.lubrication"));
+  const lbm::FluidOptions& o = fluid_->options();
+  add_lubrication(solids_->particles(), o.domain.cell_size, o.density * o.kinematic_viscosity, clock_.time_step(),
+                  [&](const Vec3& p) { return fluid_->cell_at(p).has_value(); });
+}
+
+template <class Real>
+void CoupledStep<Real>::advance_solids() {
+  const ScopedTimer timer(timers_.section("solids"));
+  solids_->advance(options_.substeps);
 }
 
 template class CoupledStep<float>;

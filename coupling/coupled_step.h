@@ -1,12 +1,12 @@
 #pragma once
 // THE step: fluid, grains and barrier advance together by one fluid time step.
 #include <functional>
-#include <limits>
 #include <optional>
 
 #include "core/step_clock.h"
 #include "coupling/audit.h"
-#include "coupling/grains/body_map.h"
+#include "coupling/coupling_options.h"
+#include "coupling/grains/grain_coupling.h"
 #include "coupling/wires/wire_drag.h"
 #include "coupling/wires/wire_map.h"
 #include "dem/solids.h"
@@ -14,28 +14,22 @@
 
 namespace lahar::coupling {
 
-struct CouplingOptions {
-  bool immersed_grains = true;  ///< grains displace and stop the fluid
-  double radius_shift = 0;      ///< cells, see BodyMap
-  bool lubrication = false;     ///< films between close grains (lubrication.h)
-  bool wire_drag = true;        ///< beads of rings and cables feel drag and give it back
-  /// Cells a diameter from which on wires are mapped as bodies instead (wire_map.h).
-  double resolve_wires_from = std::numeric_limits<double>::infinity();
-  int substeps = 1;  ///< DEM steps in a fluid step; where that adapts they stay no longer than those of the first
-};
-
 /// Owns the fluid and the solids; either may be absent.
 template <class Real>
 class CoupledStep {
  public:
   CoupledStep(std::optional<lbm::FluidOptions> fluid, std::optional<dem::Solids> solids, CouplingOptions options);
+  /// With an exchange of momentum in place of that of options.grains; null: grains and fluid do not feel each other.
+  CoupledStep(std::optional<lbm::FluidOptions> fluid, std::optional<dem::Solids> solids, CouplingOptions options,
+              std::unique_ptr<GrainExchange<Real>> exchange);
 
   /// Fills boxes with water and grains together: where grains stand, the rest is liquid. Before the first step.
   void fill(const std::vector<lbm::LiquidRegion>& regions);
 
   /// Called in every step when the bodies are in the fluid's fields, before the fluid's step: for what acts on the
-  /// fluid there and is no particle. Blocks that it writes it marks as used and edited. The audit does not know of it.
-  using FieldWriter = std::function<void(lbm::Fluid<Real>&)>;
+  /// fluid there and is no particle. It asks for the blocks that it writes by SolidFields::write_over. The audit does
+  /// not know of it.
+  using FieldWriter = std::function<void(lbm::Fluid<Real>&, SolidFields<Real>&)>;
   void set_field_writer(FieldWriter writer) { field_writer_ = std::move(writer); }
 
   /// Advances by one fluid step (or `substeps` DEM steps without fluid).
@@ -59,18 +53,24 @@ class CoupledStep {
   void transfer_timers(Archive& archive);
 
  private:
-  void follow_time_step();
-  void hold_fluid_forces();
   void choose_wires();
+  void follow_time_step();
   void map_bodies();
+  void give_impulses();
+  void step_fluid();
+  void gather_forces();
+  void add_films();
+  void advance_solids();
 
   std::optional<lbm::Fluid<Real>> fluid_;
   std::optional<dem::Solids> solids_;
   CouplingOptions options_;
-  BodyMap<Real> bodies_;
-  std::optional<WireDrag<Real>> wires_;
-  std::optional<WireMap<Real>> resolved_wires_;
+  SolidFields<Real> fields_;
+  std::optional<GrainCoupling<Real>> grains_;
+  std::optional<WireMap<Real>> mapped_wires_;
+  std::optional<WireDrag<Real>> thin_wires_;
   FieldWriter field_writer_;
+  ExchangedMomentum impulses_;  // of the step under way
   MomentumAudit audit_;
   StepClock clock_;
   double longest_substep_ = 0;  // s

@@ -112,15 +112,19 @@ std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene) {
 }
 
 coupling::CouplingOptions coupling_options(const scene::Scene& scene) {
-  coupling::CouplingOptions options;
-  options.immersed_grains = scene.coupling.enabled;
-  options.wire_drag = scene.coupling.enabled && scene.coupling.wire_drag;
-  if (scene.coupling.enabled && scene.coupling.resolve_wires_from_cells)
-    options.resolve_wires_from = *scene.coupling.resolve_wires_from_cells;
-  options.lubrication = scene.coupling.lubrication;
-  options.radius_shift = scene.coupling.radius_shift_cells;
-  options.substeps = substeps_of(scene);
-  return options;
+  const scene::Coupling& c = scene.coupling;
+  coupling::CouplingOptions o;
+  o.substeps = substeps_of(scene);
+  if (!c.enabled) {
+    o.grains = coupling::UncoupledGrains{};
+    o.thin_wires = coupling::ThinWires::uncoupled;
+    return o;
+  }
+  o.grains = coupling::ResolvedGrains{c.radius_shift_cells};
+  o.films = c.lubrication ? coupling::GrainFilms::lubrication : coupling::GrainFilms::none;
+  o.thin_wires = c.wire_drag ? coupling::ThinWires::drag_law : coupling::ThinWires::uncoupled;
+  if (c.resolve_wires_from_cells) o.mapped_wires = {*c.resolve_wires_from_cells, c.radius_shift_cells};
+  return o;
 }
 
 namespace {

@@ -16,9 +16,6 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene);
 /// The liquid at the start.
 std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene);
 
-/// How fluid and solids act on each other.
-coupling::CouplingOptions coupling_options(const scene::Scene& scene);
-
 /// Grains, barrier, walls and materials of a scene.
 struct BuiltSolids {
   dem::Solids solids;
@@ -31,6 +28,9 @@ enum class GrainStart { packed, placeholders };
 /// Packs the grains and builds the barrier; the scene must have solids. Throws InputError if grains do not fit or the
 /// net cannot be built.
 BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains = GrainStart::packed);
+
+/// How fluid and solids act on each other.
+coupling::CouplingOptions coupling_options(const scene::Scene& scene);
 
 /// Number of particle steps in a fluid step, or 1 without fluid.
 int substeps_of(const scene::Scene& scene);

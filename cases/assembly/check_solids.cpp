@@ -237,14 +237,13 @@ void check_uses(const Scene& scene, Findings& findings) {
     if (!scene.has_solids())
       findings.mistake("coupling.enabled", "coupling.enabled is true without grains or barrier, expected some");
   }
-  const bool turns = scene.coupling.solid_operator == SolidOperator::bounce_back ||
-                     scene.coupling.solid_operator == SolidOperator::holdych;
+  const bool turns = lbm::bounces_back(scene.coupling.solid_operator);
   if (scene.coupling.enabled && turns && findings.sound({"coupling", "fluid"}) &&
       (scene.fluid.smagorinsky > 0 || scene.fluid.rheology.law != FlowLaw::newtonian))
     findings.mistake("coupling.solid_operator",
                      "coupling.solid_operator turns populations, which is for a constant viscosity alone, expected "
                      "fluid.smagorinsky = 0 and a Newtonian fluid, or another solid operator");
-  if (scene.coupling.enabled && scene.coupling.solid_operator == SolidOperator::holdych &&
+  if (scene.coupling.enabled && scene.coupling.solid_operator == SolidOperator::wall_velocity_bounce_back &&
       scene.coupling.body_weighting == BodyWeighting::wall_distance && findings.sound({"coupling"}))
     findings.mistake(
         "coupling.solid_operator",

@@ -94,12 +94,14 @@ constexpr auto choices(BodyWeighting) {
 }
 constexpr auto choices(SolidOperator) {
   return std::to_array<Choice<SolidOperator>>(
-      {{"faded", SolidOperator::faded, "equilibrium at the body's velocity; the non-equilibrium part is faded"},
+      {{"faded", SolidOperator::damped_nonequilibrium,
+        "equilibrium at the body's velocity; the non-equilibrium part is faded"},
        {"equilibrium_difference", SolidOperator::equilibrium_difference,
         "difference of equilibria on top of the fluid's own collision (SC2 of Rettinger & Rude 2017)"},
-       {"bounce_back", SolidOperator::bounce_back,
+       {"bounce_back", SolidOperator::nonequilibrium_bounce_back,
         "bounce-back of the non-equilibrium part, Noble & Torczynski 1998 (SC1)"},
-       {"holdych", SolidOperator::holdych, "bounce-back at the body's velocity, Holdych 2003 (SC3)"}});
+       {"holdych", SolidOperator::wall_velocity_bounce_back,
+        "bounce-back at the body's velocity, Holdych 2003 (SC3)"}});
 }
 constexpr auto choices(NetKind) {
   return std::to_array<Choice<NetKind>>(

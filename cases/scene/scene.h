@@ -10,9 +10,10 @@
 #include "barrier/post.h"
 #include "core/geometry.h"
 #include "core/vector.h"
+#include "coupling/coupling_options.h"
 #include "dem/packing/grading.h"
 #include "dem/wires/wire_model.h"
-#include "lbm/collision/coverage.h"
+#include "lbm/collision/coverage_weight.h"
 #include "lbm/collision/operators.h"
 #include "lbm/grid/domain.h"
 #include "lbm/rheology/rheology.h"
@@ -319,9 +320,9 @@ struct RigidBarrier {
 
 struct Coupling {
   bool enabled = false;
-  BodyWeighting body_weighting = BodyWeighting::wall_distance;
-  SolidOperator solid_operator = SolidOperator::equilibrium_difference;
-  double radius_shift_cells = -0.06;  ///< body_weighting = wall_distance only
+  BodyWeighting body_weighting = lbm::kBodyWeighting;
+  SolidOperator solid_operator = lbm::kSolidOperator;
+  double radius_shift_cells = coupling::kRadiusShift;  ///< body_weighting = wall_distance only
   bool lubrication = false;
   bool wire_drag = true;
   std::optional<double> resolve_wires_from_cells;  ///< none: all wires by the drag law

@@ -4,11 +4,12 @@
 // Near the surface the covered fraction of a cell is taken as linear in the distance d of the cell's centre from a
 // sphere of radius r':  eps = clamp(1/2 - d, 0, 1). Averaged over all offsets of the sphere to the grid this gives the
 // volume 4/3 pi (r'^3 + r'/4) for r' >= 1/2 (the sphere convolved with a box of width 1), so r' is chosen to give the
-// true volume; what is left for a particular offset is removed by a factor (see BodyMap).
+// true volume; what is left for a particular offset is removed by a factor (see GrainMap).
 #include <algorithm>
 #include <cmath>
 
 #include "coupling/grains/grid_sphere.h"
+#include "coupling/grains/wall_drag.h"
 #include "coupling/rows.h"
 
 namespace lahar::coupling {
@@ -44,10 +45,10 @@ template <class Real>
   return s.factor * stdx::min(Row(1), stdx::max(Row(0), cover));
 }
 
-/// eps of the sphere in a row of 8 cells, and what it writes into their coverage.
+/// eps of the sphere in a row of 8 cells, and its weight in their exchange: eps too, or its drag.
 template <class Real>
 struct RowCover {
-  lbm::Row<Real> fraction, coverage;
+  lbm::Row<Real> fraction, weight;
 };
 
 template <class Real>
@@ -60,7 +61,7 @@ template <bool kByDistance, class Real>
 [[gnu::always_inline]] inline RowCover<Real> cover_row(const GridSphere<Real>& s, int x0, int y, int z) {
   const lbm::Row<Real> distance = distance_row(s, x0, y, z), eps = fraction_at(s, distance);
   if constexpr (kByDistance)
-    return {eps, wall_resistance<lbm::Row<Real>>(distance - s.surface)};
+    return {eps, wall_drag<lbm::Row<Real>>(distance - s.surface)};
   else
     return {eps, eps};
 }

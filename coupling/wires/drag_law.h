@@ -76,9 +76,9 @@ struct WireInCells {
 /// Share of the undisturbed speed u that the wire takes from the velocity sampled at itself. Half of the momentum
 /// deficit has built up where the wire is; to first order (Oseen) the share is
 ///   x = Cd d (sum phi^2 - s/d)/4 oseen_share(u sigma/nu),   d in cells.
-/// s/d is what a row of wires of area s gives back: the flow through the plane of a screen is that of the approach
+/// s/d is what a row of wires of area s cancels: the flow through the plane of a screen is that of the approach
 /// (continuity), so only what the wakes are beyond their mean is a deficit. Wires that cross take as much on average as
-/// they give back. To second order the deficit is carried off
+/// they cancel. To second order the deficit is carried off
 /// by the slower flow in itself, u_c = u (1 - 2/3 g^2 share) with g = oseen_share: momentum theory has 1 for 2/3; 2/3
 /// and the fading with g^2 are what the fluid itself shows around a force of known size (docs/decisions/0022).
 inline double self_induced_share(const WireInCells& w, double u) {

@@ -15,9 +15,9 @@ constexpr double kLargestSolidity = 0.7;
 /// Pieces sorted into boxes at least as wide as the longest reach, or as the period where that is less.
 class Boxes {
  public:
-  Boxes(const std::vector<WirePiece>& pieces, const Vec3& period, double reach) : pieces_(pieces), period_(period) {
+  Boxes(const std::vector<WireSegment>& pieces, const Vec3& period, double reach) : pieces_(pieces), period_(period) {
     Vec3 low = pieces.front().place, high = low;
-    for (const WirePiece& p : pieces) low = low.cwiseMin(p.place), high = high.cwiseMax(p.place);
+    for (const WireSegment& p : pieces) low = low.cwiseMin(p.place), high = high.cwiseMax(p.place);
     low_ = low;
     for (int a = 0; a < 3; ++a) {
       const double length = period[a] > 0 ? period[a] : high[a] - low[a] + 1e-9 * reach;
@@ -57,7 +57,7 @@ class Boxes {
           if (!inside) continue;
           const std::size_t b = index(box);
           for (std::size_t k = start_[b]; k < start_[b + 1]; ++k) {
-            const WirePiece& p = pieces_[sorted_[k]];
+            const WireSegment& p = pieces_[sorted_[k]];
             visit(p, Vec3(p.place - shift_of(p.place) + shift - wrapped));
           }
         }
@@ -81,7 +81,7 @@ class Boxes {
     return static_cast<std::size_t>((box.z() * count_.y() + box.y()) * count_.x() + box.x());
   }
 
-  const std::vector<WirePiece>& pieces_;
+  const std::vector<WireSegment>& pieces_;
   Vec3 period_, low_, width_;
   Vec3i count_, steps_;
   std::vector<std::size_t> start_, sorted_;
@@ -89,17 +89,17 @@ class Boxes {
 
 }  // namespace
 
-std::vector<Crowding> wire_crowding(const std::vector<WirePiece>& pieces, const Vec3& period) {
+std::vector<Crowding> wire_crowding(const std::vector<WireSegment>& pieces, const Vec3& period) {
   std::vector<Crowding> crowding(pieces.size());
   double thickest = 0;
-  for (const WirePiece& p : pieces) thickest = std::max(thickest, p.diameter);
+  for (const WireSegment& p : pieces) thickest = std::max(thickest, p.diameter);
   if (thickest <= 0) return crowding;
   const Boxes boxes(pieces, period, kCrowdingReach * thickest);
   constexpr double own = 8 / (3 * std::numbers::pi * kCrowdingReach);
   parallel_for(0, pieces.size(), 64, [&](std::size_t k) {
     const double reach = kCrowdingReach * pieces[k].diameter, reach2 = reach * reach;
     double along = 0, across = 0;
-    boxes.for_near(pieces[k].place, [&](const WirePiece& p, const Vec3& arm) {
+    boxes.for_near(pieces[k].place, [&](const WireSegment& p, const Vec3& arm) {
       const double r2 = arm.squaredNorm();
       if (r2 >= reach2) return;
       const double area = p.diameter * p.length * (1 - r2 / reach2), cosine = p.along.dot(pieces[k].along);

@@ -8,7 +8,7 @@
 namespace lahar::coupling {
 
 /// A piece of wire.
-struct WirePiece {
+struct WireSegment {
   Vec3 place = Vec3::Zero();   ///< m, of its middle
   Vec3 along = Vec3::UnitX();  ///< unit
   double diameter = 0;         ///< m
@@ -31,6 +31,6 @@ inline constexpr double kCrowdingReach = 16;
 /// (cos^2 of the angle between them) and across it cover each other where they cross: S = 1 - (1 - along)(1 - across),
 /// exact for parallel wires and for square meshes. At most 0.7. `period` is the length (m) after which an axis repeats,
 /// 0 for none.
-std::vector<Crowding> wire_crowding(const std::vector<WirePiece>& pieces, const Vec3& period);
+std::vector<Crowding> wire_crowding(const std::vector<WireSegment>& pieces, const Vec3& period);
 
 }  // namespace lahar::coupling

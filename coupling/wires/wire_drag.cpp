@@ -79,32 +79,31 @@ std::size_t WireDrag<Real>::beads() const {
 }
 
 template <class Real>
-Vec3 WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
+ExchangedMomentum WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields) {
   if (applied_++ % kCrowdingEvery == 0) look_at_neighbours(fluid, particles);
-  allocate_fields(fluid, particles);
+  allocate_fields(fluid, particles, fields);
   parallel_for(0, beads_.size(), 128,
                [&](std::size_t k) { samples_[k] = beads_[k].near ? sample(fluid, particles, beads_[k]) : Sample{}; });
   auto& grid = fluid.grid();
-  Vec3 total = Vec3::Zero();
-  given_ = Vec3::Zero();
+  ExchangedMomentum total;
   wet_beads_ = 0;
   for (std::size_t k = 0; k < beads_.size(); ++k) {
     const Sample& s = samples_[k];
     if (s.weight <= 0) continue;
     const dem::ParticleIndex i = beads_[k].particle;
     ++wet_beads_;
-    total += s.force;
+    total.to_solids += s.force;
     particles.external_force.add(i, s.force * fluid.units().force_to_si(1.0));
     kernel_at(fluid, particles, i).for_cells([&](const Vec3i& cell, double w) {
       const BlockIndex b = block_at(beads_[k], cell);
       const int n = cell_in_block(cell);
       if (b == kNoBlock || !lbm::is_wet(grid.block(b).type[static_cast<std::size_t>(n)])) return;
       const Vec3 part = -s.force * (w * liquid_share(grid.block(b), n) / s.weight);
-      lbm::BodyFields<Real>& f = *grid.block(b).body;
-      f.exchange_x[n] += static_cast<Real>(part.x());
-      f.exchange_y[n] += static_cast<Real>(part.y());
-      f.exchange_z[n] += static_cast<Real>(part.z());
-      given_ += part;
+      lbm::ImpulseFields<Real>& impulse = *grid.block(b).impulse;
+      impulse.x[n] += static_cast<Real>(part.x());
+      impulse.y[n] += static_cast<Real>(part.y());
+      impulse.z[n] += static_cast<Real>(part.z());
+      total.from_fluid -= part;
     });
   }
   return total;
@@ -119,7 +118,7 @@ WireKernel WireDrag<Real>::kernel_at(const lbm::Fluid<Real>& fluid, const dem::P
 
 template <class Real>
 void WireDrag<Real>::look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
-  std::vector<WirePiece> pieces(beads_.size());
+  std::vector<WireSegment> pieces(beads_.size());
   for (std::size_t k = 0; k < beads_.size(); ++k) {
     const Bead& bead = beads_[k];
     pieces[k] = {particles.position[bead.particle], tangent_of(particles, bead), 2 * particles.radius[bead.particle],
@@ -144,10 +143,11 @@ BlockIndex WireDrag<Real>::block_at(const Bead& bead, const Vec3i& cell) {
   return bead.blocks[static_cast<std::size_t>(9 * d.x() + 3 * d.y() + d.z())];
 }
 
-/// Blocks in reach of a bead are looked up once, and get body fields, so that forces can be written and velocities
-/// sampled there.
+/// Blocks in reach of a bead are looked up once, and get fields, so that impulses can be written and velocities sampled
+/// there.
 template <class Real>
-void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles,
+                                     SolidFields<Real>& fields) {
   auto& grid = fluid.grid();
   for (Bead& bead : beads_) {
     bead.near = false;
@@ -162,9 +162,8 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particl
           const BlockIndex b = grid.topology().find(bead.lowest + Vec3i(x, y, z));
           if (b == kNoBlock || grid.block(b).wet_cells == 0) continue;
           bead.blocks[static_cast<std::size_t>(9 * x + 3 * y + z)] = b;
-          lbm::BodyFields<Real>& fields = grid.require_body(b);
-          fields.used = true;
-          lbm::open_kicks(fields);
+          fields.reach(grid, b);
+          grid.require_impulse(b);
           bead.near = true;
         }
   }
@@ -201,6 +200,23 @@ typename WireDrag<Real>::Sample WireDrag<Real>::sample(const lbm::Fluid<Real>& f
   const Vec3 buoyancy = -rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
   s.force = std::min(1.0, s.weight) * (drag + buoyancy) * units.force_to_lu(1.0);
   return s;
+}
+
+/// The neighbours of the beads are looked at once in many steps.
+template <class Real>
+void WireDrag<Real>::transfer(Archive& archive) {
+  archive.value("wet_beads", wet_beads_);
+  archive.value("applied", applied_);
+  archive.pieces<double>("crowding", beads_.size(), 3, [&](std::size_t k, double* stored) {
+    Crowding& c = beads_[k].crowding;
+    double* const own[] = {&c.area, &c.parallel, &c.solidity};
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (archive.loading())
+        *own[a] = stored[a];
+      else
+        stored[a] = *own[a];
+    }
+  });
 }
 
 template class WireDrag<float>;

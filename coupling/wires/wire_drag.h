@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "coupling/audit.h"
+#include "coupling/solid_fields.h"
 #include "coupling/wires/wire_crowding.h"
 #include "coupling/wires/wire_kernel.h"
 #include "dem/bonds/bonds.h"
@@ -23,17 +25,15 @@ class WireDrag {
   /// broken.
   void leave_out(const dem::Bonds& bonds, const std::vector<std::uint8_t>& is_mapped);
 
-  /// Before the fluid step, after BodyMap::update: drag and buoyancy on every wet bead (added to its external force,
-  /// SI) and the opposite momentum into the cells' exchange fields. Returns the sum of the forces on beads, lu.
-  Vec3 apply(lbm::Fluid<Real>& fluid, dem::Particles& particles);
+  /// Before the fluid step, after bodies are mapped: drag and buoyancy on every wet bead (added to its external force,
+  /// SI) and the opposite impulses into the cells.
+  ExchangedMomentum apply(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields);
 
-  /// Momentum that the last `apply` put into cells, lu; the audit compares it with the forces on the beads.
-  [[nodiscard]] const Vec3& given_to_fluid() const { return given_; }
   /// Beads that stand for a piece of wire.
   [[nodiscard]] std::size_t beads() const;
   [[nodiscard]] bool acts_on(dem::ParticleIndex i) const { return place_[i] >= 0 && bead_at(i).length > 0; }
   [[nodiscard]] std::size_t wet_beads() const { return wet_beads_; }
-  /// State of a checkpoint (coupled_step_transfer.cpp): what is not looked up anew in every step.
+  /// State of a checkpoint: what is not looked up anew in every step.
   void transfer(Archive& archive);
 
  private:
@@ -58,14 +58,13 @@ class WireDrag {
   static WireKernel kernel_at(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, dem::ParticleIndex i);
   static Vec3 tangent_of(const dem::Particles& particles, const Bead& bead);
   void look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
-  void allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles);
+  void allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles, SolidFields<Real>& fields);
   [[nodiscard]] Sample sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const Bead& bead) const;
 
   std::vector<Bead> beads_;
   std::vector<std::int32_t> place_;        // per particle: index into beads_, -1 for grains
   std::vector<std::uint32_t> wire_bonds_;  // that are pieces of a wire
   std::vector<Sample> samples_;
-  Vec3 given_ = Vec3::Zero();
   std::size_t wet_beads_ = 0;
   std::int64_t applied_ = 0;
 };

@@ -4,6 +4,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "coupling/transfer_vectors.h"
 
 namespace lahar::coupling {
 
@@ -28,15 +29,17 @@ GridMotion<Real> motion_of(const lbm::Fluid<Real>& fluid, const dem::Particles& 
 }  // namespace
 
 template <class Real>
-void WireMap<Real>::update(lbm::Fluid<Real>& fluid, const dem::Particles& particles, const dem::Bonds& bonds) {
-  map(fluid, particles, bonds);
+void WireMap<Real>::update(lbm::Fluid<Real>& fluid, const dem::Particles& particles, const dem::Bonds& bonds,
+                           SolidFields<Real>& fields) {
+  map(fluid, particles, bonds, fields);
   book_displacement(fluid);
 }
 
 template <class Real>
-void WireMap<Real>::embed(lbm::Fluid<Real>& fluid, const dem::Particles& particles, const dem::Bonds& bonds) {
+void WireMap<Real>::embed(lbm::Fluid<Real>& fluid, const dem::Particles& particles, const dem::Bonds& bonds,
+                          SolidFields<Real>& fields) {
   require(states_.empty(), "WireMap::embed: wires are mapped already");
-  map(fluid, particles, bonds);
+  map(fluid, particles, bonds, fields);
   for (std::size_t b = 0; b < wires_.beads().size(); ++b) {
     double& wet = states_[wires_.beads()[b]].wet;
     for_pairs_of(b, [&](std::size_t p, std::size_t end) { wet += shares_[p][end].wet; });
@@ -44,12 +47,14 @@ void WireMap<Real>::embed(lbm::Fluid<Real>& fluid, const dem::Particles& particl
 }
 
 template <class Real>
-void WireMap<Real>::map(lbm::Fluid<Real>& fluid, const dem::Particles& particles, const dem::Bonds& bonds) {
+void WireMap<Real>::map(lbm::Fluid<Real>& fluid, const dem::Particles& particles, const dem::Bonds& bonds,
+                        SolidFields<Real>& fields) {
   remember(fluid, particles);
   place_pieces(fluid, particles, bonds);
   collect_pairs(fluid);
-  sort_by_block(fluid);
-  write_fields(fluid);
+  by_block_.sort(pairs_, fluid.grid().topology().capacity());
+  choose_blocks(fluid.grid(), fields);
+  by_block_.for_each_block([&](std::size_t b) { write_block(fluid, b); });
 }
 
 /// The mean acceleration of the beads over the last step.
@@ -79,7 +84,7 @@ void WireMap<Real>::place_pieces(const lbm::Fluid<Real>& fluid, const dem::Parti
   parallel_for(0, pieces_.size(), 64, [&](std::size_t k) {
     const std::uint32_t bond = wires_.bonds()[k];
     const dem::ParticleIndex beads[2] = {bonds.i[bond], bonds.j[bond]};
-    GridPiece<Real>& piece = pieces_[k];
+    GridCylinder<Real>& piece = pieces_[k];
     std::memset(static_cast<void*>(&piece), 0, sizeof piece);  // so that it can be compared by bits
     Vec3 place[2];
     for (int e = 0; e < 2; ++e) {
@@ -110,7 +115,7 @@ void WireMap<Real>::collect_pairs(const lbm::Fluid<Real>& fluid) {
   for (std::size_t k = 0; k < pieces_.size(); ++k) {
     first_pair_[k] = pairs_.size();
     if (!(pieces_[k].length > 0)) continue;
-    const PieceBox<Real> box = box_of(pieces_[k], reach_of(pieces_[k]));
+    const CylinderBox<Real> box = box_of(pieces_[k], reach_of(pieces_[k]));
     Vec3i low, high;
     for (int a = 0; a < 3; ++a) {
       low[a] = static_cast<int>(std::floor(box.low[a])) >> 3;
@@ -129,26 +134,54 @@ void WireMap<Real>::collect_pairs(const lbm::Fluid<Real>& fluid) {
   shares_.assign(pairs_.size(), {});
 }
 
-/// Counting sort; within a block the pairs stay in the order of the pieces.
-template <class Real>
-void WireMap<Real>::sort_by_block(const lbm::Fluid<Real>& fluid) {
-  const std::size_t blocks = fluid.grid().topology().capacity();
-  former_count_.assign(blocks, 0);
-  for (std::size_t b = 0; b + 1 < block_start_.size() && b < blocks; ++b)
-    former_count_[b] = block_start_[b + 1] - block_start_[b];
-  block_start_.assign(blocks + 1, 0);
-  for (const Pair& p : pairs_) ++block_start_[static_cast<std::size_t>(p.block) + 1];
-  for (std::size_t b = 1; b < block_start_.size(); ++b) block_start_[b] += block_start_[b - 1];
-  by_block_.resize(pairs_.size());
-  next_.assign(block_start_.begin(), block_start_.end() - 1);
-  for (std::uint32_t k = 0; k < pairs_.size(); ++k) by_block_[next_[static_cast<std::size_t>(pairs_[k].block)]++] = k;
-}
-
 template <class Real>
 double WireMap<Real>::wet_volume() const {
   double sum = 0;
   for (const auto& share : shares_) sum += share[0].wet + share[1].wet;
   return sum;
+}
+
+template <class Real>
+bool WireMap<Real>::is_unchanged(std::size_t block) const {
+  if (!by_block_.as_many_as_before(block)) return false;
+  const auto pairs = by_block_.in(block);
+  return std::all_of(pairs.begin(), pairs.end(), [&](std::uint32_t p) { return same_[pairs_[p].piece] != 0; });
+}
+
+/// Together with grains all of a block is written again in the next step.
+template <class Real>
+void WireMap<Real>::choose_blocks(lbm::FluidGrid<Real>& grid, SolidFields<Real>& fields) {
+  using Writer = typename SolidFields<Real>::Writer;
+  tasks_.assign(by_block_.blocks(), Task::none);
+  for (const BlockIndex b : grid.active()) {
+    const auto at = static_cast<std::size_t>(b);
+    if (by_block_.any_in(at)) {
+      fields.reach(grid, b);
+      const Writer writer = fields.writer(b);
+      const bool with_grains = writer == Writer::grains;
+      tasks_[at] = with_grains ? Task::add : writer == Writer::wires && is_unchanged(at) ? Task::keep : Task::write;
+      fields.set_writer(b, with_grains ? Writer::several : Writer::wires);
+    } else if (fields.writer(b) == Writer::wires) {
+      clear_solids(*grid.block(b).body);
+      fields.set_writer(b, Writer::none);
+    }
+  }
+}
+
+/// Where the pieces are follows from the beads; what was displaced and felt does not.
+template <class Real>
+void WireMap<Real>::transfer(Archive& archive) {
+  std::size_t particles = states_.size();
+  archive.value("particles", particles);
+  states_.resize(particles);
+  archive.pieces<double>("bead", particles, 14, [&](std::size_t k, double* stored) {
+    State& s = states_[k];
+    transfer_vectors(archive, {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque}, stored);
+    if (archive.loading())
+      s.wet = stored[12], s.known = stored[13] != 0;
+    else
+      stored[12] = s.wet, stored[13] = s.known ? 1 : 0;
+  });
 }
 
 template class WireMap<float>;

@@ -1,5 +1,5 @@
 // What resolved wires write into the blocks: fields and displaced liquid. Compiled without contraction of products and
-// sums, as body_map_fields.cpp is.
+// sums, as grain_volumes.cpp is.
 #include "coupling/wires/wire_map_parts.h"
 
 namespace lahar::coupling {
@@ -12,24 +12,13 @@ using lbm::Row;
 
 namespace {
 
-template <class Real>
-void clear_mapping(lbm::BodyFields<Real>& f) {
-  for (Real* field : {f.solid_fraction, f.coverage, f.resistance, f.momentum_x, f.momentum_y, f.momentum_z})
-    std::fill(field, field + lbm::kBlockCells, Real(0));
-}
-
-template <class Real>
-[[gnu::always_inline]] inline void add_to_row(Real* field, const Row<Real>& more) {
-  (Row<Real>(field, stdx::vector_aligned) + more).copy_to(field, stdx::vector_aligned);
-}
-
 /// Adds a piece to the fields of a block; by copy: what is written could otherwise be part of it.
 template <bool kByDistance, class Real>
-[[gnu::noinline]] void write_piece(const GridPiece<Real> piece, const Vec3i lowest, lbm::BodyFields<Real>& f) {
-  for_piece_rows<kByDistance>(
+[[gnu::noinline]] void write_piece(const GridCylinder<Real> piece, const Vec3i lowest, lbm::BodyFields<Real>& f) {
+  for_cylinder_rows<kByDistance>(
       piece, lowest,
-      reach_of(piece), [&](int row, const PieceRow<Real>& cover, int y, int z) __attribute__((always_inline)) {
-        if (stdx::all_of(cover.coverage <= Row<Real>(0))) return;
+      reach_of(piece), [&](int row, const CylinderRow<Real>& cover, int y, int z) __attribute__((always_inline)) {
+        if (stdx::all_of(cover.weight <= Row<Real>(0))) return;
         MotionRow<Real> motion[2];
         for (int e = 0; e < 2; ++e) {
           const auto arm = ArmRow<Real>::from(e == 0 ? piece.start : piece.end, lowest.x(), y, z);
@@ -37,19 +26,19 @@ template <bool kByDistance, class Real>
         }
         const MotionRow<Real> v = blend(motion[0], motion[1], cover.share);
         add_to_row(f.solid_fraction + row, cover.fraction);
-        add_to_row(f.coverage + row, cover.coverage);
+        add_to_row(f.exchange_weight + row, cover.weight);
         if constexpr (kByDistance) {
-          const Row<Real> sum(f.resistance + row, stdx::vector_aligned);
-          Row<Real> joined = joined_resistance<Row<Real>>(sum, cover.coverage, lbm::number<Row<Real>>(kGapResistance));
-          stdx::where(sum < static_cast<Real>(lbm::kCoveredResistance), joined) =
-              stdx::min(joined, lbm::number<Row<Real>>(kWireResistance));
-          joined.copy_to(f.resistance + row, stdx::vector_aligned);
+          const Row<Real> sum(f.drag + row, stdx::vector_aligned);
+          Row<Real> joined = joined_drag<Row<Real>>(sum, cover.weight, lbm::number<Row<Real>>(kGapDrag));
+          stdx::where(sum < static_cast<Real>(kCoveredDrag), joined) =
+              stdx::min(joined, lbm::number<Row<Real>>(kWireDrag));
+          joined.copy_to(f.drag + row, stdx::vector_aligned);
         } else {
-          add_to_row(f.resistance + row, cover.coverage);
+          add_to_row(f.drag + row, cover.weight);
         }
-        add_to_row(f.momentum_x + row, Row<Real>(cover.coverage * v.x));
-        add_to_row(f.momentum_y + row, Row<Real>(cover.coverage * v.y));
-        add_to_row(f.momentum_z + row, Row<Real>(cover.coverage * v.z));
+        add_to_row(f.weighted_velocity_x + row, Row<Real>(cover.weight * v.x));
+        add_to_row(f.weighted_velocity_y + row, Row<Real>(cover.weight * v.y));
+        add_to_row(f.weighted_velocity_z + row, Row<Real>(cover.weight * v.z));
       });
 }
 
@@ -66,10 +55,10 @@ struct BeadSums {
 
 /// Volumes of a piece in the cells of two masks; null for all cells, and for none.
 template <class Real, class Share>
-void measure(const GridPiece<Real>& piece, const Vec3i& lowest, const CellMask<Real>* wet,
+void measure(const GridCylinder<Real>& piece, const Vec3i& lowest, const CellMask<Real>* wet,
              const CellMask<Real>* surface, std::array<Share, 2>& shares) {
   BeadSums<Real> in_wet, at_surface;
-  for_piece_rows<false>(piece, lowest, covered_reach(piece), [&](int row, const PieceRow<Real>& cover, int, int) {
+  for_cylinder_rows<false>(piece, lowest, covered_reach(piece), [&](int row, const CylinderRow<Real>& cover, int, int) {
     in_wet.add(wet ? cover.fraction * wet->row(row) : cover.fraction, cover.share);
     if (surface) at_surface.add(cover.fraction * surface->row(row), cover.share);
   });
@@ -80,54 +69,18 @@ void measure(const GridPiece<Real>& piece, const Vec3i& lowest, const CellMask<R
 }  // namespace
 
 template <class Real>
-void WireMap<Real>::write_fields(lbm::Fluid<Real>& fluid) {
-  auto& grid = fluid.grid();
-  enum : std::uint8_t { nothing, keep, write };
-  write_.assign(block_start_.size(), nothing);
-  written_blocks_ = 0;
-  for (const BlockIndex b : grid.active()) {
-    const auto at = static_cast<std::size_t>(b);
-    if (block_start_[at] == block_start_[at + 1]) {
-      lbm::BodyFields<Real>* fields = grid.block(b).body;
-      if (!fields || !fields->wired) continue;
-      if (!fields->mapped) clear_mapping(*fields);
-      fields->wired = false;
-      continue;
-    }
-    lbm::BodyFields<Real>& fields = grid.require_body(b);
-    write_[at] = is_same(fields, at) ? keep : write;
-    written_blocks_ += write_[at] == write;
-    fields.used = true;
-    // Together with grains: all of it is written again in the next step.
-    if (fields.mapped)
-      fields.edited = true, fields.wired = false;
-    else
-      fields.wired = true;
-  }
-  for_each_block([&](std::size_t b) { write_block(fluid, b, write_[b] == write); });
-}
-
-/// Whether the block holds what its pieces would write again.
-template <class Real>
-bool WireMap<Real>::is_same(const lbm::BodyFields<Real>& fields, std::size_t block) const {
-  const auto pairs = pairs_in(block);
-  if (!fields.wired || fields.mapped || former_count_[block] != pairs.size()) return false;
-  return std::all_of(pairs.begin(), pairs.end(), [&](std::uint32_t p) { return same_[pairs_[p].piece] != 0; });
-}
-
-template <class Real>
-void WireMap<Real>::write_block(lbm::Fluid<Real>& fluid, std::size_t index, bool write) {
+void WireMap<Real>::write_block(lbm::Fluid<Real>& fluid, std::size_t index) {
   const Block<Real>& block = fluid.grid().block(static_cast<BlockIndex>(index));
   lbm::BodyFields<Real>& f = *block.body;
   const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
   const auto add = by_distance ? &write_piece<true, Real> : &write_piece<false, Real>;
-  if (write && !f.mapped) clear_mapping(f);
+  if (tasks_[index] == Task::write) clear_solids(f);
   std::optional<CellMask<Real>> wet, surface;
   if (block.wet_cells < lbm::kBlockCells) wet.emplace(block, [](CellType t) { return lbm::is_wet(t); });
   if (block.surface) surface.emplace(block, [](CellType t) { return t == CellType::interface; });
-  for (const std::uint32_t k : pairs_in(index)) {
-    const GridPiece<Real>& piece = pieces_[pairs_[k].piece];
-    if (write) add(piece, pairs_[k].lowest, f);
+  for (const std::uint32_t k : by_block_.in(index)) {
+    const GridCylinder<Real>& piece = pieces_[pairs_[k].piece];
+    if (tasks_[index] > Task::keep) add(piece, pairs_[k].lowest, f);
     measure(piece, pairs_[k].lowest, wet ? &*wet : nullptr, surface ? &*surface : nullptr, shares_[k]);
   }
 }
@@ -162,7 +115,7 @@ void WireMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
       states_[i] = {};
     }
   }
-  if (any) for_each_block([&](std::size_t b) { displace(fluid, b); });
+  if (any) by_block_.for_each_block([&](std::size_t b) { displace(fluid, b); });
 }
 
 template <class Real>
@@ -170,26 +123,23 @@ void WireMap<Real>::displace(lbm::Fluid<Real>& fluid, std::size_t index) const {
   Block<Real>& block = fluid.grid().block(static_cast<BlockIndex>(index));
   if (!block.surface) return;
   const CellMask<Real> surface(block, [](CellType t) { return t == CellType::interface; });
-  for (const std::uint32_t k : pairs_in(index)) {
+  for (const std::uint32_t k : by_block_.in(index)) {
     const std::size_t piece = pairs_[k].piece;
     const Row<Real> first(static_cast<Real>(displaced_[wires_.bead_of(piece, 0)])),
         second(static_cast<Real>(displaced_[wires_.bead_of(piece, 1)]));
-    for_piece_rows<false>(pieces_[piece], pairs_[k].lowest, covered_reach(pieces_[piece]),
-                          [&](int row, const PieceRow<Real>& cover, int, int) {
-                            const Row<Real> more = multiply_add(cover.share, Row<Real>(second - first), first);
-                            add_to_row(block.surface->mass + row, Row<Real>(more * cover.fraction * surface.row(row)));
-                          });
+    for_cylinder_rows<false>(pieces_[piece], pairs_[k].lowest, covered_reach(pieces_[piece]),
+                             [&](int row, const CylinderRow<Real>& cover, int, int) {
+                               const Row<Real> more = multiply_add(cover.share, Row<Real>(second - first), first);
+                               add_to_row(block.surface->mass + row,
+                                          Row<Real>(more * cover.fraction * surface.row(row)));
+                             });
   }
 }
 
-template void WireMap<float>::write_fields(lbm::Fluid<float>&);
-template void WireMap<double>::write_fields(lbm::Fluid<double>&);
 template void WireMap<float>::book_displacement(lbm::Fluid<float>&);
 template void WireMap<double>::book_displacement(lbm::Fluid<double>&);
-template bool WireMap<float>::is_same(const lbm::BodyFields<float>&, std::size_t) const;
-template bool WireMap<double>::is_same(const lbm::BodyFields<double>&, std::size_t) const;
-template void WireMap<float>::write_block(lbm::Fluid<float>&, std::size_t, bool);
-template void WireMap<double>::write_block(lbm::Fluid<double>&, std::size_t, bool);
+template void WireMap<float>::write_block(lbm::Fluid<float>&, std::size_t);
+template void WireMap<double>::write_block(lbm::Fluid<double>&, std::size_t);
 template void WireMap<float>::displace(lbm::Fluid<float>&, std::size_t) const;
 template void WireMap<double>::displace(lbm::Fluid<double>&, std::size_t) const;
 

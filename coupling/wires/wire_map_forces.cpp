@@ -1,9 +1,7 @@
 // Force and torque of the fluid on the beads of resolved wires. Compiled without contraction of products and sums, as
 // wire_map_fields.cpp is.
-#include <cstdio>
-
-#include "core/check.h"
-#include "coupling/grains/followed_force.h"
+#include "coupling/bad_force.h"
+#include "coupling/under_relaxed_force.h"
 #include "coupling/wires/wire_map_parts.h"
 
 namespace lahar::coupling {
@@ -11,13 +9,6 @@ namespace lahar::coupling {
 using lbm::Row;
 
 namespace {
-
-[[noreturn]] void report_bad_force(const dem::Particles& particles, dem::ParticleIndex i, std::int64_t step) {
-  const Vec3 p = particles.position[i];
-  char where[112];
-  std::snprintf(where, sizeof where, "bead %u at (%.4g, %.4g, %.4g) m", i, p.x(), p.y(), p.z());
-  throw NumericalFailure(where, step, "the force of the fluid on it is not finite");
-}
 
 template <class Real>
 double sum_of(const Row<Real>& row) {
@@ -29,24 +20,25 @@ template <class Real>
 struct LoadSums {
   using R = Row<Real>;
   R force[3]{R(0), R(0), R(0)}, torque[3]{R(0), R(0), R(0)};
-  R held{0}, held_inertia{0}, wet{0};
+  R entrained{0}, entrained_inertia{0}, wet{0};
 
   /// `share`: of the bead in the cells.
-  [[gnu::always_inline]] void add(const R& share, const ArmRow<Real>& arm, const MotionRow<Real>& f, const R& held_here,
-                                  const R& wet_here) {
-    const R fx = share * f.x, fy = share * f.y, fz = share * f.z, h = share * held_here;
+  [[gnu::always_inline]] void add(const R& share, const ArmRow<Real>& arm, const MotionRow<Real>& f,
+                                  const R& entrained_here, const R& wet_here) {
+    const R fx = share * f.x, fy = share * f.y, fz = share * f.z, e = share * entrained_here;
     force[0] += fx, force[1] += fy, force[2] += fz;
     torque[0] += arm.y * fz - arm.z * fy;
     torque[1] += arm.z * fx - arm.x * fz;
     torque[2] += arm.x * fy - arm.y * fx;
-    held += h, wet += share * wet_here;
-    held_inertia += h * (arm.x * arm.x + Real(arm.y * arm.y + arm.z * arm.z));
+    entrained += e, wet += share * wet_here;
+    entrained_inertia += e * (arm.x * arm.x + Real(arm.y * arm.y + arm.z * arm.z));
   }
   template <class Load>
   void reduce(Load& load) const {
     load.force = Vec3(sum_of(force[0]), sum_of(force[1]), sum_of(force[2]));
     load.torque = Vec3(sum_of(torque[0]), sum_of(torque[1]), sum_of(torque[2]));
-    load.held = sum_of(held), load.held_inertia = 2.0 / 3.0 * sum_of(held_inertia), load.wet = sum_of(wet);
+    load.entrained = sum_of(entrained), load.entrained_inertia = 2.0 / 3.0 * sum_of(entrained_inertia),
+    load.wet = sum_of(wet);
   }
 };
 
@@ -55,15 +47,15 @@ template <class Real>
 struct Surroundings {
   const lbm::BodyFields<Real>& fields;
   const CellMask<Real>* wet;  ///< null: all cells
-  const lbm::CoverageLaw& law;
+  const lbm::CoverageWeightLaw& law;
   Vec3 gravity;  ///< lu
 };
 
 /// Loads of a piece on its two beads; `rises`: their accelerations. Returns the piece's part of the exchange. In a cell
-/// the load is that part, the inertia of the liquid in the piece's place given back (Feng & Michaelides 2009; Uhlmann
-/// 2005), and the weight of that liquid: buoyancy.
+/// the load is that part, the inertia of the liquid in the piece's place, which is no load on it (Feng & Michaelides
+/// 2009; Uhlmann 2005), and the weight of that liquid: buoyancy.
 template <bool kByDistance, class Real, class Load>
-[[gnu::noinline]] Vec3 load_piece(const GridPiece<Real> piece, const Vec3i lowest, const GridMotion<Real> rises[2],
+[[gnu::noinline]] Vec3 load_piece(const GridCylinder<Real> piece, const Vec3i lowest, const GridMotion<Real> rises[2],
                                   const Surroundings<Real>& around, std::array<Load, 2>& loads) {
   using R = Row<Real>;
   LoadSums<Real> sums[2];
@@ -72,29 +64,30 @@ template <bool kByDistance, class Real, class Load>
   const Real gravity[3] = {static_cast<Real>(around.gravity.x()), static_cast<Real>(around.gravity.y()),
                            static_cast<Real>(around.gravity.z())};
   const auto law = [&](double x) { return R(static_cast<Real>(x)); };
-  for_piece_rows<kByDistance>(piece, lowest, reach_of(piece), [&](int row, const PieceRow<Real>& cover, int y, int z) {
-    if (stdx::all_of(cover.coverage <= R(0))) return;
-    const R part = cover.coverage / stdx::max(R(f.coverage + row, stdx::vector_aligned), R(Real(1e-30)));
-    const MotionRow<Real> exchange{part * R(f.exchange_x + row, stdx::vector_aligned),
-                                   part * R(f.exchange_y + row, stdx::vector_aligned),
-                                   part * R(f.exchange_z + row, stdx::vector_aligned)};
-    taken[0] += exchange.x, taken[1] += exchange.y, taken[2] += exchange.z;
-    const R liquid = around.wet ? around.wet->row(row) : R(1);
-    const R weight = lbm::coverage_weight<R>(R(f.resistance + row, stdx::vector_aligned), law(around.law.alpha),
-                                             law(around.law.beta), law(around.law.gamma), law(around.law.cap),
-                                             law(around.law.largest));
-    const R held = part * weight * liquid, wet = cover.fraction * liquid;
-    const R inside = kByDistance ? wet : held;
-    const ArmRow<Real> arm[2] = {ArmRow<Real>::from(piece.start, lowest.x(), y, z),
-                                 ArmRow<Real>::from(piece.end, lowest.x(), y, z)};
-    const MotionRow<Real> rise = blend(motion_row(rises[0], arm[0].x, arm[0].y, arm[0].z),
-                                       motion_row(rises[1], arm[1].x, arm[1].y, arm[1].z), cover.share);
-    const MotionRow<Real> load{exchange.x + inside * rise.x - wet * gravity[0],
-                               exchange.y + inside * rise.y - wet * gravity[1],
-                               exchange.z + inside * rise.z - wet * gravity[2]};
-    sums[0].add(R(1) - cover.share, arm[0], load, held, wet);
-    sums[1].add(cover.share, arm[1], load, held, wet);
-  });
+  for_cylinder_rows<kByDistance>(
+      piece, lowest, reach_of(piece), [&](int row, const CylinderRow<Real>& cover, int y, int z) {
+        if (stdx::all_of(cover.weight <= R(0))) return;
+        const R part = cover.weight / stdx::max(R(f.exchange_weight + row, stdx::vector_aligned), R(Real(1e-30)));
+        const MotionRow<Real> exchange{part * R(f.momentum_exchange_x + row, stdx::vector_aligned),
+                                       part * R(f.momentum_exchange_y + row, stdx::vector_aligned),
+                                       part * R(f.momentum_exchange_z + row, stdx::vector_aligned)};
+        taken[0] += exchange.x, taken[1] += exchange.y, taken[2] += exchange.z;
+        const R liquid = around.wet ? around.wet->row(row) : R(1);
+        const R weight =
+            lbm::coverage_weight<R>(R(f.drag + row, stdx::vector_aligned), law(around.law.alpha), law(around.law.beta),
+                                    law(around.law.gamma), law(around.law.cap), law(around.law.largest));
+        const R entrained = part * weight * liquid, wet = cover.fraction * liquid;
+        const R interior = kByDistance ? wet : entrained;
+        const ArmRow<Real> arm[2] = {ArmRow<Real>::from(piece.start, lowest.x(), y, z),
+                                     ArmRow<Real>::from(piece.end, lowest.x(), y, z)};
+        const MotionRow<Real> rise = blend(motion_row(rises[0], arm[0].x, arm[0].y, arm[0].z),
+                                           motion_row(rises[1], arm[1].x, arm[1].y, arm[1].z), cover.share);
+        const MotionRow<Real> load{exchange.x + interior * rise.x - wet * gravity[0],
+                                   exchange.y + interior * rise.y - wet * gravity[1],
+                                   exchange.z + interior * rise.z - wet * gravity[2]};
+        sums[0].add(R(1) - cover.share, arm[0], load, entrained, wet);
+        sums[1].add(cover.share, arm[1], load, entrained, wet);
+      });
   for (std::size_t e = 0; e < 2; ++e) sums[e].reduce(loads[e]);
   return {sum_of(taken[0]), sum_of(taken[1]), sum_of(taken[2])};
 }
@@ -103,7 +96,7 @@ template <bool kByDistance, class Real, class Load>
 
 template <class Real>
 void WireMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) {
-  const auto pairs = pairs_in(index);
+  const auto pairs = by_block_.in(index);
   const auto b = static_cast<lbm::BlockIndex>(index);
   const lbm::FluidGrid<Real>& grid = fluid.grid();
   if (!grid.exists(b) || grid.block(b).birth != pairs_[pairs.front()].birth) return;
@@ -111,7 +104,7 @@ void WireMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) 
   std::optional<CellMask<Real>> wet;
   if (block.wet_cells < lbm::kBlockCells) wet.emplace(block, [](lbm::CellType t) { return lbm::is_wet(t); });
   const auto& units = fluid.units();
-  const Surroundings<Real> around{*block.body, wet ? &*wet : nullptr, fluid.coverage_law(),
+  const Surroundings<Real> around{*block.body, wet ? &*wet : nullptr, fluid.coverage_weight_law(),
                                   fluid.options().gravity * units.acceleration_to_lu(1.0)};
   const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
   for (const std::uint32_t k : pairs) {
@@ -136,7 +129,7 @@ void WireMap<Real>::hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& par
   for_pairs_of(bead, [&](std::size_t p, std::size_t end) {
     const Load& load = loads_[p][end];
     sum.force += load.force, sum.torque += load.torque;
-    sum.held += load.held, sum.held_inertia += load.held_inertia;
+    sum.entrained += load.entrained, sum.entrained_inertia += load.entrained_inertia;
     sum.wet += load.wet;
   });
   const auto& units = fluid.units();
@@ -144,21 +137,20 @@ void WireMap<Real>::hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& par
   State& s = states_[i];
   s.wet = sum.wet;
   const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
-  follow(s.felt_force, sum.force * units.force_to_si(1.0), followed_share(particles.mass[i], to_kg * sum.held),
-         sum.held > 0);
-  follow(s.felt_torque, sum.torque * units.torque_to_si(1.0),
-         followed_share(particles.inertia[i], to_kg_m2 * sum.held_inertia), sum.held > 0);
+  under_relax(s.felt_force, sum.force * units.force_to_si(1.0),
+              relaxation_factor(particles.mass[i], to_kg * sum.entrained), sum.entrained > 0);
+  under_relax(s.felt_torque, sum.torque * units.torque_to_si(1.0),
+              relaxation_factor(particles.inertia[i], to_kg_m2 * sum.entrained_inertia), sum.entrained > 0);
   particles.external_force.add(i, s.felt_force);
   particles.external_torque.add(i, s.felt_torque);
 }
 
 template <class Real>
-Vec3 WireMap<Real>::add_forces(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
+Vec3 WireMap<Real>::add_forces(const lbm::Fluid<Real>& fluid, dem::Particles& particles) {
   loads_.assign(pairs_.size(), {}), taken_.assign(pairs_.size(), Vec3::Zero());
-  for_each_block([&](std::size_t b) { add_loads(fluid, b); });
+  by_block_.for_each_block([&](std::size_t b) { add_loads(fluid, b); });
   parallel_for(0, wires_.beads().size(), 256, [&](std::size_t b) { hand_over(fluid, particles, b); });
-  for (const dem::ParticleIndex i : wires_.beads())
-    if (!particles.external_force[i].allFinite()) report_bad_force(particles, i, fluid.steps());
+  for (const dem::ParticleIndex i : wires_.beads()) require_finite_force(particles, i, "bead", fluid.steps());
   Vec3 total = Vec3::Zero();
   for (const Vec3& t : taken_) total += t;
   return total;
@@ -168,7 +160,7 @@ template void WireMap<float>::add_loads(const lbm::Fluid<float>&, std::size_t);
 template void WireMap<double>::add_loads(const lbm::Fluid<double>&, std::size_t);
 template void WireMap<float>::hand_over(const lbm::Fluid<float>&, dem::Particles&, std::size_t);
 template void WireMap<double>::hand_over(const lbm::Fluid<double>&, dem::Particles&, std::size_t);
-template Vec3 WireMap<float>::add_forces(lbm::Fluid<float>&, dem::Particles&);
-template Vec3 WireMap<double>::add_forces(lbm::Fluid<double>&, dem::Particles&);
+template Vec3 WireMap<float>::add_forces(const lbm::Fluid<float>&, dem::Particles&);
+template Vec3 WireMap<double>::add_forces(const lbm::Fluid<double>&, dem::Particles&);
 
 }  // namespace lahar::coupling

@@ -24,7 +24,7 @@ struct Bgk {
   static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,
                               const Viscosity& viscosity) {
     const V omega = viscous_rate(f, m, viscosity);
-    const V keep = (V(1) - omega) * (V(1) - force.fade);
+    const V keep = (V(1) - omega) * (V(1) - force.nonequilibrium_loss);
     const Departure<V> after = velocity_after(m, force);
     const auto& v = after.v;
     for (int i = 0; i < D3Q19::q; ++i)

@@ -20,15 +20,16 @@ struct Moments {
   V u[3];             ///< momentum / rho, before any force
 };
 
-/// What acts on a cell in a step. The velocity after collision is (1 - B) (u + acceleration) + B u_s + kick.
+/// What acts on a cell in a step. The velocity after collision is (1 - B) (u + acceleration) + B u_s + impulse.
 template <class V>
 struct CellForcing {
-  V acceleration[3];      ///< lu, body force per mass
-  V coverage_weight;      ///< B, 0 where there is no body (collision/coverage.h)
-  V solid_velocity[3];    ///< u_s, lu
-  V kick[3];              ///< velocity change by forces of wires, lu
-  V fade = V(0);          ///< share of the non-equilibrium part that a body takes away (SolidOperator::faded)
-  V near_body = V(0);     ///< 1 where a body touches the cell (collision/wall_placing.h)
+  V acceleration[3];    ///< lu, body force per mass
+  V coverage_weight;    ///< B, 0 where there is no body (collision/coverage_weight.h)
+  V solid_velocity[3];  ///< u_s, lu
+  V impulse[3];         ///< velocity change by impulses from outside (ImpulseFields), lu
+  /// Share of the non-equilibrium part that a body takes away (SolidOperator::damped_nonequilibrium).
+  V nonequilibrium_loss = V(0);
+  V near_body = V(0);     ///< 1 where a body touches the cell (collision/central_moments_at_bodies.h)
   V largest_rate = V(2);  ///< the viscous moments relax no faster (collision/stress_limit.h)
   V stress_share = V(1);  ///< of the non-equilibrium part that is left after relaxation (same place)
 };
@@ -70,7 +71,7 @@ template <class V>
   Departure<V> d;
   for (int a = 0; a < 3; ++a)
     d.v[a] = (V(1) - force.coverage_weight) * (m.u[a] + force.acceleration[a]) +
-             force.coverage_weight * force.solid_velocity[a] + force.kick[a];
+             force.coverage_weight * force.solid_velocity[a] + force.impulse[a];
   d.square = d.v[0] * d.v[0] + d.v[1] * d.v[1] + d.v[2] * d.v[2];
   if (stdx::none_of(too_fast(d))) [[likely]]
     return d;

@@ -89,7 +89,8 @@ struct CentralMoments {
     Symmetric<V> s = stress(f, m);
     const V omega = min(rate_of(viscosity, s, m.inverse_density), force.largest_rate);
     const Departure<V> after = velocity_after(m, force);
-    const V share = (V(1) - force.fade) * force.stress_share * after.share, keep = (V(1) - omega) * share;
+    const V share = (V(1) - force.nonequilibrium_loss) * force.stress_share * after.share,
+            keep = (V(1) - omega) * share;
     relax_diagonal(omega, after.v, s);
     for (V* t : {&s.xx, &s.yy, &s.zz}) *t *= share;
     for (V* t : {&s.xy, &s.xz, &s.yz}) *t *= keep;

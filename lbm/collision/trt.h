@@ -21,7 +21,7 @@ struct Trt {
   static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,
                               const Viscosity& viscosity) {
     const V even_rate = viscous_rate(f, m, viscosity);
-    const V stay = V(1) - force.fade, half = number<V>(0.5);
+    const V stay = V(1) - force.nonequilibrium_loss, half = number<V>(0.5);
     const V keep_even = (V(1) - even_rate) * stay, keep_odd = (V(1) - odd_rate(even_rate)) * stay;
     const Departure<V> after = velocity_after(m, force);
     const auto& v = after.v;

@@ -75,13 +75,12 @@ double Inflow<Real>::dose(FluidGrid<Real>& grid, CellPlace place, Parity parity,
   // stand for the mass there was, and take the velocity of the mixture.
   const double density = 1 + static_cast<double>(m.drho), held = std::max(1e-3, static_cast<double>(before));
   const double weight = liquid ? mass : density * mass / (held + mass);
-  BodyFields<Real>& body = grid.require_body(place.block);
-  open_kicks(body);
-  Real* const kick[3] = {body.exchange_x, body.exchange_y, body.exchange_z};
+  ImpulseFields<Real>& impulses = grid.require_impulse(place.block);
+  Real* const impulse[3] = {impulses.x, impulses.y, impulses.z};
   for (int a = 0; a < 3; ++a) {
     const double entering = units_.velocity_to_lu(options_.velocity[a]);
     const double change = liquid ? entering : entering - static_cast<double>(m.u[a]);
-    kick[a][place.cell] += static_cast<Real>(weight * change);
+    impulse[a][place.cell] += static_cast<Real>(weight * change);
   }
   return static_cast<double>(store) - static_cast<double>(before);
 }

@@ -90,7 +90,7 @@ class ShearMeasure {
     unsigned cells = wet_cells(types) & ~interface_cells(types) & (bx < 0 ? 0x80U : bx > 0 ? 0x01U : 0xFFU);
     if (block.body)
       for (int x = 0; x < kBlockWidth; ++x)
-        if (block.body->coverage[first + x] > 0) cells &= ~(1U << x);
+        if (block.body->exchange_weight[first + x] > 0) cells &= ~(1U << x);
     liquid = V([cells](auto x) { return static_cast<Real>(cells >> x & 1U); });
     return cells != 0;
   }

@@ -27,40 +27,43 @@ struct SurfaceFields {
   int exposed = 0;  ///< interface cells with a bound on their relaxation rate
 };
 
-/// Fields of blocks that hold immersed bodies or feel forces of wires.
+/// Fields of blocks that bodies reach, or whose velocity is sampled. The first six and the bits of covered cells are
+/// written before a step by who knows the bodies; the others are what the sweep leaves.
 template <class Real>
 struct BodyFields {
-  alignas(64) Real solid_fraction[kBlockCells];  ///< sum over bodies, may exceed 1 where bodies overlap
-  alignas(64) Real coverage[kBlockCells];        ///< sum over bodies of their parts in the cell's exchange
-  alignas(64) Real resistance[kBlockCells];      ///< what B follows from (collision/coverage.h)
-  alignas(64) Real momentum_x[kBlockCells];      ///< sum over bodies of coverage times velocity, lu
-  alignas(64) Real momentum_y[kBlockCells];
-  alignas(64) Real momentum_z[kBlockCells];
-  /// In: momentum given to the cell by wires or an inflow in the coming step (open_kicks). Out (by the sweep): momentum
-  /// that the fluid gave to the bodies in the cell in this step.
-  alignas(64) Real exchange_x[kBlockCells];
-  alignas(64) Real exchange_y[kBlockCells];
-  alignas(64) Real exchange_z[kBlockCells];
-  /// Velocity after the last collision, lu, in wet cells; written by the sweep for the wires to sample
-  /// (SweepParameters::keep_velocity).
+  alignas(64) Real solid_fraction[kBlockCells];       ///< sum over bodies, may exceed 1 where bodies overlap
+  alignas(64) Real exchange_weight[kBlockCells];      ///< sum over bodies of their weights in the cell's exchange
+  alignas(64) Real drag[kBlockCells];                 ///< what B follows from (collision/coverage_weight.h)
+  alignas(64) Real weighted_velocity_x[kBlockCells];  ///< sum over bodies of exchange weight times velocity, lu
+  alignas(64) Real weighted_velocity_y[kBlockCells];
+  alignas(64) Real weighted_velocity_z[kBlockCells];
+  /// Momentum that the fluid gave to the bodies in the cell in the last step, lu; 0 in dry cells.
+  alignas(64) Real momentum_exchange_x[kBlockCells];
+  alignas(64) Real momentum_exchange_y[kBlockCells];
+  alignas(64) Real momentum_exchange_z[kBlockCells];
+  /// Velocity after the last collision, lu, in wet cells (SweepParameters::keep_velocity).
   alignas(64) Real velocity_x[kBlockCells];
   alignas(64) Real velocity_y[kBlockCells];
   alignas(64) Real velocity_z[kBlockCells];
-  bool used = false;      ///< a body or wire reaches the block in this step
-  bool mapped = false;    ///< the first six fields are what the body map wrote: it may leave them as they are
-  bool wired = false;     ///< they are what the map of wires wrote, without grains, and may leave as they are
-  bool edited = false;    ///< somebody else wrote into the first six fields: they are cleared before the next step
-  bool no_kicks = false;  ///< exchange holds what came out of the last step; nothing goes in
+  /// Cells that a body takes over whole (free_surface/covered_cells.h): by rows y + 8 z, bit x.
+  std::array<std::uint8_t, kBlockCells / kBlockWidth> covered;
 };
 
-/// To be called before momentum is added to the exchange fields for the coming step.
+/// The sweep leaves out dry rows: to be called before it where there are some.
 template <class Real>
-void open_kicks(BodyFields<Real>& body) {
-  if (!body.no_kicks) return;
-  for (Real* field : {body.exchange_x, body.exchange_y, body.exchange_z})
+void clear_momentum_exchange(BodyFields<Real>& body) {
+  for (Real* field : {body.momentum_exchange_x, body.momentum_exchange_y, body.momentum_exchange_z})
     std::fill(field, field + kBlockCells, Real(0));
-  body.no_kicks = false;
 }
+
+/// Momentum that cells get from outside in the coming step, lu: from wires and grains by their drag laws, and from
+/// inflows. Only blocks that somebody writes to hold it, and only until the sweep has used it up.
+template <class Real>
+struct ImpulseFields {
+  alignas(64) Real x[kBlockCells];
+  alignas(64) Real y[kBlockCells];
+  alignas(64) Real z[kBlockCells];
+};
 
 /// A cell next to a wall, with its links into the wall.
 struct WallCell {
@@ -118,6 +121,7 @@ struct Block {
   Real* populations = nullptr;
   SurfaceFields<Real>* surface = nullptr;
   BodyFields<Real>* body = nullptr;
+  ImpulseFields<Real>* impulse = nullptr;  ///< only together with `body`
   WallLinks walls;
   int wet_cells = 0;
   std::uint64_t wet_rows = 0;  ///< rows of 8 cells along x with wet cells, by bit y + 8 z

@@ -36,6 +36,7 @@ void FluidGrid<Real>::make_block(BlockIndex b) {
   for (int i = 0; i < D3Q19::q; ++i) std::memset(fresh->f(i), 0, kBlockCells * sizeof(Real));
   fresh->surface = nullptr;
   fresh->body = nullptr;
+  fresh->impulse = nullptr;
   fresh->wet_cells = 0;
   fresh->wet_rows = 0;
   fresh->birth = ++births_;
@@ -237,7 +238,33 @@ void FluidGrid<Real>::release_surface(BlockIndex b) {
 }
 
 template <class Real>
+ImpulseFields<Real>& FluidGrid<Real>::require_impulse(BlockIndex b) {
+  Block<Real>& blk = block(b);
+  if (!blk.impulse) {
+    require_body(b);
+    blk.impulse = impulse_pool_.acquire();
+    std::memset(static_cast<void*>(blk.impulse), 0, sizeof(ImpulseFields<Real>));
+    with_impulse_.push_back(b);
+  }
+  return *blk.impulse;
+}
+
+template <class Real>
+void FluidGrid<Real>::release_impulses() {
+  for (const BlockIndex b : with_impulse_)
+    if (exists(b)) release_impulse(b);
+  with_impulse_.clear();
+}
+
+template <class Real>
+void FluidGrid<Real>::release_impulse(BlockIndex b) {
+  if (block(b).impulse) impulse_pool_.release(block(b).impulse);
+  block(b).impulse = nullptr;
+}
+
+template <class Real>
 void FluidGrid<Real>::release_body(BlockIndex b) {
+  release_impulse(b);
   if (block(b).body) body_pool_.release(block(b).body);
   block(b).body = nullptr;
 }
@@ -268,7 +295,8 @@ void FluidGrid<Real>::list_cells(BlockIndex b) {
 
 template <class Real>
 std::size_t FluidGrid<Real>::bytes() const {
-  return population_pool_.bytes() + block_pool_.bytes() + surface_pool_.bytes() + body_pool_.bytes();
+  return population_pool_.bytes() + block_pool_.bytes() + surface_pool_.bytes() + body_pool_.bytes() +
+         impulse_pool_.bytes();
 }
 
 template class FluidGrid<float>;

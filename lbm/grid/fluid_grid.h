@@ -60,6 +60,10 @@ class FluidGrid {
   /// Optional fields, given with sensible contents: fill level from the types; no body.
   SurfaceFields<Real>& require_surface(BlockIndex b);
   BodyFields<Real>& require_body(BlockIndex b);
+  /// Zero where nothing was written yet; the body kernel applies it, so the block gets body fields too.
+  ImpulseFields<Real>& require_impulse(BlockIndex b);
+  /// After the sweep: impulses act once.
+  void release_impulses();
   void release_surface(BlockIndex b);
   void release_body(BlockIndex b);
   /// Lists the interface cells of a block again and counts its wet cells, after types have changed.
@@ -86,6 +90,7 @@ class FluidGrid {
   void transfer_surfaces(Archive& archive);
   void transfer_bodies(Archive& archive);
   void transfer_wall_links(Archive& archive);
+  void release_impulse(BlockIndex b);
   void cut_geometry(BlockIndex b);
   [[nodiscard]] WallHit wall_hit(const Wall& wall, const Vec3i& place, int i) const;
   void add_wall_links(Block<Real>& block, int cell, const Vec3i& place, const std::array<CellType, 1000>& types);
@@ -100,6 +105,8 @@ class FluidGrid {
   ObjectPool<Block<Real>> block_pool_;
   ObjectPool<SurfaceFields<Real>> surface_pool_;
   ObjectPool<BodyFields<Real>> body_pool_;
+  ObjectPool<ImpulseFields<Real>> impulse_pool_;
+  std::vector<BlockIndex> with_impulse_;  // some of them may have been released since
   PopulationPool<Real> population_pool_;
 };
 

@@ -36,8 +36,8 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   SweepParameters p;
   p.collision = o.collision;
   p.tau = 0.5 + 3 * units.viscosity_to_lu(o.kinematic_viscosity);
-  p.coverage = coverage_law(o.weighting, p.tau, o.seepage_constant);
-  p.places_walls = o.weighting == BodyWeighting::wall_distance;
+  p.coverage_weight = coverage_weight_law(o.weighting, p.tau, o.seepage_constant);
+  p.third_moments_at_bodies = o.weighting == BodyWeighting::wall_distance;
   p.solid_operator = o.solid_operator;
   p.smagorinsky = o.smagorinsky;
   // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield
@@ -49,8 +49,8 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   // Its walls slip where the viscosity is large.
   require(o.rheology.law == FlowLaw::newtonian || o.collision != CollisionOperator::bgk,
           "Fluid: BGK is for Newtonian fluids alone");
-  require(!turns_populations(o.solid_operator) || (o.rheology.law == FlowLaw::newtonian && o.smagorinsky == 0),
-          "Fluid: solid operators that turn populations are for a constant viscosity alone");
+  require(!bounces_back(o.solid_operator) || (o.rheology.law == FlowLaw::newtonian && o.smagorinsky == 0),
+          "Fluid: solid operators that bounce populations back are for a constant viscosity alone");
   const auto& walls = o.domain.walls.all();
   const bool modelled =
       std::any_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip == WallSlip::wall_model; });
@@ -104,7 +104,7 @@ Fluid<Real>::Fluid(FluidOptions options)
 template <class Real>
 void Fluid<Real>::step() {
   const double ratio = plan_time_step() / units_.time_step;
-  if (ratio != 1) stretch_kicks(ratio);
+  if (ratio != 1) stretch_impulses(ratio);
   feed();
   exchange();
   if (ratio != 1) rescale(ratio);
@@ -145,10 +145,10 @@ void Fluid<Real>::set_time_step(double time_step) {
 /// Wires have written the momentum of a former step: a force that is held gives it over the coming one. It is brought
 /// over as a velocity after that, with what inflows add.
 template <class Real>
-void Fluid<Real>::stretch_kicks(double ratio) {
+void Fluid<Real>::stretch_impulses(double ratio) {
   for (const BlockIndex b : grid_.active())
-    if (BodyFields<Real>* body = grid_.block(b).body; body && !body->no_kicks)
-      for (Real* field : {body->exchange_x, body->exchange_y, body->exchange_z})
+    if (ImpulseFields<Real>* impulse = grid_.block(b).impulse)
+      for (Real* field : {impulse->x, impulse->y, impulse->z})
         for (int n = 0; n < kBlockCells; ++n) field[n] *= static_cast<Real>(ratio);
 }
 
@@ -227,11 +227,13 @@ void Fluid<Real>::sweep() {
   conversion_.begin(grid_);
   parallel_for(0, active.size(), kBlocksPerTask, [&](std::size_t k) {
     Block<Real>& block = grid_.block(active[k]);
+    if (block.body && block.wet_cells < kBlockCells) clear_momentum_exchange(*block.body);
     if (block.wet_cells == 0) return;
     const bool mixed = block.wet_cells < kBlockCells || block.surface;
     notes_[k] = kernels[mixed][block.body != nullptr](block, grid_.around(active[k]), parameters_);
     if (block.surface) conversion_.flag(grid_, k, parameters_.parity.next(), notes_[k]);
   });
+  grid_.release_impulses();
   survey_ = survey_of(notes_, active);
   cell_updates_ += static_cast<double>(survey_.wet);
   account_.limited += static_cast<std::int64_t>(survey_.limited);

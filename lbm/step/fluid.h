@@ -29,12 +29,12 @@ struct FluidOptions {
   Vec3 gravity = Vec3::Zero();        ///< m/s^2
   double surface_tension = 0;         ///< N/m; 0 is off
   CollisionOperator collision = CollisionOperator::central_moments;
-  BodyWeighting weighting = BodyWeighting::solid_fraction;
-  SolidOperator solid_operator = SolidOperator::faded;  ///< those that turn populations: Newtonian without LES only
-  double seepage_constant = 0;                          ///< in place of tau - 1/2 for BodyWeighting::seepage
-  double smagorinsky = 0;                               ///< Cs; 0 is off; only with a Newtonian fluid
-  RheologyOptions rheology;                             ///< flow law of mud and slurry
-  std::vector<InflowOptions> inflows;                   ///< boxes through which liquid enters
+  BodyWeighting weighting = kBodyWeighting;
+  SolidOperator solid_operator = kSolidOperator;  ///< those that bounce back: Newtonian without LES only
+  double seepage_constant = 0;                    ///< in place of tau - 1/2 for BodyWeighting::seepage
+  double smagorinsky = 0;                         ///< Cs; 0 is off; only with a Newtonian fluid
+  RheologyOptions rheology;                       ///< flow law of mud and slurry
+  std::vector<InflowOptions> inflows;             ///< boxes through which liquid enters
 };
 
 /// How the populations of a flow without a surface start.
@@ -93,7 +93,7 @@ class Fluid {
   [[nodiscard]] const LatticeUnits& units() const { return units_; }
   [[nodiscard]] const FluidOptions& options() const { return options_; }
   [[nodiscard]] double tau() const { return parameters_.tau; }
-  [[nodiscard]] const CoverageLaw& coverage_law() const { return parameters_.coverage; }
+  [[nodiscard]] const CoverageWeightLaw& coverage_weight_law() const { return parameters_.coverage_weight; }
   [[nodiscard]] std::int64_t steps() const { return clock_.steps(); }
   [[nodiscard]] FluidGrid<Real>& grid() { return grid_; }
   [[nodiscard]] const FluidGrid<Real>& grid() const { return grid_; }
@@ -155,7 +155,7 @@ class Fluid {
   void measure_surface_shear();
   void reflect();
   void book_wall_loads();
-  void stretch_kicks(double ratio);
+  void stretch_impulses(double ratio);
   void rescale(double ratio);
   void take_time_step(double time_step);
   void transfer_time(Archive& archive);

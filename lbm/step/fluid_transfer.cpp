@@ -117,17 +117,25 @@ void FluidGrid<Real>::transfer_bodies(Archive& archive) {
   };
   using Fields = BodyFields<Real>;
   field("solid_fraction", &Fields::solid_fraction);
-  field("coverage", &Fields::coverage);
-  field("resistance", &Fields::resistance);
-  field("body_momentum_x", &Fields::momentum_x);
-  field("body_momentum_y", &Fields::momentum_y);
-  field("body_momentum_z", &Fields::momentum_z);
-  field("exchange_x", &Fields::exchange_x);
-  field("exchange_y", &Fields::exchange_y);
-  field("exchange_z", &Fields::exchange_z);
+  field("exchange_weight", &Fields::exchange_weight);
+  field("drag", &Fields::drag);
+  field("weighted_velocity_x", &Fields::weighted_velocity_x);
+  field("weighted_velocity_y", &Fields::weighted_velocity_y);
+  field("weighted_velocity_z", &Fields::weighted_velocity_z);
+  field("momentum_exchange_x", &Fields::momentum_exchange_x);
+  field("momentum_exchange_y", &Fields::momentum_exchange_y);
+  field("momentum_exchange_z", &Fields::momentum_exchange_z);
   field("velocity_x", &Fields::velocity_x);
   field("velocity_y", &Fields::velocity_y);
   field("velocity_z", &Fields::velocity_z);
+  constexpr std::size_t rows = kBlockCells / kBlockWidth;
+  archive.pieces<std::uint8_t>("covered", blocks.size(), rows, [&](std::size_t k, std::uint8_t* stored) {
+    auto& own = block(blocks[k]).body->covered;
+    if (archive.loading())
+      std::copy_n(stored, rows, own.begin());
+    else
+      std::copy_n(own.begin(), rows, stored);
+  });
 }
 
 /// What the last reflection noted. A block that was never reflected has no gains yet: zeros stand for them.

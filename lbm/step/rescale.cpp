@@ -113,11 +113,16 @@ void rescale_velocities(Block<Real>& block, double ratio) {
   for (WallCell& wall : block.walls.cells)
     for (float& v : wall.wall_velocity) v *= r;
   for (WallHit& hit : block.walls.hits) hit.push *= r;
+  const auto scale = [&](Real* field) {
+    for (int n = 0; n < kBlockCells; ++n) field[n] *= static_cast<Real>(ratio);
+  };
+  if (ImpulseFields<Real>* const impulse = block.impulse)
+    for (Real* field : {impulse->x, impulse->y, impulse->z}) scale(field);
   if (!block.body) return;
   BodyFields<Real>& body = *block.body;
-  for (Real* field : {body.momentum_x, body.momentum_y, body.momentum_z, body.exchange_x, body.exchange_y,
-                      body.exchange_z, body.velocity_x, body.velocity_y, body.velocity_z})
-    for (int n = 0; n < kBlockCells; ++n) field[n] *= static_cast<Real>(ratio);
+  for (Real* field : {body.weighted_velocity_x, body.weighted_velocity_y, body.weighted_velocity_z, body.velocity_x,
+                      body.velocity_y, body.velocity_z})
+    scale(field);
 }
 
 }  // namespace

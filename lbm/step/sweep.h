@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "lbm/collision/coverage.h"
+#include "lbm/collision/coverage_weight.h"
 #include "lbm/collision/operators.h"
 #include "lbm/grid/block.h"
 #include "lbm/rheology/rheology.h"
@@ -14,9 +14,10 @@ namespace lahar::lbm {
 /// Uniform parameters of a sweep, lattice units.
 struct SweepParameters {
   CollisionOperator collision = CollisionOperator::central_moments;
-  CoverageLaw coverage;       ///< B of what bodies wrote into a cell
-  bool places_walls = false;  ///< central moments keep the place of a body's surface (collision/wall_placing.h)
-  SolidOperator solid_operator = SolidOperator::faded;
+  CoverageWeightLaw coverage_weight;  ///< B of the drag that bodies wrote into a cell
+  /// Central moments keep the place of a body's surface (collision/central_moments_at_bodies.h).
+  bool third_moments_at_bodies = false;
+  SolidOperator solid_operator = kSolidOperator;
   bool keep_velocity = true;    ///< for wires: writes BodyFields::velocity_x, _y, _z
   double tau = 1;               ///< relaxation time of the viscous moments
   double smagorinsky = 0;       ///< Cs, 0 is off

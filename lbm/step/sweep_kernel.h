@@ -6,12 +6,12 @@
 #include "core/check.h"
 #include "core/denormals.h"
 #include "lbm/collision/bgk.h"
+#include "lbm/collision/bounce_back_operators.h"
 #include "lbm/collision/central_moments.h"
+#include "lbm/collision/central_moments_at_bodies.h"
 #include "lbm/collision/smagorinsky.h"
-#include "lbm/collision/solid_operators.h"
 #include "lbm/collision/stress_limit.h"
 #include "lbm/collision/trt.h"
-#include "lbm/collision/wall_placing.h"
 #include "lbm/rheology/herschel_bulkley.h"
 #include "lbm/step/gather.h"
 #include "lbm/step/sweep.h"
@@ -26,15 +26,16 @@ template <class V, class Viscosity>
 struct Uniform {
   Viscosity viscosity;
   V gravity[3], stress_limit;
-  V alpha, beta, gamma, cap, largest;  ///< CoverageLaw
-  V fade;                              ///< 1 for SolidOperator::faded
-  bool turned, holdych;                ///< the solid operator is another one
+  V alpha, beta, gamma, cap, largest;  ///< CoverageWeightLaw
+  V nonequilibrium_loss;               ///< 1 for SolidOperator::damped_nonequilibrium
+  bool bounces_back;                   ///< the solid operator bounces populations back,
+  bool at_wall_velocity;               ///< by SolidOperator::wall_velocity_bounce_back
   bool keep_velocity;
 };
 
-/// Stands for exchange fields that nothing was written to.
+/// Stands for the impulses of blocks that have none.
 template <class Real>
-inline constexpr std::array<Real, kBlockCells> kNoKicks alignas(64){};
+inline constexpr std::array<Real, kBlockCells> kNoImpulse alignas(64){};
 
 template <class V, class Viscosity>
 Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
@@ -48,14 +49,14 @@ Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
   return {Viscosity::of(p),
           {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])},
           real(largest_stress),
-          real(p.coverage.alpha),
-          real(p.coverage.beta),
-          real(p.coverage.gamma),
-          real(p.coverage.cap),
-          real(p.coverage.largest),
-          real(p.solid_operator == SolidOperator::faded),
-          turns_populations(p.solid_operator),
-          p.solid_operator == SolidOperator::holdych,
+          real(p.coverage_weight.alpha),
+          real(p.coverage_weight.beta),
+          real(p.coverage_weight.gamma),
+          real(p.coverage_weight.cap),
+          real(p.coverage_weight.largest),
+          real(p.solid_operator == SolidOperator::damped_nonequilibrium),
+          bounces_back(p.solid_operator),
+          p.solid_operator == SolidOperator::wall_velocity_bounce_back,
           p.keep_velocity};
 }
 
@@ -149,16 +150,16 @@ class BlockKernel {
     add_forcing(block, n, uniform, m, force);
     if constexpr (kBody && kMixed) {
       stdx::where(dry, force.coverage_weight) = V(0);
-      for (V& k : force.kick) stdx::where(dry, k) = V(0);
+      for (V& change : force.impulse) stdx::where(dry, change) = V(0);
     }
     Departure<V> after;
-    bool turned = false;
+    bool bounces_back = false;
     if constexpr (kBody && std::is_same_v<std::remove_cvref_t<decltype(uniform.viscosity)>, Newtonian<V>>)
-      turned = uniform.turned;
-    if (turned) [[unlikely]] {
+      bounces_back = uniform.bounces_back;
+    if (bounces_back) [[unlikely]] {
       if constexpr (kBody) {
         after = velocity_after(m, force);
-        collide_turned<Operator>(f, m, force, uniform.viscosity, uniform.holdych);
+        collide_bouncing_back<Operator>(f, m, force, uniform.viscosity, uniform.at_wall_velocity);
       }
     } else {
       after = Operator::collide(f, m, force, uniform.viscosity);
@@ -185,45 +186,46 @@ class BlockKernel {
   }
 
   /// Gravity acts on all that the populations stand for, liquid and displaced liquid; the bodies' buoyancy is the
-  /// weight of the latter (coupling/grains/body_map.h).
+  /// weight of the latter (coupling/grains/resolved_exchange.h).
   template <class Uniforms>
   [[gnu::always_inline]] static void add_forcing(const Block<Real>& block, int n, const Uniforms& uniform,
                                                  const Moments<V>& m, CellForcing<V>& force) {
     if constexpr (kBody) {
       const BodyFields<Real>& body = *block.body;
       const V tiny(Real(1e-12));
-      const V sum(body.coverage + n, stdx::vector_aligned);
+      const V sum(body.exchange_weight + n, stdx::vector_aligned);
       const V inverse = V(1) / stdx::max(sum, tiny);
-      force.coverage_weight = coverage_weight(V(body.resistance + n, stdx::vector_aligned), uniform.alpha, uniform.beta,
+      force.coverage_weight = coverage_weight(V(body.drag + n, stdx::vector_aligned), uniform.alpha, uniform.beta,
                                               uniform.gamma, uniform.cap, uniform.largest);
-      force.fade = uniform.fade * force.coverage_weight;
+      force.nonequilibrium_loss = uniform.nonequilibrium_loss * force.coverage_weight;
       stdx::where(sum > V(0), force.near_body) = V(1);
-      force.solid_velocity[0] = V(body.momentum_x + n, stdx::vector_aligned) * inverse;
-      force.solid_velocity[1] = V(body.momentum_y + n, stdx::vector_aligned) * inverse;
-      force.solid_velocity[2] = V(body.momentum_z + n, stdx::vector_aligned) * inverse;
-      const Real* const none = kNoKicks<Real>.data();
-      const Real* const kicks[3] = {body.no_kicks ? none : body.exchange_x, body.no_kicks ? none : body.exchange_y,
-                                    body.no_kicks ? none : body.exchange_z};
-      for (int a = 0; a < 3; ++a) force.kick[a] = V(kicks[a] + n, stdx::vector_aligned) * m.inverse_density;
+      force.solid_velocity[0] = V(body.weighted_velocity_x + n, stdx::vector_aligned) * inverse;
+      force.solid_velocity[1] = V(body.weighted_velocity_y + n, stdx::vector_aligned) * inverse;
+      force.solid_velocity[2] = V(body.weighted_velocity_z + n, stdx::vector_aligned) * inverse;
+      const Real* const none = kNoImpulse<Real>.data();
+      const ImpulseFields<Real>* const given = block.impulse;
+      const Real* const impulse[3] = {given ? given->x : none, given ? given->y : none, given ? given->z : none};
+      for (int a = 0; a < 3; ++a) force.impulse[a] = V(impulse[a] + n, stdx::vector_aligned) * m.inverse_density;
     } else {
       force.coverage_weight = V(0);
-      for (int a = 0; a < 3; ++a) force.solid_velocity[a] = force.kick[a] = V(0);
+      for (int a = 0; a < 3; ++a) force.solid_velocity[a] = force.impulse[a] = V(0);
     }
     for (int a = 0; a < 3; ++a) force.acceleration[a] = uniform.gravity[a];
   }
 
   /// Momentum that the fluid gives to the bodies of the cell, B rho (u + a - u_s), and the velocity after collision.
-  /// The operator of Holdych gives B rho (2 (u - u_s) + a).
+  /// Bounce-back at the wall's velocity gives B rho (2 (u - u_s) + a).
   template <class Uniforms>
   [[gnu::always_inline]] static void record_exchange(Block<Real>& block, int n, const Moments<V>& m,
                                                      const CellForcing<V>& force, const Uniforms& uniform,
                                                      const Departure<V>& after) {
     const V weight = force.coverage_weight * (V(1) + m.drho);
-    Real* const out[3] = {block.body->exchange_x, block.body->exchange_y, block.body->exchange_z};
-    Real* const velocity[3] = {block.body->velocity_x, block.body->velocity_y, block.body->velocity_z};
+    BodyFields<Real>& body = *block.body;
+    Real* const out[3] = {body.momentum_exchange_x, body.momentum_exchange_y, body.momentum_exchange_z};
+    Real* const velocity[3] = {body.velocity_x, body.velocity_y, body.velocity_z};
     for (int a = 0; a < 3; ++a) {
       V loss = m.u[a] + force.acceleration[a] - force.solid_velocity[a], velocity_a = after.v[a];
-      if (uniform.holdych) [[unlikely]] {
+      if (uniform.at_wall_velocity) [[unlikely]] {
         const V slip = m.u[a] - force.solid_velocity[a];
         loss += slip, velocity_a -= force.coverage_weight * slip;
       }
@@ -256,7 +258,7 @@ BlockSweep<Real> pick_operator(const SweepParameters& p) {
       break;
   }
   if constexpr (kBody)
-    if (p.places_walls) return pick_viscosity<Real, kMixed, kBody, WallPlacing>(p);
+    if (p.third_moments_at_bodies) return pick_viscosity<Real, kMixed, kBody, CentralMomentsAtBodies>(p);
   return pick_viscosity<Real, kMixed, kBody, CentralMoments>(p);
 }
 

@@ -5,6 +5,20 @@
 
 namespace lahar::coupling {
 
+/// B = eps and damped stress, as many tests of the bookkeeping have it: it acts on every cell that a body touches.
+inline lbm::FluidOptions by_fraction(lbm::FluidOptions o) {
+  o.weighting = lbm::BodyWeighting::solid_fraction;
+  o.solid_operator = lbm::SolidOperator::damped_nonequilibrium;
+  return o;
+}
+
+/// The library's default.
+inline lbm::FluidOptions by_distance(lbm::FluidOptions o) {
+  o.weighting = lbm::BodyWeighting::wall_distance;
+  o.solid_operator = lbm::SolidOperator::equilibrium_difference;
+  return o;
+}
+
 /// Walls all round and an open top; cells of `cell_size` (m).
 inline lbm::FluidOptions tank(const Vec3& size, double cell_size, double time_step) {
   lbm::FluidOptions o;
@@ -15,7 +29,7 @@ inline lbm::FluidOptions tank(const Vec3& size, double cell_size, double time_st
   o.gravity = Vec3(0, 0, -9.81);
   o.kinematic_viscosity = 1e-4;
   o.smagorinsky = 0.1;
-  return o;
+  return by_fraction(o);
 }
 
 /// A closed periodic box of fluid in uniform motion.
@@ -25,7 +39,7 @@ inline lbm::FluidOptions stream(int cells, double cell_size, double time_step) {
   o.domain.cell_size = cell_size;
   o.domain.faces.fill(lbm::FaceKind::periodic);
   o.time_step = time_step;
-  return o;
+  return by_fraction(o);
 }
 
 inline dem::ParticleSpec grain(const Vec3& place, double radius, double density) {

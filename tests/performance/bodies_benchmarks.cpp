@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "coupling/grains/body_fields.h"
-#include "coupling/grains/body_map.h"
+#include "coupling/grains/grain_coupling.h"
 #include "tests/performance/benchmark.h"
 
 namespace lahar::performance {
@@ -42,20 +41,23 @@ Figure packed_bed_rate(const std::string& name, double pace, const Session& sess
   o.density = 1;
   o.kinematic_viscosity = 1e-5;
   o.gravity = Vec3(0, 0, -1e-5);
+  o.weighting = lbm::BodyWeighting::solid_fraction;
+  o.solid_operator = lbm::SolidOperator::damped_nonequilibrium;
   lbm::Fluid<float> fluid(o);
   fluid.keep_velocities(false);  // no wires: as in CoupledStep
   fluid.fill_everything([](const Vec3&) { return Vec3(0.01, 0, 0); }, [](const Vec3&) { return 0.0; });
   dem::Particles particles = packed_bed(pace);
-  coupling::BodyMap<float> map;
+  coupling::SolidFields<float> fields;
+  coupling::GrainCoupling<float> grains(coupling::ResolvedGrains{}, o);
   const auto step = [&] {
     for (std::size_t i = 0; i < particles.size(); ++i) particles.position.add(i, particles.velocity[i]);
-    coupling::clear_body_fields(fluid.grid());
-    map.update(fluid, particles);
-    coupling::release_unused_body_fields(fluid.grid());
+    fields.open(fluid.grid());
+    grains.update(fluid, particles, fields);
+    fields.close(fluid.grid());
     fluid.step();
     particles.external_force.fill(Vec3::Zero());
     particles.external_torque.fill(Vec3::Zero());
-    map.add_forces(fluid, particles);
+    grains.add_forces(fluid, particles);
   };
   step();
   double best = 0;

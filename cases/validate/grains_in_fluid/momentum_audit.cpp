@@ -10,7 +10,6 @@
 #include "cases/validate/fluid/flows.h"
 #include "cases/validate/free_surface/surface_flows.h"
 #include "coupling/coupled_step.h"
-#include "coupling/grains/body_fields.h"
 
 namespace lahar::validate {
 namespace {
@@ -94,8 +93,9 @@ Balance balance_of(const Variant& v, int steps) {
   options.watchdog.overlap_limit = 10;
   coupling::CouplingOptions coupling;
   coupling.substeps = 10;
-  if (v.mapped_wires) coupling.resolve_wires_from = 2;
-  coupling.lubrication = v.lubrication;
+  coupling.grains = coupling::ResolvedGrains{.radius_shift = 0};
+  if (v.mapped_wires) coupling.mapped_wires = {.from_diameter = 2, .radius_shift = 0};
+  if (v.lubrication) coupling.films = coupling::GrainFilms::lubrication;
   coupling::CoupledStep<Real> step(
       fluid, dem::Solids(std::move(particles), std::move(bonds), std::move(materials), Walls{}, options), coupling);
   step.fluid()->fill_everything(
@@ -135,11 +135,12 @@ std::vector<Row> run(const Context& context) {
       {"bgk", CollisionOperator::bgk},
       {"weighting by the solid fraction", central, BodyWeighting::solid_fraction},
       {"Noble & Torczynski", central, BodyWeighting::noble_torczynski},
-      {"seepage", central, BodyWeighting::seepage, SolidOperator::faded},
-      {"faded", central, BodyWeighting::wall_distance, SolidOperator::faded},
-      {"bounce-back", central, BodyWeighting::wall_distance, SolidOperator::bounce_back},
+      {"seepage", central, BodyWeighting::seepage, SolidOperator::damped_nonequilibrium},
+      {"faded", central, BodyWeighting::wall_distance, SolidOperator::damped_nonequilibrium},
+      {"bounce-back", central, BodyWeighting::wall_distance, SolidOperator::nonequilibrium_bounce_back},
       // The liquid inside turns round in every step, undamped: a grain that is free runs away with it.
-      {"Holdych, grains held", central, BodyWeighting::noble_torczynski, SolidOperator::holdych, false, false, true},
+      {"Holdych, grains held", central, BodyWeighting::noble_torczynski, SolidOperator::wall_velocity_bounce_back,
+       false, false, true},
       {"wires mapped as bodies", central, BodyWeighting::wall_distance, SolidOperator::equilibrium_difference, true},
       {"lubrication", central, BodyWeighting::wall_distance, SolidOperator::equilibrium_difference, false, true},
   };

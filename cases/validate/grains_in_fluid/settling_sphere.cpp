@@ -72,7 +72,7 @@ Fall fall_in(const Oil& oil, int cells_per_diameter, bool to_floor) {
   options.time_step = dt;
   coupling::CoupledStep<Real> step(
       fluid, dem::Solids(std::move(particles), dem::Bonds{}, std::move(materials), Walls{}, options),
-      {.radius_shift = immersion.radius_shift, .wire_drag = false, .substeps = 1});
+      {.grains = coupling::ResolvedGrains{immersion.radius_shift}});
   step.fluid()->fill_everything(at_rest, no_pressure);
   Fall fall;
   fall.shifted_viscosity = step.fluid()->tau() - 0.5;

@@ -38,7 +38,7 @@ Flight fly(const Vec3& shift, int steps) {
   fluid.solid_operator = immersion.solid_operator;
   coupling::CoupledStep<Real> step(
       fluid, dem::Solids(std::move(particles), dem::Bonds{}, std::move(materials), Walls{}, options),
-      {.radius_shift = immersion.radius_shift});
+      {.grains = coupling::ResolvedGrains{immersion.radius_shift}});
   step.fluid()->fill_everything(at_rest, no_pressure);
   Flight flight;
   for (int s = 0; s < steps; ++s) {

@@ -16,7 +16,7 @@ lbm::FluidOptions options_of(const Vec3i& cells, double viscosity, const Vec3& g
 }
 
 /// Of four times the density of the fluid and more: such a body feels the fluid's force itself, not a mean over steps
-/// (coupling/grains/followed_force.h).
+/// (coupling/under_relaxed_force.h).
 constexpr double kHeavy = 8;
 
 dem::Solids held_spheres(const std::vector<Vec3>& centres, double radius) {
@@ -38,18 +38,17 @@ dem::Solids held_spheres(const std::vector<Vec3>& centres, double radius) {
 }
 
 template <class Real>
-void write_fringe(const Fringe& fringe, lbm::FluidGrid<Real>& grid) {
+void write_fringe(const Fringe& fringe, lbm::FluidGrid<Real>& grid, coupling::SolidFields<Real>& fields) {
   for (const lbm::BlockIndex b : grid.active()) {
     const int x = grid.lowest_cell(b).x();
     if (x + lbm::kBlockWidth <= fringe.first || x >= fringe.last) continue;
-    auto& f = grid.require_body(b);
-    f.used = f.edited = true;
+    auto& f = fields.write_over(grid, b);
     for (int n = 0; n < lbm::kBlockCells; ++n) {
       const int at = x + lbm::cell_position(n)[0];
       if (at < fringe.first || at >= fringe.last) continue;
-      f.coverage[n] = 1;
-      f.resistance[n] = static_cast<Real>(fringe.resistance);
-      f.momentum_x[n] = static_cast<Real>(fringe.speed);
+      f.exchange_weight[n] = 1;
+      f.drag[n] = static_cast<Real>(fringe.drag);
+      f.weighted_velocity_x[n] = static_cast<Real>(fringe.speed);
     }
   }
 }
@@ -64,7 +63,7 @@ template <class Real>
 SphereFlow<Real>::SphereFlow(const Vec3i& cells, double viscosity, const Vec3& gravity, const Immersion& immersion,
                              const std::vector<Vec3>& centres, double radius, const Vec3& flow)
     : step_(options_of(cells, viscosity, gravity, immersion), held_spheres(centres, radius),
-            {.radius_shift = immersion.radius_shift, .wire_drag = false}) {
+            {.grains = coupling::ResolvedGrains{immersion.radius_shift}}) {
   const Vec3 box = cells.cast<double>();
   const auto outside = [&](const Vec3& p) {
     for (const Vec3& c : centres) {
@@ -79,7 +78,9 @@ SphereFlow<Real>::SphereFlow(const Vec3i& cells, double viscosity, const Vec3& g
 
 template <class Real>
 void SphereFlow<Real>::set_fringe(const Fringe& fringe) {
-  step_.set_field_writer([fringe](lbm::Fluid<Real>& fluid) { write_fringe(fringe, fluid.grid()); });
+  step_.set_field_writer([fringe](lbm::Fluid<Real>& fluid, coupling::SolidFields<Real>& fields) {
+    write_fringe(fringe, fluid.grid(), fields);
+  });
 }
 
 template <class Real>

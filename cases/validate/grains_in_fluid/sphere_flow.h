@@ -11,9 +11,10 @@ namespace lahar::validate {
 /// How bodies act on the fluid. The defaults are those of docs/decisions/0020.
 struct Immersion {
   lbm::CollisionOperator collision = lbm::CollisionOperator::trt;
-  lbm::BodyWeighting weighting = lbm::BodyWeighting::wall_distance;
-  lbm::SolidOperator solid_operator = lbm::SolidOperator::equilibrium_difference;
-  double radius_shift = -0.06;  ///< cells; fitted on the array of volume fraction 0.216 at 6 cells a diameter
+  lbm::BodyWeighting weighting = lbm::kBodyWeighting;
+  lbm::SolidOperator solid_operator = lbm::kSolidOperator;
+  double radius_shift =
+      coupling::kRadiusShift;  ///< cells; fitted on the array of volume fraction 0.216 at 6 cells a diameter
 };
 
 /// Row of an audit: what the bodies got against what the fluid gave, 1e-10 in double precision.
@@ -23,8 +24,8 @@ Row audit_row(const std::string& label, const coupling::MomentumAudit& audit);
 /// periodic box.
 struct Fringe {
   int first = 0, last = 0;
-  double speed = 0;       ///< lu
-  double resistance = 0;  ///< in the units of the weighting
+  double speed = 0;  ///< lu
+  double drag = 0;   ///< in the units of the weighting
 };
 
 template <class Real>

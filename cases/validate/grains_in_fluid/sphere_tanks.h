@@ -51,7 +51,7 @@ std::unique_ptr<coupling::CoupledStep<Real>> make_tank(const SphereTank& t) {
   options.time_step = 1;
   coupling::CouplingOptions coupling;
   coupling.substeps = t.substeps;
-  coupling.radius_shift = t.immersion.radius_shift;
+  coupling.grains = coupling::ResolvedGrains{t.immersion.radius_shift};
   auto step = std::make_unique<coupling::CoupledStep<Real>>(
       fluid, dem::Solids(std::move(particles), dem::Bonds{}, std::move(materials), std::move(walls), options),
       coupling);

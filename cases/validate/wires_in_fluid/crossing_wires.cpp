@@ -31,6 +31,8 @@ void overlapping_bodies(std::vector<Row>& rows, int steps) {
   options.time_step = 1;
   options.watchdog.overlap_limit = 10;
   lbm::FluidOptions fluid = lattice_box({32, 24, 24}, 1e-3);
+  fluid.weighting = lbm::BodyWeighting::solid_fraction;
+  fluid.solid_operator = lbm::SolidOperator::damped_nonequilibrium;
   fluid.gravity = Vec3(1e-5, 0, 0);
   coupling::CoupledStep<Real> step(
       fluid, dem::Solids(std::move(particles), dem::Bonds{}, std::move(materials), Walls{}, options), {});

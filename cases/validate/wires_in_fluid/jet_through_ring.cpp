@@ -94,11 +94,9 @@ template <class Real>
 std::unique_ptr<coupling::CoupledStep<Real>> make_vessel(const Vessel& v, double& lattice_area) {
   lbm::FluidOptions o = open_tank(v.cells(), 1e-4, Vec3(0, 0, -v.gravity()));
   o.domain.faces[1] = lbm::FaceKind::open;
-  o.weighting = lbm::BodyWeighting::wall_distance;
-  o.solid_operator = lbm::SolidOperator::equilibrium_difference;
   lattice_area = add_plate(v, o.domain.walls);
   coupling::CouplingOptions coupling;
-  if (v.rim == Rim::mapped_wire) coupling.resolve_wires_from = 0.5 * v.wire(), coupling.radius_shift = -0.06;
+  if (v.rim == Rim::mapped_wire) coupling.mapped_wires = coupling::MappedWires{.from_diameter = 0.5 * v.wire()};
   auto step = std::make_unique<coupling::CoupledStep<Real>>(o, ring_of(v), coupling);
   step->fill({{Vec3::Zero(), Vec3(v.plate(), v.width, v.foot() + v.head)}});
   return step;

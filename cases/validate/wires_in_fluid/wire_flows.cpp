@@ -46,10 +46,6 @@ lbm::FluidOptions stream_options(const WireStream& s) {
   o.time_step = 1;
   o.density = 1;
   o.kinematic_viscosity = s.speed * s.diameter / s.reynolds;
-  if (s.resolved) {
-    o.weighting = lbm::BodyWeighting::wall_distance;
-    o.solid_operator = lbm::SolidOperator::equilibrium_difference;
-  }
   o.gravity = s.expected_drag / s.cells.cast<double>().prod() * s.direction.normalized();
   return o;
 }
@@ -85,7 +81,7 @@ template <class Real>
 WireLoad measure(const WireStream& s) {
   const lbm::FluidOptions options = stream_options(s);
   coupling::CouplingOptions coupling;
-  if (s.resolved) coupling.resolve_wires_from = 1, coupling.radius_shift = s.radius_shift;
+  if (s.resolved) coupling.mapped_wires = {1, s.radius_shift};
   coupling::CoupledStep<Real> step(options, held_wires(s.wires, s.diameter), coupling);
   const Vec3 along = s.direction.normalized(), push = options.gravity * s.cells.cast<double>().prod();
   auto& fluid = *step.fluid();

@@ -7,6 +7,7 @@
 
 #include "cases/validate/entry.h"
 #include "core/vector.h"
+#include "coupling/coupling_options.h"
 #include "dem/solids.h"
 
 namespace lahar::validate {
@@ -27,10 +28,10 @@ struct WireStream {
   Vec3 direction = Vec3::UnitX();
   Vec3i cells{64, 64, 8};
   std::vector<HeldWire> wires;
-  double expected_drag = 0;     ///< lu, of all wires: what the body force balances
-  double travel = 48;           ///< cells that the stream moves; the last third is measured
-  bool resolved = false;        ///< as immersed bodies instead of the closure, as scenes have them by default
-  double radius_shift = -0.06;  ///< cells, of the immersed bodies
+  double expected_drag = 0;  ///< lu, of all wires: what the body force balances
+  double travel = 48;        ///< cells that the stream moves; the last third is measured
+  bool resolved = false;     ///< as immersed bodies instead of the closure, as scenes have them by default
+  double radius_shift = coupling::kRadiusShift;  ///< cells, of the immersed bodies
 };
 
 struct WireLoad {

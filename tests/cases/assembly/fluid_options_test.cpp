@@ -78,6 +78,15 @@ TEST(FluidOptions, ReachTheSolverAndTheResolvedScene) {
   EXPECT_NE(text.find("law = \"herschel_bulkley\""), std::string::npos);
 }
 
+/// Defaults of the library and of scenes are the same.
+TEST(FluidOptions, DefaultsOfBodiesAreThoseOfTheLibrary) {
+  const Scene scene = load(case_file(kDam), {});
+  const lbm::FluidOptions o = cases::fluid_options(scene), library;
+  EXPECT_EQ(o.weighting, library.weighting);
+  EXPECT_EQ(o.solid_operator, library.solid_operator);
+  EXPECT_EQ(scene.coupling.radius_shift_cells, coupling::ResolvedGrains{}.radius_shift);
+}
+
 TEST(FluidOptions, RoughnessReachesTheWall) {
   const Scene scene = load(case_file(kDam), {"wall[0].slip=wall_model", "wall[0].roughness_m=0.002"});
   const auto walls = cases::fluid_options(scene).domain.walls.all();

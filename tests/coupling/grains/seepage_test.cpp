@@ -22,7 +22,8 @@ TEST(Seepage, SmallGrainsFollowDarcy) {
 TEST(Seepage, ConstantReproducesTheVelocity) {
   const LatticeUnits units{0.02, 2e-4, 1000};
   const double c = seepage_constant(0.06, 1e-6, 9.81, units);
-  const double b = lbm::coverage_weight(kPackedSolidFraction, lbm::coverage_law(lbm::BodyWeighting::seepage, 1, c)),
+  const double b = lbm::coverage_weight(kPackedSolidFraction,
+                                        lbm::coverage_weight_law(lbm::BodyWeighting::seepage, 1, c)),
                a = units.acceleration_to_lu(9.81);
   double v = 0;
   for (int step = 0; step < 5000; ++step) v = (1 - b) * (v + a);

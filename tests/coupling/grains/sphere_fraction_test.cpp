@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "coupling/grains/body_rows.h"
+#include "coupling/grains/sphere_rows.h"
 
 namespace lahar::coupling {
 namespace {

@@ -6,8 +6,8 @@ namespace lahar::coupling {
 namespace {
 
 /// Pieces of parallel wires along z, a pitch apart along y, half a diameter long; with `mesh` the same along y.
-std::vector<WirePiece> screen(double diameter, double pitch, int wires, bool mesh) {
-  std::vector<WirePiece> pieces;
+std::vector<WireSegment> screen(double diameter, double pitch, int wires, bool mesh) {
+  std::vector<WireSegment> pieces;
   const double length = diameter / 2, width = pitch * wires;
   for (int k = 0; k < wires; ++k)
     for (int j = 0; j < static_cast<int>(width / length); ++j) {
@@ -30,7 +30,7 @@ TEST(WireCrowding, PlaneScreensHaveTheirSolidity) {
 }
 
 TEST(WireCrowding, LoneWireHasNone) {
-  std::vector<WirePiece> wire;
+  std::vector<WireSegment> wire;
   for (int k = 0; k < 200; ++k) wire.push_back({Vec3(0, 0, 0.5 * k), Vec3::UnitZ(), 1, 0.5});
   for (const Crowding& c : wire_crowding(wire, Vec3::Zero())) EXPECT_LT(c.solidity, 0.004);
   EXPECT_TRUE(wire_crowding({}, Vec3::Zero()).empty());

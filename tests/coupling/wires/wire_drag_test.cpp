@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "coupling/grains/body_fields.h"
 #include "coupling/wires/drag_law.h"
 #include "tests/coupling/tanks.h"
 
@@ -36,13 +35,14 @@ TEST(WireDrag, FollowsTheLaw) {
     fluid.fill_everything([&](const Vec3&) { return Vec3(u * 1e-4 / 0.02, 0, 0); }, [](const Vec3&) { return 0.0; });
     StraightWire wire(21, d, Vec3(0.1, 0.161, 0.1), across ? Vec3(0, 0, 1) : Vec3(1, 0, 0));
     WireDrag<double> drag(wire.particles, wire.bonds);
+    SolidFields<double> fields;
     // The velocity fields of new blocks are filled by one step.
-    clear_body_fields(fluid.grid());
-    drag.apply(fluid, wire.particles);
+    fields.open(fluid.grid());
+    drag.apply(fluid, wire.particles, fields);
     fluid.step();
-    clear_body_fields(fluid.grid());
+    fields.open(fluid.grid());
     wire.particles.external_force.fill(Vec3::Zero());
-    drag.apply(fluid, wire.particles);
+    drag.apply(fluid, wire.particles, fields);
     Vec3 force = Vec3::Zero();
     for (std::size_t i = 0; i < wire.particles.size(); ++i) force += wire.particles.external_force[i];
     const double speed = across ? undisturbed_speed(
@@ -60,6 +60,7 @@ TEST(WireDrag, GivesTheFluidWhatItTakes) {
   fluid.fill_everything([&](const Vec3&) { return Vec3(0.01, 0.002, 0); }, [](const Vec3&) { return 0.0; });
   StraightWire wire(21, 0.006, Vec3(0.1, 0.16, 0.1), Vec3(0.6, 0, 0.8));
   WireDrag<double> drag(wire.particles, wire.bonds);
+  SolidFields<double> fields;
   const auto momentum = [&] {
     Vec3 p = Vec3::Zero();
     fluid.for_each_wet_cell(
@@ -67,10 +68,11 @@ TEST(WireDrag, GivesTheFluidWhatItTakes) {
     return Vec3(p * 1000 * 8e-6);
   };
   for (int s = 0; s < 20; ++s) {
-    clear_body_fields(fluid.grid());
+    fields.open(fluid.grid());
     wire.particles.external_force.fill(Vec3::Zero());
-    const Vec3 before = momentum(), on_beads = drag.apply(fluid, wire.particles);
-    EXPECT_LT((on_beads + drag.given_to_fluid()).norm(), 1e-12 * on_beads.norm() + 1e-18);
+    const Vec3 before = momentum();
+    const ExchangedMomentum given = drag.apply(fluid, wire.particles, fields);
+    EXPECT_LT((given.to_solids - given.from_fluid).norm(), 1e-12 * given.to_solids.norm() + 1e-18);
     fluid.step();
     Vec3 force = Vec3::Zero();
     for (std::size_t i = 0; i < wire.particles.size(); ++i) force += wire.particles.external_force[i];
@@ -84,7 +86,8 @@ TEST(WireDrag, DryWireFeelsNothing) {
   fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.1)}});
   StraightWire wire(10, 0.006, Vec3(0.1, 0.16, 0.5), Vec3(1, 0, 0));
   WireDrag<float> drag(wire.particles, wire.bonds);
-  EXPECT_EQ(drag.apply(fluid, wire.particles), Vec3::Zero());
+  SolidFields<float> fields;
+  EXPECT_EQ(drag.apply(fluid, wire.particles, fields).to_solids, Vec3::Zero());
   EXPECT_EQ(drag.wet_beads(), 0U);
 }
 

@@ -13,12 +13,7 @@ namespace {
 
 const std::vector<lbm::LiquidRegion> kWater{{Vec3::Zero(), Vec3(0.4, 0.4, 0.24)}};
 
-lbm::FluidOptions small_tank() {
-  auto o = tank(Vec3(0.4, 0.4, 0.48), 0.02, 2e-4);
-  o.weighting = lbm::BodyWeighting::wall_distance;
-  o.solid_operator = lbm::SolidOperator::equilibrium_difference;
-  return o;
-}
+lbm::FluidOptions small_tank() { return by_distance(tank(Vec3(0.4, 0.4, 0.48), 0.02, 2e-4)); }
 
 dem::Solids solids_of(Chains c, const Vec3& gravity) {
   dem::SolidsOptions options;
@@ -48,9 +43,8 @@ template <class Real>
 std::unique_ptr<CoupledStep<Real>> coupled(double resolve_from) {
   const auto fluid = small_tank();
   CouplingOptions options;
-  options.radius_shift = -0.06;
   options.substeps = 20;
-  options.resolve_wires_from = resolve_from;
+  options.mapped_wires = MappedWires{resolve_from};
   return std::make_unique<CoupledStep<Real>>(fluid, solids_of(scene_of_wires(), fluid.gravity), options);
 }
 
@@ -106,16 +100,13 @@ TEST(ResolvedWiresInTheStep, SwitchesByTheDiameter) {
 /// A ring that sinks in still water, face on: mapped and by the law it falls through the same water with like speed.
 TEST(ResolvedWiresInTheStep, ARingSinksAlikeByEitherWay) {
   const auto speed = [](double resolve_from) {
-    lbm::FluidOptions fluid = stream(40, 0.02, 4e-4);
-    fluid.weighting = lbm::BodyWeighting::wall_distance;
-    fluid.solid_operator = lbm::SolidOperator::equilibrium_difference;
+    lbm::FluidOptions fluid = by_distance(stream(40, 0.02, 4e-4));
     fluid.kinematic_viscosity = 2e-4;
     Chains c;
     c.add(circle(Vec3(0.41, 0.4, 0.6), Vec3::UnitZ(), 0.4, 15), 0.08, true, dem::ParticleState::free, 5000);
     CouplingOptions options;
-    options.radius_shift = -0.06;
     options.substeps = 40;
-    options.resolve_wires_from = resolve_from;
+    options.mapped_wires = MappedWires{resolve_from};
     CoupledStep<float> step(fluid, solids_of(std::move(c), Vec3(0, 0, -2)), options);
     step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
     while (step.time() < 0.3) step.advance();

@@ -6,18 +6,11 @@
 #include <cmath>
 #include <random>
 
-#include "coupling/grains/body_fields.h"
-#include "coupling/grains/body_map.h"
+#include "coupling/grains/grain_coupling.h"
 #include "tests/coupling/chains.h"
 
 namespace lahar::coupling {
 namespace {
-
-lbm::FluidOptions by_distance(lbm::FluidOptions o) {
-  o.weighting = lbm::BodyWeighting::wall_distance;
-  o.solid_operator = lbm::SolidOperator::equilibrium_difference;
-  return o;
-}
 
 /// Fluid everywhere in a periodic box with cells of 1 m and steps of 1 s.
 template <class Real>
@@ -66,6 +59,7 @@ TEST(WireMap, VolumeIsRight) {
   std::uniform_real_distribution<double> uniform(-0.5, 0.5);
   lbm::Fluid<double> fluid(stream(48, 1, 1));
   fill_all(fluid);
+  SolidFields<double> fields;
   const double d = 4;
   for (const int beads : {0, 12, 24}) {  // a straight line, a coarse and a fine ring
     double mean = 0, square = 0;
@@ -78,9 +72,9 @@ TEST(WireMap, VolumeIsRight) {
         c.add(straight_line(centre - 16 * axis, centre + 16 * axis, 9), d, false);
       else
         c.add(circle(centre, axis, 26, beads), d, true);
-      WireMap<double> map(c.particles, c.bonds, 2, 0);
-      clear_body_fields(fluid.grid());
-      map.update(fluid, c.particles, c.bonds);
+      WireMap<double> map(c.particles, c.bonds, {2, 0}, 1);
+      fields.open(fluid.grid());
+      map.update(fluid, c.particles, c.bonds, fields);
       const double error = mapped_volume(fluid) / (std::numbers::pi * d * d / 4 * length_of(c)) - 1;
       mean += error / samples, square += error * error / samples;
       EXPECT_NEAR(map.wet_volume() / mapped_volume(fluid), 1, 1e-12);
@@ -95,13 +89,14 @@ TEST(WireMap, PiecesFitTogether) {
   std::mt19937 random(5);
   lbm::Fluid<double> fluid(by_distance(stream(48, 1, 1)));
   fill_all(fluid);
+  SolidFields<double> fields;
   for (int k = 0; k < 8; ++k) {
     const Vec3 axis = any_direction(random), centre(24.3, 23.8, 24.1);
     Chains c;
     c.add(circle(centre, axis, 28, 14), 5, true);
-    WireMap<double> map(c.particles, c.bonds, 2, -0.06);
-    clear_body_fields(fluid.grid());
-    map.update(fluid, c.particles, c.bonds);
+    WireMap<double> map(c.particles, c.bonds, {2}, 1);
+    fields.open(fluid.grid());
+    map.update(fluid, c.particles, c.bonds, fields);
     double least = 1, most = 0;
     int inside = 0;
     for_body_cells(fluid, [&](const Vec3& p, const lbm::BodyFields<double>& f, int n) {
@@ -112,7 +107,7 @@ TEST(WireMap, PiecesFitTogether) {
             distance, segment_distance(p, c.particles.position[c.bonds.i[b]], c.particles.position[c.bonds.j[b]]));
       if (distance > 1.8) return;
       ++inside;
-      least = std::min({least, f.solid_fraction[n], f.resistance[n] / kWireResistance});
+      least = std::min({least, f.solid_fraction[n], f.drag[n] / kWireDrag});
     });
     EXPECT_GT(inside, 800);
     EXPECT_DOUBLE_EQ(most, 1);
@@ -128,6 +123,7 @@ TEST(WireMap, LoadsAreAdjointToTheVelocity) {
     const auto options = stream(32, 1, 1);
     lbm::Fluid<double> fluid(distance ? by_distance(options) : options);
     fill_all(fluid);
+    SolidFields<double> fields;
     Chains c;
     c.add(circle(Vec3(16.2, 15.7, 16.4), Vec3(0.3, 0.5, 0.8).normalized(), 18, 9), 4, true, dem::ParticleState::free,
           1e9);
@@ -136,17 +132,18 @@ TEST(WireMap, LoadsAreAdjointToTheVelocity) {
       c.particles.velocity.set(i, 0.02 * any_direction(random));
       c.particles.angular_velocity.set(i, 0.01 * any_direction(random));
     }
-    WireMap<double> map(c.particles, c.bonds, 2, -0.06);
-    clear_body_fields(fluid.grid());
-    map.update(fluid, c.particles, c.bonds);
+    WireMap<double> map(c.particles, c.bonds, {2}, 1);
+    fields.open(fluid.grid());
+    map.update(fluid, c.particles, c.bonds, fields);
     fluid.step();
     const Vec3 total = map.add_forces(fluid, c.particles);
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero(), on_beads = Vec3::Zero(), moment_on_beads = Vec3::Zero();
     double power = 0, power_of_beads = 0, scale = 0;
     for_body_cells(fluid, [&](const Vec3& p, const lbm::BodyFields<double>& f, int n) {
-      if (f.coverage[n] == 0) return;
-      const Vec3 part(f.exchange_x[n], f.exchange_y[n], f.exchange_z[n]);
-      const Vec3 velocity = Vec3(f.momentum_x[n], f.momentum_y[n], f.momentum_z[n]) / f.coverage[n];
+      if (f.exchange_weight[n] == 0) return;
+      const Vec3 part(f.momentum_exchange_x[n], f.momentum_exchange_y[n], f.momentum_exchange_z[n]);
+      const Vec3 velocity =
+          Vec3(f.weighted_velocity_x[n], f.weighted_velocity_y[n], f.weighted_velocity_z[n]) / f.exchange_weight[n];
       force += part, moment += p.cross(part), power += part.dot(velocity), scale += part.norm();
     });
     const double to_si = fluid.units().force_to_si(1.0);
@@ -172,18 +169,20 @@ TEST(WireMap, WritesOnlyWhatMoved) {
   c.add(straight_line(Vec3(10.3, 4, 10), Vec3(10.3, 44, 10), 11), 4, false);
   c.add(straight_line(Vec3(36.3, 4, 36), Vec3(36.3, 44, 36), 11), 4, false);
   c.particles.add(grain(Vec3(14, 12, 12), 3, 2500));
-  WireMap<float> map(c.particles, c.bonds, 2, -0.06);
-  BodyMap<float> grains(-0.06);
+  WireMap<float> map(c.particles, c.bonds, {2}, 1);
+  GrainCoupling<float> grains(ResolvedGrains{}, fluid.options());
+  SolidFields<float> fields;
   const auto update = [&](auto& wires, auto& bodies) {
-    clear_body_fields(fluid.grid());
-    bodies.update(fluid, c.particles);
-    wires.update(fluid, c.particles, c.bonds);
-    release_unused_body_fields(fluid.grid());
+    fields.open(fluid.grid());
+    bodies.update(fluid, c.particles, fields);
+    wires.update(fluid, c.particles, c.bonds, fields);
+    fields.close(fluid.grid());
   };
-  const auto fields = [&] {
+  const auto written = [&] {
     std::vector<float> all;
     for_body_cells(fluid, [&](const Vec3&, const lbm::BodyFields<float>& f, int n) {
-      all.insert(all.end(), {f.solid_fraction[n], f.coverage[n], f.resistance[n], f.momentum_x[n], f.momentum_z[n]});
+      all.insert(all.end(), {f.solid_fraction[n], f.exchange_weight[n], f.drag[n], f.weighted_velocity_x[n],
+                             f.weighted_velocity_z[n]});
     });
     return all;
   };
@@ -198,13 +197,12 @@ TEST(WireMap, WritesOnlyWhatMoved) {
   update(map, grains);
   EXPECT_GT(map.written_blocks(), with_grain);
   EXPECT_LT(map.written_blocks(), all / 2 + with_grain);
-  const std::vector<float> kept = fields();
-  WireMap<float> fresh(c.particles, c.bonds, 2, -0.06);
-  BodyMap<float> fresh_grains(-0.06);
-  for (const lbm::BlockIndex b : fluid.grid().active())
-    if (fluid.grid().block(b).body) fluid.grid().block(b).body->edited = true;
+  const std::vector<float> kept = written();
+  WireMap<float> fresh(c.particles, c.bonds, {2}, 1);
+  GrainCoupling<float> fresh_grains(ResolvedGrains{}, fluid.options());
+  fields.forget();
   update(fresh, fresh_grains);
-  EXPECT_EQ(kept, fields());
+  EXPECT_EQ(kept, written());
 }
 
 /// A bar lowered lengthwise and askew through the surface raises the level by its volume, is carried by the weight of
@@ -215,7 +213,8 @@ TEST(WireMap, LoweredBarRaisesTheLevel) {
   fluid.fill({{Vec3::Zero(), Vec3(0.48, 0.48, 0.3)}});
   Chains c;
   c.add(straight_line(Vec3(0.141, 0.237, 0.4), Vec3(0.341, 0.247, 0.46), 4), 0.08, false);
-  WireMap<double> map(c.particles, c.bonds, 0.04, -0.06);
+  WireMap<double> map(c.particles, c.bonds, {2}, 0.02);
+  SolidFields<double> fields;
   const double volume = std::numbers::pi * 0.04 * 0.04 * length_of(c), speed = 0.4, dt = fluid.units().time_step;
   const auto fill = [&] {
     double sum = 0;
@@ -228,9 +227,9 @@ TEST(WireMap, LoweredBarRaisesTheLevel) {
       c.particles.position.add(i, velocity * dt);
     }
     c.particles.external_force.fill(Vec3::Zero()), c.particles.external_torque.fill(Vec3::Zero());
-    clear_body_fields(fluid.grid());
-    map.update(fluid, c.particles, c.bonds);
-    release_unused_body_fields(fluid.grid());
+    fields.open(fluid.grid());
+    map.update(fluid, c.particles, c.bonds, fields);
+    fields.close(fluid.grid());
     fluid.step();
     map.add_forces(fluid, c.particles);
   };

@@ -5,9 +5,9 @@
 
 #include "lbm/collision/bgk.h"
 #include "lbm/collision/central_moments.h"
+#include "lbm/collision/central_moments_at_bodies.h"
 #include "lbm/collision/smagorinsky.h"
 #include "lbm/collision/trt.h"
-#include "lbm/collision/wall_placing.h"
 
 namespace lahar::lbm {
 namespace {
@@ -32,7 +32,7 @@ struct AtBodies {
   static Departure<double> collide(double (&f)[D3Q19::q], const Moments<double>& m, CellForcing<double> force,
                                    const Viscosity& viscosity) {
     force.near_body = 1;
-    return WallPlacing::collide(f, m, force, viscosity);
+    return CentralMomentsAtBodies::collide(f, m, force, viscosity);
   }
 };
 
@@ -58,7 +58,7 @@ TYPED_TEST(Collision, ForceAddsItsImpulse) {
   this->random_state(random, f, 0.01);
   const auto before = moments(f);
   CellForcing<double> force = this->no_force();
-  force.acceleration[0] = 1e-3, force.acceleration[2] = -2e-3, force.kick[1] = 5e-4;
+  force.acceleration[0] = 1e-3, force.acceleration[2] = -2e-3, force.impulse[1] = 5e-4;
   TypeParam::collide(f, before, force, Smagorinsky<double>{0.6, smagorinsky_factor(0.1)});
   const auto after = moments(f);
   EXPECT_NEAR(after.u[0] - before.u[0], 1e-3, 1e-14);
@@ -92,7 +92,7 @@ TYPED_TEST(Collision, FullCoverageGivesTheBodysVelocity) {
   double f[D3Q19::q];
   this->random_state(random, f, 0.02);
   CellForcing<double> force = this->no_force();
-  force.coverage_weight = force.fade = 1;
+  force.coverage_weight = force.nonequilibrium_loss = 1;
   force.solid_velocity[0] = 0.03, force.solid_velocity[2] = -0.02;
   const auto before = moments(f);
   TypeParam::collide(f, before, force, Newtonian<double>{0.55});
@@ -129,7 +129,7 @@ TYPED_TEST(Collision, EquilibriumAtRestStays) {
 }
 
 /// Slow flow: the part that is odd in the velocities is that of two relaxation times.
-TEST(WallPlacing, OddPartIsThatOfTrtInSlowFlow) {
+TEST(CentralMomentsAtBodies, OddPartIsThatOfTrtInSlowFlow) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> u(-1, 1);
   double f[D3Q19::q], g[D3Q19::q];
@@ -141,7 +141,7 @@ TEST(WallPlacing, OddPartIsThatOfTrtInSlowFlow) {
 }
 
 /// Away from bodies it is the default operator, bit by bit; at them a large disturbance is not handed on in full.
-TEST(WallPlacing, IsTheDefaultAwayFromBodiesAndLimitedAtThem) {
+TEST(CentralMomentsAtBodies, IsTheDefaultAwayFromBodiesAndLimitedAtThem) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> u(-1, 1);
   double f[D3Q19::q], away[D3Q19::q], at[D3Q19::q];
@@ -153,7 +153,7 @@ TEST(WallPlacing, IsTheDefaultAwayFromBodiesAndLimitedAtThem) {
   EXPECT_GT(share, 0);
   EXPECT_LT(share, 0.4);
   CentralMoments::collide(f, m, force, Newtonian<double>{0.5001});
-  WallPlacing::collide(away, m, force, Newtonian<double>{0.5001});
+  CentralMomentsAtBodies::collide(away, m, force, Newtonian<double>{0.5001});
   AtBodies::collide(at, m, force, Newtonian<double>{0.5001});
   double difference = 0;
   for (int i = 0; i < D3Q19::q; ++i) {

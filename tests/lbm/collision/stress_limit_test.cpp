@@ -40,7 +40,7 @@ TEST(StressLimit, TakesStressAloneOut) {
     const CellForcing<double> force{.acceleration = {0, 0, 0},
                                     .coverage_weight = 0,
                                     .solid_velocity = {0, 0, 0},
-                                    .kick = {0, 0, 0},
+                                    .impulse = {0, 0, 0},
                                     .largest_rate = c.rate,
                                     .stress_share = c.share};
     CentralMoments::collide(f, before, force, Newtonian<double>{0.5});

@@ -112,7 +112,7 @@ TEST(Rescale, HeldForcesActOverTheNewStep) {
   Fluid<double> fluid(lattice_options(Vec3i::Constant(8), 0.1));
   fluid.fill_everything([](const Vec3&) { return Vec3::Zero().eval(); }, no_pressure);
   const BlockIndex b = fluid.grid().active().front();
-  for (double& k : fluid.grid().require_body(b).exchange_x) k = 1e-4;
+  for (double& impulse : fluid.grid().require_impulse(b).x) impulse = 1e-4;
   fluid.set_time_step(0.5);
   fluid.step();
   fluid.for_each_wet_cell([&](const WetCell& c) { EXPECT_NEAR(c.velocity.x(), 0.5e-4, 1e-12); });

@@ -36,4 +36,14 @@ template <class Real, class Visit>
   }
 }
 
+/// Calls visit(first cell of the row, eps) for the rows of a block that a sphere covers.
+template <class Real, class Visit>
+[[gnu::always_inline]] inline void for_covered_rows(const GridSphere<Real>& s, const Vec3i& lowest,
+                                                    const Visit& visit) {
+  for_rows_near(
+      s, lowest, covered_reach(s), [&](int y, int z) __attribute__((always_inline)) {
+        visit(lbm::cell_index(0, y, z), fraction_row(s, lowest.x(), lowest.y() + y, lowest.z() + z));
+      });
+}
+
 }  // namespace lahar::coupling

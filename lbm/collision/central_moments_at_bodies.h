@@ -48,7 +48,7 @@ template <class V>
   return third;
 }
 
-struct WallPlacing {
+struct CentralMomentsAtBodies {
   static constexpr const char* name = "central_moments";
   static constexpr bool bounds_stress = true;  ///< collision/stress_limit.h
 
@@ -60,8 +60,8 @@ struct WallPlacing {
     const ThirdMoments<V> third = third_moments(f, m, s);
     const V rate = min(rate_of(viscosity, s, m.inverse_density), force.largest_rate);
     const Departure<V> after = CentralMoments::collide(f, m, force, viscosity);
-    const V keep = force.near_body * third.share * (V(1) - force.fade) * force.stress_share * after.share *
-                   (V(1) - Trt::odd_rate(rate));
+    const V keep = force.near_body * third.share * (V(1) - force.nonequilibrium_loss) * force.stress_share *
+                   after.share * (V(1) - Trt::odd_rate(rate));
     for (int p = 0; p < D3Q19::pairs; ++p) {
       f[2 * p + 1] += keep * third.odd[p];
       f[2 * p + 2] -= keep * third.odd[p];

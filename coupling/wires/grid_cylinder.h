@@ -19,7 +19,7 @@
 #include <cstdint>
 
 #include "core/multiply_add.h"
-#include "coupling/grains/wall_resistance.h"
+#include "coupling/grains/wall_drag.h"
 #include "coupling/rows.h"
 #include "coupling/wires/capsule_fraction.h"
 
@@ -42,7 +42,7 @@ struct WireCut {
 };
 
 template <class Real>
-struct GridPiece {
+struct GridCylinder {
   Real start[3];  ///< the first bead
   Real end[3];    ///< the second
   Real along[3];  ///< unit
@@ -55,14 +55,14 @@ struct GridPiece {
 
 /// How far from the axis, and beyond a free end, eps is not 0.
 template <class Real>
-Real covered_reach(const GridPiece<Real>& p) {
+Real covered_reach(const GridCylinder<Real>& p) {
   return p.radius + Real(0.5);
 }
 
-/// How far from the axis eps or the coverage is not 0.
+/// How far from the axis eps or the exchange weight is not 0.
 template <class Real>
-Real reach_of(const GridPiece<Real>& p) {
-  return std::max(covered_reach(p), p.surface + Real(kResistanceReach));
+Real reach_of(const GridCylinder<Real>& p) {
+  return std::max(covered_reach(p), p.surface + Real(kWallDragReach));
 }
 
 #pragma GCC diagnostic push
@@ -71,16 +71,16 @@ Real reach_of(const GridPiece<Real>& p) {
 
 /// What a piece covers of a row of 8 cells.
 template <class Real>
-struct PieceRow {
+struct CylinderRow {
   lbm::Row<Real> fraction;  ///< eps
-  lbm::Row<Real> coverage;  ///< what it writes into the coverage
+  lbm::Row<Real> weight;    ///< in their exchange: eps too, or its drag
   lbm::Row<Real> share;     ///< s
 };
 
 /// The row (x0..x0+7, y, z). `kByDistance`: surface is given. Products and sums are spelled out, so that a cell at a
 /// plane belongs to the same piece wherever this is inlined.
 template <bool kByDistance, class Real>
-[[gnu::always_inline]] inline PieceRow<Real> piece_row(const GridPiece<Real>& p, int x0, int y, int z) {
+[[gnu::always_inline]] inline CylinderRow<Real> cylinder_row(const GridCylinder<Real>& p, int x0, int y, int z) {
   using Row = lbm::Row<Real>;
   const Real cy = static_cast<Real>(y) + Real(0.5), cz = static_cast<Real>(z) + Real(0.5);
   const Row cx = (static_cast<Real>(x0) + Real(0.5)) + row_places<Real>();
@@ -110,7 +110,7 @@ template <bool kByDistance, class Real>
   fraction *= owned;
   const Row share = stdx::min(one, stdx::max(none, Row(t / p.length)));
   if constexpr (kByDistance)
-    return {fraction, wall_resistance<Row>(depth) * owned, share};
+    return {fraction, wall_drag<Row>(depth) * owned, share};
   else
     return {fraction, fraction, share};
 }
@@ -146,20 +146,20 @@ template <class Real>
 /// The box that a piece reaches: the cylinder of radius `reach`, drawn out beyond its ends as far as the planes there
 /// cut it, or by `reach` less the radius at a free end.
 template <class Real>
-struct PieceBox {
+struct CylinderBox {
   Real low[3], high[3];
 };
 
 template <class Real>
-PieceBox<Real> box_of(const GridPiece<Real>& p, Real reach) {
+CylinderBox<Real> box_of(const GridCylinder<Real>& p, Real reach) {
   Real beyond[2];
   for (int e = 0; e < 2; ++e) {
     const auto& n = p.cuts[e].normal;
     const Real cosine = std::abs(n[0] * p.along[0] + n[1] * p.along[1] + n[2] * p.along[2]);
     const Real tangent = std::sqrt(std::max(Real(0), 1 - cosine * cosine)) / std::max(cosine, Real(0.1));
-    beyond[e] = p.cuts[e].side == 0 ? Real(kResistanceReach) : reach * tangent;
+    beyond[e] = p.cuts[e].side == 0 ? Real(kWallDragReach) : reach * tangent;
   }
-  PieceBox<Real> box;
+  CylinderBox<Real> box;
   for (int a = 0; a < 3; ++a) {
     const Real across = reach * std::sqrt(std::max(Real(0), 1 - p.along[a] * p.along[a])) + Real(1e-3);
     const Real first = p.start[a] - beyond[0] * p.along[a], second = p.end[a] + beyond[1] * p.along[a];
@@ -171,7 +171,7 @@ PieceBox<Real> box_of(const GridPiece<Real>& p, Real reach) {
 
 /// Calls visit(y, z), local to the block, for the rows of a block in the box.
 template <class Real, class Visit>
-[[gnu::always_inline]] inline void for_rows_in(const PieceBox<Real>& box, const Vec3i& lowest, const Visit& visit) {
+[[gnu::always_inline]] inline void for_rows_in(const CylinderBox<Real>& box, const Vec3i& lowest, const Visit& visit) {
   int low[3], high[3];
   for (int a = 0; a < 3; ++a) {
     low[a] = std::max(0, static_cast<int>(std::ceil(box.low[a] - Real(0.5))) - lowest[a]);

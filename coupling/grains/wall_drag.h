@@ -19,31 +19,34 @@
 namespace lahar::coupling {
 
 /// How far from a surface cells feel it.
-inline constexpr double kResistanceReach = 1.4142135623730951;
+inline constexpr double kWallDragReach = 1.4142135623730951;
 /// h of a cell in a body.
-inline constexpr double kInteriorResistance = 1e12;
+inline constexpr double kInteriorDrag = 1e12;
+/// h from which on a grain covers a cell (lbm/free_surface/covered_cells.h): its surface is within a millionth of a
+/// cell of the cell's centre, or beyond.
+inline constexpr double kCoveredDrag = 1e6;
 
 /// Two surfaces: a cell in the middle of a gap of one cell has q = 1/2 and h = 1 from each, and the parabola between
 /// them, u = g / (2 nu) q^2 there, asks for 2 + h = 2 / q^2, so h = 6 = 1 + 1 + 4. With the product
 /// 1 + 4 h = (1 + 4 h_1) (1 + 4 h_2) the order of the bodies does not matter and one that is far adds nothing.
-inline constexpr double kGapResistance = 4;
+inline constexpr double kGapDrag = 4;
 
-/// What two bodies resist together; gap is kGapResistance, or 0 for a plain sum. For numbers and rows of them
+/// The drag of two bodies together; gap is kGapDrag, or 0 for a plain sum. For numbers and rows of them
 /// (coupling/rows.h); products and sums are spelled out.
 template <class V>
-[[gnu::always_inline]] inline V joined_resistance(const V& one, const V& other, const V& gap) {
+[[gnu::always_inline]] inline V joined_drag(const V& one, const V& other, const V& gap) {
   using std::min;
-  return min(multiply_add(V(gap * one), other, V(one + other)), lbm::number<V>(kInteriorResistance));
+  return min(multiply_add(V(gap * one), other, V(one + other)), lbm::number<V>(kInteriorDrag));
 }
 
-/// h at distance q from the surface, negative inside: there the quotient is above kInteriorResistance.
+/// h at distance q from the surface, negative inside: there the quotient is above kInteriorDrag.
 template <class V>
-[[gnu::always_inline]] inline V wall_resistance(const V& q) {
+[[gnu::always_inline]] inline V wall_drag(const V& q) {
   using std::max;
   using std::min;
-  const V along = max(V(0), V(V(1) - q)), across = max(V(0), V(lbm::number<V>(kResistanceReach) - q));
+  const V along = max(V(0), V(V(1) - q)), across = max(V(0), V(lbm::number<V>(kWallDragReach) - q));
   const V near = along * along, far = V(lbm::number<V>(0.70710678118654752) * across) * across, sum = near + far;
-  return min(V(sum / max(V(V(2) * q), lbm::number<V>(1e-12))), lbm::number<V>(kInteriorResistance));
+  return min(V(sum / max(V(V(2) * q), lbm::number<V>(1e-12))), lbm::number<V>(kInteriorDrag));
 }
 
 }  // namespace lahar::coupling

@@ -1,0 +1,49 @@
+#pragma once
+// What a scene may choose of the coupling, and the defaults of library and scenes.
+#include <optional>
+#include <variant>
+
+namespace lahar::coupling {
+
+/// Added to the radius (cells) at which the fluid comes to rest, with BodyWeighting::wall_distance; the volume stays
+/// that of the body. Fitted on arrays of spheres (docs/decisions/0021).
+inline constexpr double kRadiusShift = -0.06;
+
+/// Grains displace and stop the fluid cell by cell: immersed moving boundary (grains/resolved_exchange.h).
+struct ResolvedGrains {
+  double radius_shift = kRadiusShift;
+};
+
+/// Grains and fluid do not feel each other.
+struct UncoupledGrains {};
+
+/// How grains and fluid exchange momentum (grains/grain_exchange.h).
+using GrainExchangeChoice = std::variant<ResolvedGrains, UncoupledGrains>;
+
+/// Between grains that are closer than the cells resolve.
+enum class GrainFilms {
+  none,
+  lubrication,  ///< grains/lubrication.h
+};
+
+/// Wires that are not mapped as bodies.
+enum class ThinWires {
+  uncoupled,
+  drag_law,  ///< beads feel drag, and the cells the opposite (wires/wire_drag.h)
+};
+
+/// Wires that the cells resolve are bodies (wires/wire_map.h).
+struct MappedWires {
+  double from_diameter;  ///< cells, of the thinnest that are
+  double radius_shift = kRadiusShift;
+};
+
+struct CouplingOptions {
+  GrainExchangeChoice grains = ResolvedGrains{};
+  GrainFilms films = GrainFilms::none;
+  ThinWires thin_wires = ThinWires::drag_law;
+  std::optional<MappedWires> mapped_wires = std::nullopt;
+  int substeps = 1;  ///< DEM steps in a fluid step; where that adapts they stay no longer than those of the first
+};
+
+}  // namespace lahar::coupling

@@ -1,0 +1,75 @@
+#pragma once
+// The ledger of the volume that grains displace.
+//
+// Liquid and grains share the cells ("total fill": the mass of a wet cell includes the grain's share). Populations of
+// wet cells carry the mixture, so that a grain that moves inside the liquid pushes it by itself. A grain that moves
+// between a gas cell and a wet cell is not carried by any population; its change of volume in wet cells is added to the
+// interface cells at its waterline, as they have room or liquid for it (docs/decisions/0045). Cells full of grains hold
+// no liquid: what flows into or out of the interface cells among them goes to the same place (docs/decisions/0041). So
+// a grain entering the water raises the level by its volume, and
+//   liquid = sum of wet masses - sum over grains of their volume in wet cells
+// is conserved exactly (docs/coupling.md, docs/decisions/0003).
+#include <vector>
+
+#include "coupling/grains/grain_map.h"
+
+namespace lahar::coupling {
+
+/// A mapping: measure_former before GrainMap::update, then begin, measure_block for all blocks with grains, end; and
+/// book, unless the grains were put into liquid that was filled around them.
+template <class Real>
+class DisplacedVolume {
+ public:
+  /// The wet volume of the former mapping under the cell types of now: conversions have booked their part already.
+  void measure_former(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map);
+
+  void begin(const GrainMap<Real>& map);
+  /// After the block's fields are written. In parallel over blocks. Interface cells that a grain covers are set full.
+  void measure_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block);
+  void end();
+
+  /// Gives each grain's change of wet volume, and what the interface cells that it covers gained, to its other
+  /// interface cells; the pool of isolated liquid takes it where there are none. A grain that was removed leaves a
+  /// void.
+  void book(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map);
+
+  /// Volume of all mapped grains inside wet cells, in cells.
+  [[nodiscard]] double wet_volume() const { return wet_volume_; }
+  /// The same of one grain.
+  [[nodiscard]] double wet_volume_of(const MappedGrain& grain) const;
+
+  /// State of a checkpoint.
+  void transfer(Archive& archive) { archive.value("wet_volume", wet_volume_); }
+
+ private:
+  /// Of a pair, cells. Sums over interface cells that are not covered: of eps, of eps times what is missing to a full
+  /// cell, and of eps times the liquid in the cell.
+  struct Share {
+    double wet = 0;  ///< over wet cells
+    double surface = 0, room = 0, liquid = 0;
+    double drift = 0;  ///< mass that covered interface cells gained in the last step
+  };
+  /// What a grain hands to its interface cells.
+  struct Handout {
+    double per_able = 0;  ///< mass per eps times room, liquid or 1
+    bool alike = false;   ///< by eps alone
+  };
+
+  void make_room_for(const GrainMap<Real>& map);
+  static void measure_wet(const lbm::Block<Real>& block, const GridSphere<Real>& sphere, const Vec3i& lowest,
+                          Share& share);
+  static void settle_covered(const lbm::Block<Real>& block, const GridSphere<Real>& sphere, const Vec3i& lowest,
+                             Share& share);
+  void hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const;
+
+  std::vector<Share> shares_;       // by pair
+  std::vector<double> former_wet_;  // per particle, of the former mapping; 0 between mappings
+  std::vector<Handout> handouts_;   // by grain
+  std::vector<double> for_pool_;    // by grain
+  double wet_volume_ = 0;
+};
+
+extern template class DisplacedVolume<float>;
+extern template class DisplacedVolume<double>;
+
+}  // namespace lahar::coupling

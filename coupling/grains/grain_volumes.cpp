@@ -1,0 +1,45 @@
+// Volumes of the mapped grains. Compiled without contraction of products and sums, so that the same row gives the same
+// numbers wherever it is inlined.
+#include "coupling/grains/grain_map.h"
+#include "coupling/grains/sphere_rows.h"
+
+namespace lahar::coupling {
+
+using lbm::kBlockWidth;
+
+namespace {
+
+/// Volume of a sphere in a block, in cells; by copy, so that it stays in registers.
+template <class Real>
+double volume_in(const GridSphere<Real> sphere, const Vec3i& lowest) {
+  lbm::Row<Real> lanes(0);
+  for_covered_rows(
+      sphere, lowest, [&](int, const lbm::Row<Real>& eps) __attribute__((always_inline)) { lanes += eps; });
+  double sum = 0;
+  for (std::size_t c = 0; c < kBlockWidth; ++c) sum += static_cast<double>(static_cast<Real>(lanes[c]));
+  return sum;
+}
+
+}  // namespace
+
+/// Scales each sphere to its exact volume, where all blocks that it reaches exist.
+template <class Real>
+void GrainMap<Real>::normalize() {
+  parallel_for(0, grains_.size(), 64, [&](std::size_t k) {
+    const MappedGrain& g = grains_[k];
+    if (g.change != GrainChange::place) return;
+    double sum = 0;
+    for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) {
+      pairs_[p].volume = volume_in<Real>(spheres_[k], pairs_[p].lowest);
+      sum += pairs_[p].volume;
+    }
+    const double factor = g.all_blocks && sum > 0 ? g.volume / sum : 1.0;
+    spheres_[k].factor = static_cast<Real>(factor);
+    for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) pairs_[p].volume *= factor;
+  });
+}
+
+template void GrainMap<float>::normalize();
+template void GrainMap<double>::normalize();
+
+}  // namespace lahar::coupling

@@ -1,0 +1,216 @@
+#include "coupling/grains/resolved_exchange.h"
+
+#include "coupling/grains/sphere_rows.h"
+#include "coupling/transfer_vectors.h"
+#include "coupling/under_relaxed_force.h"
+
+namespace lahar::coupling {
+
+using lbm::kBlockWidth;
+
+namespace {
+
+/// Sums over the rows of a block, one for each of the 8 places in a row; arms from the body's centre.
+template <class Real>
+struct RowSums {
+  using Row = lbm::Row<Real>;
+  Row force[3]{Row(0), Row(0), Row(0)};
+  Row y_fx{0}, z_fx{0}, z_fy{0}, y_fz{0};  ///< moments by the arms along y and z
+  Row interior{0}, interior_arm{0};        ///< liquid in the body's place; times the squared arm across x
+  Row entrained{0}, entrained_arm{0};      ///< liquid that a step brings to the body's velocity; the same
+
+  [[gnu::always_inline]] void add(const Row& share, const lbm::BodyFields<Real>& f, int row, Real ry, Real rz) {
+    const Row fx = share * Row(f.momentum_exchange_x + row, stdx::vector_aligned);
+    const Row fy = share * Row(f.momentum_exchange_y + row, stdx::vector_aligned);
+    const Row fz = share * Row(f.momentum_exchange_z + row, stdx::vector_aligned);
+    force[0] += fx, force[1] += fy, force[2] += fz;
+    y_fx += ry * fx, z_fx += rz * fx, z_fy += rz * fy, y_fz += ry * fz;
+  }
+  [[gnu::always_inline]] void add_liquid(const Row& in_place, const Row& moved, Real ry, Real rz) {
+    const Real square = ry * ry + rz * rz;
+    interior += in_place, interior_arm += square * in_place;
+    entrained += moved, entrained_arm += square * moved;
+  }
+
+  /// `rx`: arms along x. Sets force, torque, interior and entrained, and these times 2/3 of the squared arm.
+  template <class Load>
+  [[gnu::always_inline]] void reduce(const Row& rx, Load& load) const {
+    const auto sum = [](const Row& row) { return static_cast<double>(stdx::reduce(row)); };
+    load.force = Vec3(sum(force[0]), sum(force[1]), sum(force[2]));
+    load.torque = Vec3(sum(y_fz - z_fy), sum(z_fx - rx * force[2]), sum(rx * force[1] - y_fx));
+    load.interior = sum(interior), load.interior_inertia = 2.0 / 3.0 * sum(interior_arm + rx * rx * interior);
+    load.entrained = sum(entrained), load.entrained_inertia = 2.0 / 3.0 * sum(entrained_arm + rx * rx * entrained);
+  }
+};
+
+/// What all bodies of a block look at.
+template <class Real>
+struct BlockCover {
+  const lbm::BodyFields<Real>& fields;
+  const Real* wet;     ///< 1 or 0 for each cell; null where all of the block is wet
+  const Real* weight;  ///< B of each cell
+};
+
+/// B of every cell of a block, once for all bodies that cover it.
+template <class Real>
+void coverage_weights(const lbm::BodyFields<Real>& f, const lbm::CoverageWeightLaw& law, Real* weights) {
+  using Row = lbm::Row<Real>;
+  const auto row = [](double x) { return Row(static_cast<Real>(x)); };
+  const Row alpha = row(law.alpha), beta = row(law.beta), gamma = row(law.gamma), cap = row(law.cap),
+            largest = row(law.largest);
+  for (int n = 0; n < lbm::kBlockCells; n += kBlockWidth)
+    lbm::coverage_weight(Row(f.drag + n, stdx::vector_aligned), alpha, beta, gamma, cap, largest)
+        .copy_to(weights + n, stdx::vector_aligned);
+}
+
+/// Sums of a sphere over a block. With `kByDistance` eps of the liquid stands in its place, else what a step brings to
+/// its velocity. `kMixed`: some cells are dry.
+template <class Real, bool kByDistance, bool kMixed, class Load>
+[[gnu::noinline]] void sum_rows(const GridSphere<Real> s, const Vec3i lowest, const BlockCover<Real> block,
+                                Load& load) {
+  using Row = lbm::Row<Real>;
+  RowSums<Real> sums;
+  for_rows_near(
+      s, lowest, s.reach, [&](int y, int z) __attribute__((always_inline)) {
+        const RowCover<Real> cover = cover_row<kByDistance>(s, lowest.x(), lowest.y() + y, lowest.z() + z);
+        const int row = lbm::cell_index(0, y, z);
+        const Real ry = static_cast<Real>(lowest.y() + y) + Real(0.5) - s.centre[1];
+        const Real rz = static_cast<Real>(lowest.z() + z) + Real(0.5) - s.centre[2];
+        const Row all(block.fields.exchange_weight + row, stdx::vector_aligned);
+        const Row share = cover.weight / stdx::max(all, Row(Real(1e-30)));
+        sums.add(share, block.fields, row, ry, rz);
+        Row entrained = share * Row(block.weight + row, stdx::vector_aligned), interior = entrained;
+        if constexpr (kByDistance) interior = cover.fraction;
+        if constexpr (kMixed) {
+          const Row liquid(block.wet + row, stdx::vector_aligned);
+          entrained *= liquid, interior *= liquid;
+        }
+        sums.add_liquid(interior, entrained, ry, rz);
+      });
+  sums.reduce(static_cast<Real>(lowest.x()) + row_places<Real>() + Real(0.5) - s.centre[0], load);
+}
+
+template <class Real, bool kByDistance, class Load>
+void sum_over(const GridSphere<Real>& s, const Vec3i& lowest, const BlockCover<Real>& block, Load& load) {
+  if (block.wet)
+    sum_rows<Real, kByDistance, true>(s, lowest, block, load);
+  else
+    sum_rows<Real, kByDistance, false>(s, lowest, block, load);
+}
+
+}  // namespace
+
+template <class Real>
+auto ResolvedExchange<Real>::Load::operator+=(const Load& o) -> Load& {
+  force += o.force, torque += o.torque;
+  interior += o.interior, interior_inertia += o.interior_inertia;
+  entrained += o.entrained, entrained_inertia += o.entrained_inertia;
+  return *this;
+}
+
+template <class Real>
+void ResolvedExchange<Real>::shape_sphere(double radius, GridSphere<Real>& sphere) const {
+  const bool by_distance = weighting_ == lbm::BodyWeighting::wall_distance;
+  sphere.surface = by_distance ? static_cast<Real>(std::max(0.0, radius + radius_shift_)) : Real(-2);
+  sphere.reach = std::max(covered_reach(sphere), sphere.surface + Real(kWallDragReach));
+}
+
+template <class Real>
+void ResolvedExchange<Real>::prepare(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
+                                     const GrainMap<Real>& map) {
+  time_step_ = fluid.units().time_step;
+  states_.resize(particles.size());
+  loads_.resize(map.pairs().size());
+}
+
+template <class Real>
+void ResolvedExchange<Real>::gather_block(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t index) {
+  const auto pairs = map.by_block().in(index);
+  if (!map.is_alive(fluid, map.pairs()[pairs.front()])) {
+    for (const std::uint32_t k : pairs) loads_[k] = {};
+    return;
+  }
+  const lbm::Block<Real>& block = fluid.grid().block(static_cast<lbm::BlockIndex>(index));
+  alignas(64) Real mask[lbm::kBlockCells], weights[lbm::kBlockCells];
+  const Real* const wet = block.wet_cells < lbm::kBlockCells ? mask : nullptr;
+  for (std::size_t n = 0; wet && n < lbm::kBlockCells; ++n) mask[n] = lbm::is_wet(block.type[n]) ? Real(1) : Real(0);
+  coverage_weights(*block.body, fluid.coverage_weight_law(), weights);
+  const BlockCover<Real> cover{*block.body, wet, weights};
+  for (const std::uint32_t k : pairs) {
+    const GrainInBlock& pair = map.pairs()[k];
+    const GridSphere<Real>& s = map.sphere(pair.grain);
+    if (weighting_ == lbm::BodyWeighting::wall_distance)
+      sum_over<Real, true>(s, pair.lowest, cover, loads_[k]);
+    else
+      sum_over<Real, false>(s, pair.lowest, cover, loads_[k]);
+  }
+}
+
+namespace {
+
+/// Mass of the interior liquid whose inertia is no load on the body, at most what is entrained: a body of a cell or two
+/// entrains less than its volume, and what was taken off beyond that would drive it. With other weightings than
+/// wall_distance a light body is spared no more than a share of its own, and none has its spin driven by more than its
+/// own inertia (docs/decisions/0034).
+constexpr double kShareOfOwn = 0.7;
+
+double interior_mass(double interior, double entrained, double own, lbm::BodyWeighting weighting) {
+  const double most =
+      weighting == lbm::BodyWeighting::wall_distance ? entrained : std::min(entrained, kShareOfOwn * own);
+  return std::min(interior, most);
+}
+
+}  // namespace
+
+template <class Real>
+Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t grain,
+                                    double wet_volume, dem::Particles& particles) {
+  const auto& units = fluid.units();
+  const MappedGrain& g = map.grains()[grain];
+  const dem::ParticleIndex i = g.particle;
+  State& state = states_[i];
+  Load sum;
+  for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) sum += loads_[p];
+  // Means over the last step of the solids.
+  Vec3 acceleration = Vec3::Zero(), spin_up = Vec3::Zero();
+  if (state.known) {
+    acceleration = (particles.velocity[i] - state.velocity) / time_step_;
+    spin_up = (particles.angular_velocity[i] - state.spin) / time_step_;
+  }
+  state.velocity = particles.velocity[i], state.spin = particles.angular_velocity[i];
+  state.known = true;
+  const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
+  const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
+  const double interior = interior_mass(sum.interior, sum.entrained, particles.mass[i] / to_kg, weighting_);
+  Vec3 force = sum.force + interior * units.acceleration_to_lu(1.0) * acceleration - wet_volume * gravity;
+  const double spun = std::min({sum.interior_inertia, sum.entrained_inertia, particles.inertia[i] / to_kg_m2});
+  Vec3 torque = sum.torque + spun * units.time_step * units.time_step * spin_up;
+  force *= units.force_to_si(1.0), torque *= units.torque_to_si(1.0);
+  under_relax(state.felt_force, force, relaxation_factor(particles.mass[i], to_kg * sum.entrained), sum.entrained > 0);
+  // About any axis the entrained liquid has at most 3/2 of the mean over axes.
+  under_relax(state.felt_torque, torque,
+              relaxation_factor(particles.inertia[i], 1.5 * to_kg_m2 * sum.entrained_inertia), sum.entrained > 0);
+  particles.external_force.add(i, state.felt_force);
+  particles.external_torque.add(i, state.felt_torque);
+  return sum.force;
+}
+
+template <class Real>
+void ResolvedExchange<Real>::transfer(Archive& archive) {
+  std::size_t particles = states_.size();
+  archive.value("particles", particles);
+  states_.resize(particles);
+  archive.pieces<double>("grain", particles, 13, [&](std::size_t k, double* stored) {
+    State& s = states_[k];
+    transfer_vectors(archive, {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque}, stored);
+    if (archive.loading())
+      s.known = stored[12] != 0;
+    else
+      stored[12] = s.known ? 1 : 0;
+  });
+}
+
+template class ResolvedExchange<float>;
+template class ResolvedExchange<double>;
+
+}  // namespace lahar::coupling

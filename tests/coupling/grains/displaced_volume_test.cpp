@@ -1,0 +1,107 @@
+#include "coupling/grains/displaced_volume.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "coupling/grains/sphere_fraction.h"
+#include "coupling/solid_fields.h"
+#include "tests/coupling/tanks.h"
+
+namespace lahar::coupling {
+namespace {
+
+/// A tank half full of water at rest, cells of 2 cm, and one grain; nothing flows.
+class DisplacedVolumeTest : public testing::Test {
+ protected:
+  DisplacedVolumeTest() : fluid_(tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4)) {
+    fluid_.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.165)}});
+    particles_.add(grain(Vec3(0.15, 0.16, 0.25), kRadius, 2500));
+  }
+  void map() {
+    displaced_.measure_former(fluid_, map_);
+    map_.update(fluid_, particles_, [](double, GridSphere<double>& s) { s.surface = -2, s.reach = covered_reach(s); });
+    for (const GrainInBlock& pair : map_.pairs()) fluid_.grid().require_body(pair.block);
+    displaced_.begin(map_);
+    map_.by_block().for_each_block([&](std::size_t b) { displaced_.measure_block(fluid_, map_, b); });
+    displaced_.end();
+    displaced_.book(fluid_, map_);
+  }
+  /// Of all interface cells, in cells.
+  [[nodiscard]] double surface_mass() {
+    double sum = 0;
+    for (const lbm::BlockIndex b : fluid_.grid().active())
+      if (const auto* surface = fluid_.grid().block(b).surface)
+        for (int k = 0; k < surface->count; ++k) sum += surface->mass[surface->cells[static_cast<std::size_t>(k)]];
+    return sum;
+  }
+
+  static constexpr double kRadius = 0.05, kCells = 4.0 / 3.0 * std::numbers::pi * 2.5 * 2.5 * 2.5;
+  lbm::Fluid<double> fluid_;
+  dem::Particles particles_;
+  GrainMap<double> map_;
+  DisplacedVolume<double> displaced_;
+};
+
+TEST_F(DisplacedVolumeTest, GoesToTheInterfaceCellsOrThePool) {
+  map();
+  EXPECT_EQ(displaced_.wet_volume(), 0);
+  const double before = surface_mass() + fluid_.account().pool;
+  const double surface = surface_mass();
+  double z = 0.22;
+  for (; z > 0.15; z -= 2e-4) {
+    particles_.position.set(0, Vec3(0.15, 0.16, z));
+    map();
+    ASSERT_NEAR(surface_mass() + fluid_.account().pool - before, displaced_.wet_volume(), 1e-9) << z;
+    ASSERT_NEAR(displaced_.wet_volume_of(map_.grains()[0]), displaced_.wet_volume(), 1e-12);
+  }
+  EXPECT_GT(surface_mass(), surface + 0.4 * kCells);  // at the waterline they take it
+  particles_.position.set(0, Vec3(0.15, 0.16, 0.08));
+  map();
+  EXPECT_NEAR(displaced_.wet_volume(), kCells, 1e-9);
+  EXPECT_NE(fluid_.account().pool, 0);  // deep under water there is no interface cell to give it to
+}
+
+TEST_F(DisplacedVolumeTest, ARemovedGrainLeavesAVoid) {
+  particles_.position.set(0, Vec3(0.15, 0.16, 0.08));
+  map();
+  const double pool = fluid_.account().pool;
+  particles_.remove(0);
+  map();
+  EXPECT_NEAR(fluid_.account().pool, pool - kCells, 1e-9);
+  EXPECT_EQ(displaced_.wet_volume(), 0);
+}
+
+/// Interface cells that are covered hold no liquid: they are set full, and what they lacked is taken from the others.
+TEST_F(DisplacedVolumeTest, CoveredCellsAreSetFull) {
+  particles_.position.set(0, Vec3(0.15, 0.16, 0.165));
+  map();
+  auto& grid = fluid_.grid();
+  int covered = 0;
+  for (const GrainInBlock& pair : map_.pairs()) {
+    lbm::Block<double>& block = grid.block(pair.block);
+    if (!block.surface) continue;
+    for (int k = 0; k < block.surface->count; ++k) {
+      const int n = block.surface->cells[static_cast<std::size_t>(k)];
+      if ((grid.centre(pair.block, n) - Vec3(0.15, 0.16, 0.165)).norm() > 0.03) continue;
+      block.body->covered[static_cast<std::size_t>(n / 8)] |= static_cast<std::uint8_t>(1 << n % 8);
+      block.surface->mass[n] -= 0.2, ++covered;
+    }
+  }
+  ASSERT_GT(covered, 4);
+  const double before = surface_mass() + fluid_.account().pool;
+  map();
+  EXPECT_NEAR(surface_mass() + fluid_.account().pool, before, 1e-10);
+  for (const GrainInBlock& pair : map_.pairs()) {
+    const lbm::Block<double>& block = grid.block(pair.block);
+    for (int k = 0; block.surface && k < block.surface->count; ++k) {
+      const int n = block.surface->cells[static_cast<std::size_t>(k)];
+      if (block.body->covered[static_cast<std::size_t>(n / 8)] >> n % 8 & 1) {
+        EXPECT_EQ(block.surface->mass[n], 1 + block.surface->density[n]);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lahar::coupling

@@ -1,0 +1,79 @@
+#include "coupling/grains/grain_map.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "core/memory_archive.h"
+#include "coupling/grains/sphere_fraction.h"
+#include "tests/coupling/tanks.h"
+
+namespace lahar::coupling {
+namespace {
+
+void near(double /*radius*/, GridSphere<double>& s) { s.surface = -2, s.reach = covered_reach(s); }
+
+class GrainMapTest : public testing::Test {
+ protected:
+  GrainMapTest() : fluid_(stream(24, 1, 1)) {
+    fluid_.fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
+    particles_.add(grain(Vec3(4, 4, 4), 2, 2500));      // within a block
+    particles_.add(grain(Vec3(8.1, 12, 12), 2, 2500));  // in two
+    particles_.add(grain(Vec3(0.3, 12, 20), 2, 2500));  // across the face of the periodic box
+  }
+  void update() { map_.update(fluid_, particles_, near); }
+
+  lbm::Fluid<double> fluid_;
+  dem::Particles particles_;
+  GrainMap<double> map_;
+};
+
+TEST_F(GrainMapTest, FindsTheBlocksInReachAndTheExactVolume) {
+  update();
+  ASSERT_EQ(map_.grains().size(), 3U);
+  EXPECT_EQ(map_.grains()[0].pairs, 1U);
+  EXPECT_EQ(map_.grains()[1].pairs, 2U);
+  EXPECT_EQ(map_.grains()[2].pairs, 2U);
+  EXPECT_EQ(map_.pairs()[map_.grains()[2].first_pair].lowest.x(), -8);  // as the grain sees it
+  for (const MappedGrain& g : map_.grains()) {
+    double volume = 0;
+    for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) volume += map_.pairs()[p].volume;
+    EXPECT_NEAR(volume, 4.0 / 3.0 * std::numbers::pi * 8, 1e-9);
+  }
+}
+
+TEST_F(GrainMapTest, TellsWhatChanged) {
+  update();
+  particles_.velocity.set(0, Vec3(0.1, 0, 0));
+  particles_.position.add(1, Vec3(0, 0.01, 0));
+  update();
+  EXPECT_EQ(map_.grains()[0].change, GrainChange::motion);
+  EXPECT_EQ(map_.grains()[1].change, GrainChange::place);
+  EXPECT_EQ(map_.grains()[2].change, GrainChange::none);
+  const auto block_of = [&](std::size_t k) {
+    return static_cast<std::size_t>(map_.pairs()[map_.grains()[k].first_pair].block);
+  };
+  EXPECT_FALSE(map_.is_unchanged(block_of(0)));
+  EXPECT_TRUE(map_.is_unchanged(block_of(2)));
+  particles_.remove(2);
+  update();
+  EXPECT_EQ(map_.grains().size(), 2U);
+  map_.forget();
+  update();
+  EXPECT_EQ(map_.grains()[0].change, GrainChange::place);
+  update();
+  EXPECT_EQ(map_.grains()[0].change, GrainChange::none);
+}
+
+TEST_F(GrainMapTest, IsTheSameAfterACheckpoint) {
+  update();
+  StoredState state = state_of(map_);
+  GrainMap<double> loaded;
+  load_state(state, loaded);
+  EXPECT_TRUE(differing_lists(state, state_of(loaded)).empty());
+  loaded.update(fluid_, particles_, near);
+  for (const MappedGrain& g : loaded.grains()) EXPECT_EQ(g.change, GrainChange::none);
+}
+
+}  // namespace
+}  // namespace lahar::coupling
