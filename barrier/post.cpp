@@ -83,7 +83,7 @@ Post add_post(const PostSpec& spec, dem::Particles& particles, dem::Bonds& bonds
 
 Vec3 foot_reaction(const Post& post, const dem::Particles& particles) {
   Vec3 sum = Vec3::Zero();
-  for (const dem::ParticleIndex i : post.footing) sum -= particles.force[i];
+  for (const dem::ParticleId bead : post.footing) sum -= particles.force[particles.index(bead)];
   return sum;
 }
 

@@ -35,11 +35,11 @@ struct PostSpec {
 /// A post that was built. Its wire counts the beads from the foot to the head.
 struct Post {
   Wire wire;
-  double radius = 0;                          ///< m
-  std::vector<dem::ParticleIndex> footing{};  ///< fixed beads that hold the foot: the first, or those of the joint
-  std::vector<std::size_t> joint{};           ///< bonds of a hinged foot
+  double radius = 0;                       ///< m
+  std::vector<dem::ParticleId> footing{};  ///< fixed beads that hold the foot: the first, or those of the joint
+  std::vector<std::size_t> joint{};        ///< bonds of a hinged foot
 
-  [[nodiscard]] dem::ParticleIndex head() const { return wire.first_bead + wire.beads - 1; }
+  [[nodiscard]] dem::ParticleId head() const { return wire.first_bead + wire.beads - 1; }
 };
 
 /// Bonds of beads `spacing` metres apart that have the section's E A, E I, G A and G 2 I. A parallel bond has a round

@@ -63,6 +63,7 @@ struct Columns {
   Number *x, *y, *z;
   template <class Field>
   explicit Columns(Field& f) : x(f.x.data()), y(f.y.data()), z(f.z.data()) {}
+  void advance(std::size_t n) { x += n, y += n, z += n; }
   Triple operator[](std::size_t k) const { return {x[k], y[k], z[k]}; }
   void set(std::size_t k, const Triple& v) const { x[k] = v.x, y[k] = v.y, z[k] = v.z; }
 };
@@ -131,6 +132,31 @@ inline bool too_much(const BondForces::Constants& c, double axial, const Triple&
          (dot(shear, shear) > shear_left * shear_left);
 }
 
+/// Positions (m) and spins (rad/s) of the ends of a link's bonds.
+struct Ends {
+  Columns<const double> x_i, x_j, spin_i, spin_j;
+};
+
+Ends ends_in_line(const BondForces::Link& link, const Particles& p) {
+  Ends e{Columns<const double>(p.position), Columns<const double>(p.position),
+         Columns<const double>(p.angular_velocity), Columns<const double>(p.angular_velocity)};
+  e.x_i.advance(link.i), e.x_j.advance(link.j), e.spin_i.advance(link.i), e.spin_j.advance(link.j);
+  return e;
+}
+
+/// Copies from where the ends stand into the rows of forces and moments, which are not needed yet.
+Ends fetched_ends(const BondForces::Link& link, const Bonds& bonds, const Particles& p, Work& work) {
+  for (std::size_t k = 0; k < link.last - link.first; ++k) {
+    const ParticleIndex i = bonds.i[link.first + k], j = bonds.j[link.first + k];
+    work.force.set(k, {p.position.x[i], p.position.y[i], p.position.z[i]});
+    work.reaction.set(k, {p.position.x[j], p.position.y[j], p.position.z[j]});
+    work.moment_i.set(k, {p.angular_velocity.x[i], p.angular_velocity.y[i], p.angular_velocity.z[i]});
+    work.moment_j.set(k, {p.angular_velocity.x[j], p.angular_velocity.y[j], p.angular_velocity.z[j]});
+  }
+  return {Columns<const double>(work.force), Columns<const double>(work.reaction), Columns<const double>(work.moment_i),
+          Columns<const double>(work.moment_j)};
+}
+
 /// Fetches what the ends of a tile's bonds do.
 void gather(const BondForces::Link* link, const BondForces::Link* end, const Bonds& bonds, const Particles& particles,
             double dt, Work& work) {
@@ -138,11 +164,11 @@ void gather(const BondForces::Link* link, const BondForces::Link* end, const Bon
   std::size_t size = 0;
   for (; link != end; ++link) {
     const std::size_t count = link->last - link->first, w = link->first - base;
-    const Columns<const double> x(particles.position), turn(particles.angular_velocity);
+    const Ends ends = link->in_line ? ends_in_line(*link, particles) : fetched_ends(*link, bonds, particles, work);
     LAHAR_INDEPENDENT
     for (std::size_t k = 0; k < count; ++k) {
-      const Triple arm = x[link->j + k] - x[link->i + k];
-      const Triple turn_i = turn[link->i + k], turn_j = turn[link->j + k];
+      const Triple arm = ends.x_j[k] - ends.x_i[k];
+      const Triple turn_i = ends.spin_i[k], turn_j = ends.spin_j[k];
       work.arm.set(w + k, arm);
       work.length[w + k] = dot(arm, arm);
       work.mean_turn.set(w + k, (0.5 * dt) * (turn_i + turn_j));
@@ -155,11 +181,28 @@ void gather(const BondForces::Link* link, const BondForces::Link* end, const Bon
   for (std::size_t k = 0; k < size; ++k) work.length[k] = std::sqrt(std::max(work.length[k], kTiny));
 }
 
+/// Adds what a link's bonds give to ends that stand anywhere, with the same sums as `add_rows`.
+void add_scattered(std::vector<double>& to, const BondForces::Link& link, const Bonds& bonds, const double* on_i,
+                   const double* on_j) {
+  const std::size_t count = link.last - link.first;
+  const ParticleIndex *i = &bonds.i[link.first], *j = &bonds.j[link.first];
+  if (link.chain) {
+    to[i[0]] += on_i[0];
+    for (std::size_t k = 1; k < count; ++k) to[i[k]] += on_i[k] + on_j[k - 1];
+    to[j[count - 1]] += on_j[count - 1];
+    return;
+  }
+  for (std::size_t k = 0; k < count; ++k) to[i[k]] += on_i[k];
+  for (std::size_t k = 0; k < count; ++k) to[j[k]] += on_j[k];
+}
+
 /// Adds what a link's bonds give to their first ends and to their second ones.
-void add_rows(std::vector<double>& to, const BondForces::Link& link, const double* on_i, const double* on_j) {
+void add_rows(std::vector<double>& to, const BondForces::Link& link, const Bonds& bonds, const double* on_i,
+              const double* on_j) {
+  if (!link.in_line) return add_scattered(to, link, bonds, on_i, on_j);
   const std::size_t count = link.last - link.first;
   double *i = to.data() + link.i, *j = to.data() + link.j;
-  if (link.j == link.i + 1) {  // a chain: bead k is the first end of bond k and the second one of bond k - 1
+  if (link.chain) {  // bead k is the first end of bond k and the second one of bond k - 1
     i[0] += on_i[0];
     LAHAR_INDEPENDENT
     for (std::size_t k = 1; k < count; ++k) i[k] += on_i[k] + on_j[k - 1];
@@ -173,16 +216,17 @@ void add_rows(std::vector<double>& to, const BondForces::Link& link, const doubl
 }
 
 /// Adds a tile's forces and torques to its particles.
-void scatter(const BondForces::Link* link, const BondForces::Link* end, const Work& work, Particles& particles) {
+void scatter(const BondForces::Link* link, const BondForces::Link* end, const Bonds& bonds, const Work& work,
+             Particles& particles) {
   const std::size_t base = link->first;
   for (; link != end; ++link) {
     const std::size_t w = link->first - base;
-    add_rows(particles.force.x, *link, &work.force.x[w], &work.reaction.x[w]);
-    add_rows(particles.force.y, *link, &work.force.y[w], &work.reaction.y[w]);
-    add_rows(particles.force.z, *link, &work.force.z[w], &work.reaction.z[w]);
-    add_rows(particles.torque.x, *link, &work.moment_i.x[w], &work.moment_j.x[w]);
-    add_rows(particles.torque.y, *link, &work.moment_i.y[w], &work.moment_j.y[w]);
-    add_rows(particles.torque.z, *link, &work.moment_i.z[w], &work.moment_j.z[w]);
+    add_rows(particles.force.x, *link, bonds, &work.force.x[w], &work.reaction.x[w]);
+    add_rows(particles.force.y, *link, bonds, &work.force.y[w], &work.reaction.y[w]);
+    add_rows(particles.force.z, *link, bonds, &work.force.z[w], &work.reaction.z[w]);
+    add_rows(particles.torque.x, *link, bonds, &work.moment_i.x[w], &work.moment_j.x[w]);
+    add_rows(particles.torque.y, *link, bonds, &work.moment_i.y[w], &work.moment_j.y[w]);
+    add_rows(particles.torque.z, *link, bonds, &work.moment_i.z[w], &work.moment_j.z[w]);
   }
 }
 
@@ -385,14 +429,25 @@ void BondForces::build_tiles(const Bonds& bonds) {
     chunk.first_tile = static_cast<std::uint32_t>(tiles_.size());
     for (std::uint32_t b = chunk.first; b < chunk.last; ++b) {
       const bool new_tile = b == chunk.first || bonds.sort[b] != bonds.sort[b - 1] || b - tiles_.back().first == kTile;
-      const bool new_link = new_tile || bonds.i[b] != bonds.i[b - 1] + 1 || bonds.j[b] != bonds.j[b - 1] + 1;
+      const bool new_link =
+          new_tile || bonds.id_i[b] != bonds.id_i[b - 1] + 1 || bonds.id_j[b] != bonds.id_j[b - 1] + 1;
       const auto links = static_cast<std::uint32_t>(links_.size());
       if (new_tile) tiles_.push_back({b, b, links, links, bonds.sort[b]});
-      if (new_link) links_.push_back({b, b, bonds.i[b], bonds.j[b]});
+      if (new_link) links_.push_back({b, b, bonds.i[b], bonds.j[b], bonds.id_j[b] == bonds.id_i[b] + 1, true});
       links_.back().last = tiles_.back().last = b + 1;
       tiles_.back().last_link = static_cast<std::uint32_t>(links_.size());
     }
     chunk.last_tile = static_cast<std::uint32_t>(tiles_.size());
+  }
+  find_ends(bonds);
+}
+
+void BondForces::find_ends(const Bonds& bonds) {
+  for (Link& link : links_) {
+    link.i = bonds.i[link.first], link.j = bonds.j[link.first];
+    link.in_line = true;
+    for (std::uint32_t b = link.first; b < link.last; ++b)
+      link.in_line = link.in_line && bonds.i[b] == link.i + (b - link.first) && bonds.j[b] == link.j + (b - link.first);
   }
 }
 
@@ -433,7 +488,7 @@ void BondForces::advance_chunk(Chunk& chunk, Bonds& bonds, Particles& particles,
     gather(link, end, bonds, particles, dt, work);
     advance_for(c)(arrays, c, dt, tile.first, tile.last, work);
     if (c.breakable) chunk.breakage_loss += break_bonds(c, tile.first, tile.last, bonds, work);
-    scatter(link, end, work, particles);
+    scatter(link, end, bonds, work, particles);
     if (c.damped)
       chunk.damping_loss += lane_sum(0, tile.last - tile.first, [&](std::size_t k) { return work.loss[k]; });
   }

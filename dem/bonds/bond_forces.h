@@ -38,6 +38,9 @@ class BondForces {
   /// particle that is taken out. Deterministic for any number of threads.
   void add_forces(Bonds& bonds, Particles& particles, double dt);
 
+  /// The particles were renumbered, and the bonds know where their ends stand.
+  void find_ends(const Bonds& bonds);
+
   /// Energies of these bonds, which must be those that were built, after the last call of add_forces. Summed when asked
   /// for, in an order that does not depend on the number of threads.
   [[nodiscard]] BondEnergy energy(const Bonds& bonds) const;
@@ -53,11 +56,14 @@ class BondForces {
     bool plastic = false, damped = false, breakable = false;
   };
 
-  /// Consecutive bonds of one sort whose ends are consecutive too: bond first + k joins i + k and j + k. Beads are
-  /// numbered along their ring or cable, so that nearly all bonds lie in long links, and their ends need no indices.
+  /// Consecutive bonds of one sort whose ends have consecutive ids too, as beads have along their ring or cable. Nearly
+  /// all bonds lie in long links. Where the ends also stand next to each other in the arrays, which is so unless
+  /// particles were renumbered, bond first + k joins what stands at i + k and j + k, and needs no indices.
   struct Link {
     std::uint32_t first, last;
-    ParticleIndex i, j;
+    ParticleIndex i, j;  // of the first bond
+    bool chain;          // the second end of a bond is the first one of the next
+    bool in_line;        // the ends stand next to each other
   };
   /// Links of one sort, few enough bonds for the first-level cache.
   struct Tile {

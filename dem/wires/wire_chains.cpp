@@ -47,9 +47,10 @@ void WireChains::build(const Bonds& bonds, const Particles& p) {
   }
   std::vector<std::uint8_t> strung(n, 0);
   const auto string_up_all = [&](bool closed) {  // open chains from their lower end first, then closed ones
-    for (ParticleIndex i = 0; i < n; ++i) {
+    for (ParticleId id = 0; id < n; ++id) {
+      const ParticleIndex i = p.index(id);
       if (covered_[i] == 0 || strung[i] != 0 || (!closed && !is_end(i))) continue;
-      string_up(i);
+      string_up(i, p.numbering);
       for (ParticleIndex k = i; k != none && strung[k] == 0; k = behind_[k]) strung[k] = 1, closed_[k] = closed ? 1 : 0;
     }
   };
@@ -59,8 +60,8 @@ void WireChains::build(const Bonds& bonds, const Particles& p) {
 }
 
 /// Sorts the neighbours of all beads of a chain into before and behind, starting here; a ring towards its lower one.
-void WireChains::string_up(ParticleIndex from) {
-  if (before_[from] != none && (behind_[from] == none || before_[from] < behind_[from]))
+void WireChains::string_up(ParticleIndex from, const Numbering& numbering) {
+  if (before_[from] != none && (behind_[from] == none || numbering.precedes(before_[from], behind_[from])))
     std::swap(before_[from], behind_[from]);
   for (ParticleIndex last = from, k = behind_[from]; k != none && k != from; last = std::exchange(k, behind_[k]))
     if (before_[k] != last) std::swap(before_[k], behind_[k]);
@@ -84,6 +85,20 @@ void WireChains::find_near(const Bonds& bonds, std::size_t n) {
     near_.erase(std::unique(near_.begin() + row, near_.end()), near_.end());
     near_offset_.push_back(static_cast<std::uint32_t>(near_.size()));
   }
+}
+
+void WireChains::renumber(const Renumbering& change) {
+  change.move(covered_);
+  change.move(closed_);
+  for (std::vector<ParticleIndex>* beads : {&before_, &behind_}) {
+    for (ParticleIndex& i : *beads)
+      if (i != none) i = change.to(i);
+    change.move(*beads, none);
+  }
+  reorder(near_, change.move_rows(near_offset_));
+  for (ParticleIndex& j : near_) j = change.to(j);
+  for (std::size_t i = 0; i + 1 < near_offset_.size(); ++i)
+    std::sort(near_.begin() + near_offset_[i], near_.begin() + near_offset_[i + 1]);
 }
 
 bool WireChains::near(ParticleIndex i, ParticleIndex j) const {

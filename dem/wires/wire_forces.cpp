@@ -55,6 +55,13 @@ void WireForces::narrow(const Particles& particles) {
   if (any_moved(particles.position, narrowed_at_, narrow_limit2_)) pick_near(particles);
 }
 
+void WireForces::renumber(const Renumbering& change) {
+  chains_.renumber(change);
+  detection_.renumber(change);
+  change.move(narrowed_at_);
+  if (narrowed_at_.size() > 0) note_near();
+}
+
 void WireForces::pick_near(const Particles& p) {
   auto& slots = detection_.slots();
   narrowed_at_ = p.position;
@@ -174,7 +181,7 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
   chunk.energy.damping_of_step += f.damping_work;
   chunk.energy.friction += f.friction_work;
   const double ratio = x.patch.depth / std::min(p.radius[slot.wire], p.radius[slot.partner]);
-  if (ratio > chunk.worst.ratio) chunk.worst = {ratio, slot.wire, slot.last, false};
+  if (ratio > chunk.worst.ratio) chunk.worst = {ratio, p.id(slot.wire), p.id(slot.last), false};
 }
 
 template <ContactLaw L>

@@ -27,6 +27,9 @@ class WireForces {
   /// Lists the contacts anew. Positions must be finite.
   void relist(const Particles& particles);
 
+  /// The same contacts of renumbered particles.
+  void renumber(const Renumbering& change);
+
   /// Forces of all contacts after a step of dt (s) that brought the particles to where they are. Velocities must be
   /// those of mid-step, `particles.force` still the sum of the step before. Wires of one body touch without friction.
   void evaluate(const Particles& particles, double dt);
