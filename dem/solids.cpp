@@ -211,9 +211,9 @@ void Solids::remove(ParticleIndex i) {
   const double springs = normal_energy_of(i, particles_, materials_, walls_, contacts_, options_.contact_law);
   const double slow_springs = normal_energy_of(i, particles_, materials_, walls_, slow_contacts_, options_.contact_law);
   const double wire_springs = wires_ && prepared_ ? wires_->normal_energy_of(i, particles_) : 0.0;
-  if (wires_) wires_->take_out(wire_springs);
-  contact_forces_.take_out(springs);
-  slow_forces_.take_out(slow_springs);
+  if (wires_) wires_->release(wire_springs);
+  contact_forces_.release(springs);
+  slow_forces_.release(slow_springs);
   removed_energy_ += motion_energy(particles_, i, options_.gravity) + springs + slow_springs + wire_springs;
   particles_.remove(i);
 }

@@ -6,7 +6,7 @@ namespace lahar::dem {
 
 /// Particles along a Morton curve (Morton 1966) through cells as wide as the largest particle, by id within a cell.
 /// Beads of one body that follow each other by id, as along a ring or cable, stay together, at the cell of their first
-/// bead: their bonds then need no indices (BondForces::Link). What was removed comes last. Positions must be finite.
+/// bead: their bonds then need no indices (BondLayout::Link). What was removed comes last. Positions must be finite.
 [[nodiscard]] Renumbering spatial_order(const Particles& particles);
 
 }  // namespace lahar::dem

@@ -41,7 +41,7 @@ class ContactForces {
     return walls_.moment_on_wall(particles, contacts, walls, wall);
   }
   /// A particle leaves with this energy of its normal springs, J.
-  void take_out(double normal_energy) { energy_.elastic_normal -= normal_energy; }
+  void release(double normal_energy) { energy_.elastic_normal -= normal_energy; }
   /// The particles were renumbered, and wall slot k was from[k].
   void renumber(const std::vector<std::uint32_t>& from) {
     walls_.renumber(from);

@@ -45,22 +45,23 @@ void WireChains::build(const Bonds& bonds, const Particles& p) {
     join(i, j), join(j, i);
     covered_[i] = covered_[j] = 1;
   }
-  std::vector<std::uint8_t> strung(n, 0);
-  const auto string_up_all = [&](bool closed) {  // open chains from their lower end first, then closed ones
+  std::vector<std::uint8_t> ordered(n, 0);
+  const auto order_all = [&](bool closed) {  // open chains from their lower end first, then closed ones
     for (ParticleId id = 0; id < n; ++id) {
       const ParticleIndex i = p.index(id);
-      if (covered_[i] == 0 || strung[i] != 0 || (!closed && !is_end(i))) continue;
-      string_up(i, p.numbering);
-      for (ParticleIndex k = i; k != none && strung[k] == 0; k = behind_[k]) strung[k] = 1, closed_[k] = closed ? 1 : 0;
+      if (covered_[i] == 0 || ordered[i] != 0 || (!closed && !is_end(i))) continue;
+      order_chain(i, p.numbering);
+      for (ParticleIndex k = i; k != none && ordered[k] == 0; k = behind_[k])
+        ordered[k] = 1, closed_[k] = closed ? 1 : 0;
     }
   };
-  string_up_all(false);
-  string_up_all(true);
+  order_all(false);
+  order_all(true);
   find_near(bonds, n);
 }
 
 /// Sorts the neighbours of all beads of a chain into before and behind, starting here; a ring towards its lower one.
-void WireChains::string_up(ParticleIndex from, const Numbering& numbering) {
+void WireChains::order_chain(ParticleIndex from, const Numbering& numbering) {
   if (before_[from] != none && (behind_[from] == none || numbering.precedes(before_[from], behind_[from])))
     std::swap(before_[from], behind_[from]);
   for (ParticleIndex last = from, k = behind_[from]; k != none && k != from; last = std::exchange(k, behind_[k]))

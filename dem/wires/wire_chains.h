@@ -34,7 +34,7 @@ class WireChains {
 
  private:
   void find_near(const Bonds& bonds, std::size_t particles);
-  void string_up(ParticleIndex from, const Numbering& numbering);
+  void order_chain(ParticleIndex from, const Numbering& numbering);
 
   std::vector<std::uint8_t> covered_, closed_;
   std::vector<ParticleIndex> before_, behind_;

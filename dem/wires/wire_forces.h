@@ -48,7 +48,7 @@ class WireForces {
   [[nodiscard]] double normal_energy(const Particles& particles) const;
   [[nodiscard]] double normal_energy_of(ParticleIndex sphere, const Particles& particles) const;
   /// A sphere leaves with this energy of its normal springs, J.
-  void take_out(double normal_energy) { energy_.elastic_normal -= normal_energy; }
+  void release(double normal_energy) { energy_.elastic_normal -= normal_energy; }
 
   /// State of a checkpoint (wire_transfer.cpp); the wires follow from the bonds.
   void transfer(Archive& archive, const Particles& particles, const Bonds& bonds);
