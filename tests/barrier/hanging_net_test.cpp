@@ -74,13 +74,13 @@ struct Swing {
     dem::Bonds bonds;
     const Net net = build_net(spec, particles, bonds);
     const Topology before = find_topology(net, particles, bonds);
-    Guides guides;
+    Guides guides({.stiffness = 1e3, .damping_ratio = 0.1});
     for (std::size_t c = 0; c < net.cables.size(); ++c)
       for (const Vec3& corner : {net.corners[c].start, net.corners[c].end}) guides.add(net.cables[c], corner);
     const Vec3 gravity(9.81, 0, -9.81);
     dem::Solids run = solids(std::move(particles), std::move(bonds), gravity);
     std::mt19937 random(2);
-    for (int n = 0; n < 200; ++n) {
+    for (int n = 0; n < 100; ++n) {
       std::vector<dem::ParticleIndex> order(run.particles().size());
       std::iota(order.begin(), order.end(), 0U);
       std::shuffle(order.begin(), order.end(), random);
