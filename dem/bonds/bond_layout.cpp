@@ -55,7 +55,7 @@ void BondLayout::cut_into_tiles(const Bonds& bonds) {
 void BondLayout::find_ends(const Bonds& bonds) {
   for (Link& link : links) {
     link.i = bonds.i[link.first], link.j = bonds.j[link.first];
-    link.in_line = true;
+    link.in_line = !link.chain || link.j == link.i + 1;
     for (std::uint32_t b = link.first; b < link.last; ++b)
       link.in_line = link.in_line && bonds.i[b] == link.i + (b - link.first) && bonds.j[b] == link.j + (b - link.first);
   }

@@ -102,7 +102,8 @@ TEST(HangingNet, KeepsItsBitsWhenParticlesAreRenumbered) {
   const Swing plain(false), renumbered(true);
   for (const double x : plain.measured) EXPECT_NE(x, 0);
   EXPECT_EQ(plain.measured, renumbered.measured);
-  EXPECT_TRUE(differing_lists(plain.state, renumbered.state).empty());
+  const auto differing = differing_lists(plain.state, renumbered.state);
+  EXPECT_TRUE(differing.empty()) << ::testing::PrintToString(differing);
 }
 
 TEST(HangingNet, NetIsFreeOfStressAndContactWhenBuilt) {
