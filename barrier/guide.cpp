@@ -17,14 +17,15 @@ void Guides::add(const Wire& cable, const Vec3& point) {
 Guides::Place Guides::nearest(const Guide& guide, const dem::Particles& particles) {
   Place best;
   double least = std::numeric_limits<double>::infinity();
-  Vec3 start = particles.position[guide.first];
-  for (dem::ParticleIndex i = guide.first; i + 1 < guide.last; ++i) {
-    const Vec3 end = particles.position[i + 1], along = end - start, to_guide = guide.point - start;
+  Vec3 start = particles.position[particles.index(guide.first)];
+  for (dem::ParticleId bead = guide.first; bead + 1 < guide.last; ++bead) {
+    const Vec3 end = particles.position[particles.index(bead + 1)];
+    const Vec3 along = end - start, to_guide = guide.point - start;
     const double share = std::clamp(to_guide.dot(along) / along.squaredNorm(), 0.0, 1.0);
     const Vec3 aside = share * along - to_guide;
     if (aside.squaredNorm() < least) {
       least = aside.squaredNorm();
-      best = {i, share, aside, along.normalized()};
+      best = {bead, share, aside, along.normalized()};
     }
     start = end;
   }
@@ -32,24 +33,24 @@ Guides::Place Guides::nearest(const Guide& guide, const dem::Particles& particle
 }
 
 void Guides::apply(dem::Particles& particles) {
-  for (const dem::ParticleIndex i : held_) particles.external_force.set(i, Vec3::Zero());
-  held_.clear();
+  for (const dem::ParticleId bead : loaded_) particles.external_force.set(particles.index(bead), Vec3::Zero());
+  loaded_.clear();
   energy_ = largest_force_ = 0;
   slipped_out_.reset();
   for (const Guide& g : guides_) {
     const Place at = nearest(g, particles);
     if (at.bead == g.first || at.bead + 2 == g.last) slipped_out_ = g.point;
-    const dem::ParticleIndex ends[2] = {at.bead, at.bead + 1};
+    const dem::ParticleIndex ends[2] = {particles.index(at.bead), particles.index(at.bead + 1)};
     const double weight[2] = {1 - at.share, at.share};
     const Vec3 velocity = weight[0] * particles.velocity[ends[0]] + weight[1] * particles.velocity[ends[1]];
     const Vec3 moving_aside = velocity - velocity.dot(at.direction) * at.direction;
     const double k = stiffness_.stiffness;
-    const double damping = 2 * stiffness_.damping_ratio * std::sqrt(k * particles.mass[at.bead]);
+    const double damping = 2 * stiffness_.damping_ratio * std::sqrt(k * particles.mass[ends[0]]);
     const Vec3 force = -k * at.aside - damping * moving_aside;
     for (int end = 0; end < 2; ++end) {
       if (particles.state[ends[end]] != dem::ParticleState::free) continue;
       particles.external_force.set(ends[end], particles.external_force[ends[end]] + weight[end] * force);
-      held_.push_back(ends[end]);
+      loaded_.push_back(particles.id(ends[end]));
     }
     energy_ += 0.5 * k * at.aside.squaredNorm();
     largest_force_ = std::max(largest_force_, force.norm());

@@ -40,12 +40,12 @@ class Guides {
 
  private:
   struct Guide {
-    dem::ParticleIndex first, last;  // beads
+    dem::ParticleId first, last;  // beads: from the first to before the last
     Vec3 point;
   };
   /// Where a cable is nearest to its guide.
   struct Place {
-    dem::ParticleIndex bead = 0;     // at the start of the segment
+    dem::ParticleId bead = 0;        // at the start of the segment
     double share = 0;                // of the segment
     Vec3 aside = Vec3::Zero();       // m, from the guide
     Vec3 direction = Vec3::UnitX();  // of the segment
@@ -54,7 +54,7 @@ class Guides {
 
   GuideStiffness stiffness_;
   std::vector<Guide> guides_;
-  std::vector<dem::ParticleIndex> held_;  // with a force since the last call
+  std::vector<dem::ParticleId> loaded_;  // beads with a force since the last call
   double energy_ = 0, largest_force_ = 0;
   std::optional<Vec3> slipped_out_;
 };

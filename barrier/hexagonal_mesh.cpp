@@ -69,11 +69,11 @@ MeshPart add_hexagonal_mesh(const HexagonalMesh& mesh, int columns, int rows, co
   require(columns > 0 && rows > 0, "a panel of hexagonal mesh needs a column and a row");
   MeshPart part;
   part.columns = columns, part.rows = rows;
-  part.first_node = static_cast<dem::ParticleIndex>(particles.size());
+  part.first_node = static_cast<dem::ParticleId>(particles.size());
   part.first_bond = bonds.size();
   const Lattice lattice{columns, rows};
   const auto node = [&](int row, int twist, bool upper) {
-    return part.first_node + static_cast<dem::ParticleIndex>(lattice.node(row, twist, upper));
+    return part.first_node + static_cast<dem::ParticleId>(lattice.node(row, twist, upper));
   };
   const double volume = std::numbers::pi / 6 * std::pow(mesh.node_diameter, 3);
   for (int row = 0; row < rows; ++row)

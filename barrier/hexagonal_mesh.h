@@ -40,10 +40,10 @@ struct HexagonalMesh {
 
 /// A mesh that was built. Nodes and bonds are contiguous.
 struct MeshPart {
-  dem::ParticleIndex first_node = 0;
+  dem::ParticleId first_node = 0;
   std::size_t nodes = 0, first_bond = 0, bonds = 0;
-  int columns = 0, rows = 0;                                  ///< meshes across, rows of twists
-  std::vector<dem::ParticleIndex> left, right, lower, upper;  ///< nodes on the edges, from below or from the left
+  int columns = 0, rows = 0;                               ///< meshes across, rows of twists
+  std::vector<dem::ParticleId> left, right, lower, upper;  ///< nodes on the edges, from below or from the left
 };
 
 /// Where it stands: the node at its lower left corner, unit vectors.

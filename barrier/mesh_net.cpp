@@ -35,12 +35,13 @@ dem::BondSort with_radius(dem::BondSort sort, double wire_diameter) {
   return sort;
 }
 
-void tie_to_nearest(const std::vector<dem::ParticleIndex>& nodes, const Wire& cable, int sort, Net& net,
+void tie_to_nearest(const std::vector<dem::ParticleId>& nodes, const Wire& cable, int sort, Net& net,
                     const dem::Particles& particles, dem::Bonds& bonds) {
-  for (const dem::ParticleIndex node : nodes) {
-    const auto away = [&](dem::ParticleIndex i) { return (particles.position[i] - particles.position[node]).norm(); };
-    dem::ParticleIndex nearest = cable.first_bead;
-    for (dem::ParticleIndex i = nearest; i < cable.first_bead + cable.beads; ++i)
+  for (const dem::ParticleId node : nodes) {
+    const Vec3 place = particles.position[particles.index(node)];
+    const auto away = [&](dem::ParticleId bead) { return (particles.position[particles.index(bead)] - place).norm(); };
+    dem::ParticleId nearest = cable.first_bead;
+    for (dem::ParticleId i = nearest; i < cable.first_bead + cable.beads; ++i)
       if (away(i) < away(nearest)) nearest = i;
     net.ties.push_back(bonds.size());
     bonds.add({node, nearest, sort}, particles);
@@ -52,7 +53,7 @@ struct Edge {
   Side side;
   const NetCable& cable;
   Vec3 start, end;  ///< m, across and up from the frame's corner
-  const std::vector<dem::ParticleIndex>& nodes;
+  const std::vector<dem::ParticleId>& nodes;
 };
 
 }  // namespace
@@ -71,7 +72,7 @@ Net build_mesh_net(const RingNetSpec& spec, dem::Particles& particles, dem::Bond
   net.pitch_across = mesh.mesh_width, net.pitch_up = mesh.row_distance();
   net.wire_diameter = d;
   net.across = spec.across, net.up = spec.up, net.normal = spec.normal;
-  net.first_bead = static_cast<dem::ParticleIndex>(particles.size());
+  net.first_bead = static_cast<dem::ParticleId>(particles.size());
   net.first_bond = bonds.size();
   const Vec3 corner = spec.origin + margin(spec) * (spec.across + spec.up);
   net.meshes = {add_hexagonal_mesh(mesh, net.columns, net.rows, {corner, spec.across, spec.up}, spec.material,
@@ -103,10 +104,7 @@ Net build_mesh_net(const RingNetSpec& spec, dem::Particles& particles, dem::Bond
 
   net.beads = particles.size() - net.first_bead;
   net.bonds = bonds.size() - net.first_bond;
-  for (dem::ParticleIndex i = net.first_bead; i < particles.size(); ++i) {
-    net.start.push_back(particles.position[i]);
-    if (particles.state[i] == dem::ParticleState::fixed) net.fixed_beads.push_back(i);
-  }
+  note_beads_since(net.first_bead, particles, net);
   return net;
 }
 

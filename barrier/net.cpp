@@ -149,7 +149,7 @@ struct Builder {
     net.pitch_across = layout.pitch_across, net.pitch_up = layout.pitch_up;
     net.wire_diameter = spec.wire_diameter;
     net.across = spec.across, net.up = spec.up, net.normal = spec.normal;
-    net.first_bead = static_cast<dem::ParticleIndex>(particles.size());
+    net.first_bead = static_cast<dem::ParticleId>(particles.size());
     net.first_bond = bonds.size();
   }
 
@@ -192,14 +192,19 @@ struct Builder {
   void note_beads() {
     net.beads = particles.size() - net.first_bead;
     net.bonds = bonds.size() - net.first_bond;
-    for (dem::ParticleIndex i = net.first_bead; i < particles.size(); ++i) {
-      net.start.push_back(particles.position[i]);
-      if (particles.state[i] == dem::ParticleState::fixed) net.fixed_beads.push_back(i);
-    }
+    note_beads_since(net.first_bead, particles, net);
   }
 };
 
 }  // namespace
+
+void note_beads_since(dem::ParticleId first, const dem::Particles& particles, Net& net) {
+  for (dem::ParticleId bead = first; bead < particles.size(); ++bead) {
+    const dem::ParticleIndex i = particles.index(bead);
+    net.start.push_back(particles.position[i]);
+    if (particles.state[i] == dem::ParticleState::fixed) net.fixed_beads.push_back(bead);
+  }
+}
 
 const Wire* Net::cable(Side side) const {
   for (std::size_t k = 0; k < cables.size(); ++k)

@@ -62,7 +62,8 @@ struct RingNetSpec {
   std::optional<HexagonalMesh> mesh{};
 };
 
-/// A net that was built: where its parts lie among particles and bonds. Beads and bonds of a net are contiguous. A net
+/// A net that was built: which particles, by id, and which bonds are its parts. Ids of beads and numbers of bonds of a
+/// net are contiguous. A net
 /// of several spans (see spans.h) is one net: first all rings, span by span, then all cables.
 struct Net {
   int spans = 1;
@@ -70,18 +71,18 @@ struct Net {
   double pitch_across = 0, pitch_up = 0;  ///< m, as built
   double wire_diameter = 0;               ///< m
   RingPattern pattern;
-  Vec3 across, up, normal;                      ///< unit
-  std::vector<Wire> rings;                      ///< row by row from below, from left to right
-  std::vector<Wire> cables;                     ///< those present, in the order lower, upper, left, right
-  std::vector<Side> cable_sides;                ///< side of each cable
-  std::vector<CableEnds> corners;               ///< m, where each cable passes the corners of the net, as built
-  std::vector<std::size_t> dissipators;         ///< bonds
-  std::vector<MeshPart> meshes{};               ///< instead of rings: a panel a span
-  std::vector<Post> posts{};                    ///< from left to right, one more than spans; none without posts
-  std::vector<Wire> retaining{};                ///< cables from anchors to post heads
-  std::vector<std::size_t> ties{};              ///< bonds of cables to posts and of meshes to cables
-  std::vector<dem::ParticleIndex> fixed_beads;  ///< ascending
-  dem::ParticleIndex first_bead = 0;
+  Vec3 across, up, normal;                   ///< unit
+  std::vector<Wire> rings;                   ///< row by row from below, from left to right
+  std::vector<Wire> cables;                  ///< those present, in the order lower, upper, left, right
+  std::vector<Side> cable_sides;             ///< side of each cable
+  std::vector<CableEnds> corners;            ///< m, where each cable passes the corners of the net, as built
+  std::vector<std::size_t> dissipators;      ///< bonds
+  std::vector<MeshPart> meshes{};            ///< instead of rings: a panel a span
+  std::vector<Post> posts{};                 ///< from left to right, one more than spans; none without posts
+  std::vector<Wire> retaining{};             ///< cables from anchors to post heads
+  std::vector<std::size_t> ties{};           ///< bonds of cables to posts and of meshes to cables
+  std::vector<dem::ParticleId> fixed_beads;  ///< ascending
+  dem::ParticleId first_bead = 0;
   std::size_t beads = 0;
   std::size_t first_bond = 0, bonds = 0;
   Vec3Field start;  ///< m, where the beads were built
@@ -105,6 +106,9 @@ struct Net {
 /// for a spec that makes no sense, a frame that whole rings do not fill (naming sizes that do), a pitch at which rings
 /// cannot interlock (naming the range that would do) or beads so far apart that rings could pass through each other.
 Net build_net(const RingNetSpec& spec, dem::Particles& particles, dem::Bonds& bonds);
+
+/// Enters the beads from an id on into Net::start and Net::fixed_beads.
+void note_beads_since(dem::ParticleId first, const dem::Particles& particles, Net& net);
 
 /// All wires of rings and cables as they lie now: rings, then cables.
 [[nodiscard]] std::vector<Polyline> centre_lines(const Net& net, const dem::Particles& particles);

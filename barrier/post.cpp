@@ -28,17 +28,17 @@ void check(const PostSpec& s) {
 void add_joint(const PostSpec& s, double stiffness, Post& post, dem::Particles& particles, dem::Bonds& bonds) {
   const int sort = bonds.add_sort(link_bond(stiffness, 0.5 * s.diameter));
   const Vec3 along = (s.head - s.foot).normalized();
-  post.footing.clear();
+  post.foot_beads.clear();
   for (const Vec3& direction : {s.across, Vec3(along.cross(s.across)), Vec3(-along)}) {
-    post.footing.push_back(particles.add({.position = s.foot + 0.25 * s.diameter * direction,
-                                          .radius = 0.1 * s.diameter,
-                                          .density = s.section.density,
-                                          .material = s.material,
-                                          .kind = dem::ParticleKind::bead,
-                                          .state = dem::ParticleState::fixed,
-                                          .body = s.body}));
+    post.foot_beads.push_back(particles.add({.position = s.foot + 0.25 * s.diameter * direction,
+                                             .radius = 0.1 * s.diameter,
+                                             .density = s.section.density,
+                                             .material = s.material,
+                                             .kind = dem::ParticleKind::bead,
+                                             .state = dem::ParticleState::fixed,
+                                             .body = s.body}));
     post.joint.push_back(bonds.size());
-    bonds.add({post.footing.back(), post.wire.first_bead, sort}, particles);
+    bonds.add({post.foot_beads.back(), post.wire.first_bead, sort}, particles);
   }
 }
 
@@ -73,17 +73,17 @@ Post add_post(const PostSpec& spec, dem::Particles& particles, dem::Bonds& bonds
   wire.properties.material = spec.material;
   wire.sort = bonds.add_sort(post_bond(spec.section, spacing));
   wire.body = spec.body;
-  if (spec.foot_joint == Foot::fixed) wire.fixed_beads = {0};
+  if (spec.foot_joint == FootJoint::fixed) wire.fixed_beads = {0};
   Post post{add_wire(wire, particles, bonds), 0.5 * spec.diameter};
-  post.footing = {post.wire.first_bead};
-  if (spec.foot_joint == Foot::hinged)
+  post.foot_beads = {post.wire.first_bead};
+  if (spec.foot_joint == FootJoint::hinged)
     add_joint(spec, spec.section.youngs_modulus * spec.section.area / spacing, post, particles, bonds);
   return post;
 }
 
 Vec3 foot_reaction(const Post& post, const dem::Particles& particles) {
   Vec3 sum = Vec3::Zero();
-  for (const dem::ParticleIndex i : post.footing) sum -= particles.force[i];
+  for (const dem::ParticleId bead : post.foot_beads) sum -= particles.force[particles.index(bead)];
   return sum;
 }
 

@@ -17,7 +17,7 @@ struct PostSection {
   double damping_ratio = 0;   ///< of the bonds
 };
 
-enum class Foot {
+enum class FootJoint {
   fixed,   ///< clamped
   hinged,  ///< a ball joint: turns freely about all axes
 };
@@ -27,7 +27,7 @@ struct PostSpec {
   Vec3 across = Vec3::UnitY();                    ///< unit, at right angles to the post
   double diameter = 0;                            ///< m, of the beads
   PostSection section;
-  Foot foot_joint = Foot::fixed;
+  FootJoint foot_joint = FootJoint::fixed;
   int material = 0;
   std::int32_t body = 0;
 };
@@ -36,10 +36,10 @@ struct PostSpec {
 struct Post {
   Wire wire;
   double radius = 0;                          ///< m
-  std::vector<dem::ParticleIndex> footing{};  ///< fixed beads that hold the foot: the first, or those of the joint
+  std::vector<dem::ParticleId> foot_beads{};  ///< fixed beads that hold the foot: the first, or those of the joint
   std::vector<std::size_t> joint{};           ///< bonds of a hinged foot
 
-  [[nodiscard]] dem::ParticleIndex head() const { return wire.first_bead + wire.beads - 1; }
+  [[nodiscard]] dem::ParticleId head() const { return wire.first_bead + wire.beads - 1; }
 };
 
 /// Bonds of beads `spacing` metres apart that have the section's E A, E I, G A and G 2 I. A parallel bond has a round

@@ -47,15 +47,16 @@ void add_bonds(const Wire& wire, const dem::Bonds& bonds, ComponentResponse& sum
 }
 
 /// What acts on a fixed bead and its anchor takes up; 0 for a free one.
-Vec3 anchored(const dem::Particles& particles, dem::ParticleIndex i) {
+Vec3 anchored(const dem::Particles& particles, dem::ParticleId bead) {
+  const dem::ParticleIndex i = particles.index(bead);
   return particles.state[i] == dem::ParticleState::fixed ? particles.force[i] : Vec3::Zero();
 }
 
 void add_reactions(const Wire& wire, const dem::Particles& particles, ComponentResponse& sum) {
-  const dem::ParticleIndex end = wire.first_bead + wire.beads;
+  const dem::ParticleId end = wire.first_bead + wire.beads;
   sum.start_reaction = anchored(particles, wire.first_bead);
   sum.end_reaction = anchored(particles, end - 1);
-  for (dem::ParticleIndex i = wire.first_bead; i < end; ++i) sum.reaction += anchored(particles, i);
+  for (dem::ParticleId bead = wire.first_bead; bead < end; ++bead) sum.reaction += anchored(particles, bead);
 }
 
 void add_component(const ComponentResponse& part, ComponentResponse& whole) {
@@ -82,7 +83,7 @@ Component component_of(Side side) {
 
 void add_motion(const Net& net, const dem::Particles& particles, const Vec3& gravity, BarrierResponse& r) {
   for (std::size_t k = 0; k < net.beads; ++k) {
-    const std::size_t i = net.first_bead + k;
+    const dem::ParticleIndex i = particles.index(net.first_bead + k);
     const Vec3 moved = particles.position[i] - net.start[k];
     r.elongation = std::max(r.elongation, moved.dot(net.normal));
     r.potential_energy -= particles.mass[i] * gravity.dot(moved);

@@ -86,11 +86,13 @@ class Builder {
     posts_.push_back(add_post(post, particles_, bonds_));
   }
 
-  void tie(dem::ParticleIndex bead, const Post& post) {
-    const Vec3 place = particles_.position[bead];
-    const auto away = [&](dem::ParticleIndex i) { return (particles_.position[i] - place).squaredNorm(); };
-    dem::ParticleIndex nearest = post.wire.first_bead;
-    for (dem::ParticleIndex i = nearest; i <= post.head(); ++i)
+  void tie(dem::ParticleId bead, const Post& post) {
+    const Vec3 place = particles_.position[particles_.index(bead)];
+    const auto away = [&](dem::ParticleId id) {
+      return (particles_.position[particles_.index(id)] - place).squaredNorm();
+    };
+    dem::ParticleId nearest = post.wire.first_bead;
+    for (dem::ParticleId i = nearest; i <= post.head(); ++i)
       if (away(i) < away(nearest)) nearest = i;
     ties_.push_back(bonds_.size());
     bonds_.add({bead, nearest, tie_sort_}, particles_);
@@ -102,9 +104,9 @@ class Builder {
       const TiedPlaces& places = tied_[static_cast<std::size_t>(spans_[s].cable_sides[c])];
       const auto first = cable.first_bead;
       for (const std::size_t k : items_at(places.left, cable.beads))
-        tie(first + static_cast<dem::ParticleIndex>(k), posts_[s]);
+        tie(first + static_cast<dem::ParticleId>(k), posts_[s]);
       for (const std::size_t k : items_at(places.right, cable.beads))
-        tie(first + static_cast<dem::ParticleIndex>(k), posts_[s + 1]);
+        tie(first + static_cast<dem::ParticleId>(k), posts_[s + 1]);
     }
   }
 
@@ -186,10 +188,7 @@ class Builder {
     all_.bonds = bonds_.size() - all_.first_bond;
     all_.start = {};
     all_.fixed_beads.clear();
-    for (dem::ParticleIndex i = all_.first_bead; i < particles_.size(); ++i) {
-      all_.start.push_back(particles_.position[i]);
-      if (particles_.state[i] == dem::ParticleState::fixed) all_.fixed_beads.push_back(i);
-    }
+    note_beads_since(all_.first_bead, particles_, all_);
   }
 
   const SpansSpec& spec_;
@@ -242,7 +241,8 @@ PostSpec post_spec(const SpansSpec& spec, int k) {
 Retaining add_retaining(const Post& post, const Vec3& anchor, const std::vector<double>& dissipators_at,
                         const WireProperties& properties, const CableSorts& sorts, int tie_sort, std::int32_t body,
                         dem::Particles& particles, dem::Bonds& bonds) {
-  const Vec3 head = particles.position[post.head()], foot = particles.position[post.wire.first_bead];
+  const auto place = [&](dem::ParticleId bead) { return particles.position[particles.index(bead)]; };
+  const Vec3 head = place(post.head()), foot = place(post.wire.first_bead);
   const Vec3 axis = (head - foot).normalized(), from = anchor - foot;
   if ((from - from.dot(axis) * axis).norm() < 2 * post.radius)
     throw InputError("the anchor of a retaining cable lies at its post, expected it a post's diameter away at least");

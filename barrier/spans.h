@@ -26,7 +26,7 @@ struct SpansSpec {
   double post_height = 0;    ///< m, top of the posts above the net's lower edge
   double post_diameter = 0;  ///< m
   PostSection section;
-  Foot foot = Foot::fixed;
+  FootJoint foot = FootJoint::fixed;
   std::vector<RetainingSpec> retaining;
 };
 

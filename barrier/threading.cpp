@@ -58,9 +58,10 @@ void tie_to_cables(const Net& net, const dem::Particles& particles, int sort, de
     const Wire &ring = net.rings[r], &cable = net.cables[c];
     double nearest = std::numeric_limits<double>::infinity();
     dem::BondSpec tie{0, 0, sort};
-    for (dem::ParticleIndex i = ring.first_bead; i < ring.first_bead + ring.beads; ++i)
-      for (dem::ParticleIndex j = cable.first_bead; j < cable.first_bead + cable.beads; ++j) {
-        const double distance = (particles.position[i] - particles.position[j]).norm();
+    for (dem::ParticleId i = ring.first_bead; i < ring.first_bead + ring.beads; ++i)
+      for (dem::ParticleId j = cable.first_bead; j < cable.first_bead + cable.beads; ++j) {
+        const double distance =
+            (particles.position[particles.index(i)] - particles.position[particles.index(j)]).norm();
         if (distance < nearest) nearest = distance, tie.i = i, tie.j = j;
       }
     bonds.add(tie, particles);

@@ -8,7 +8,7 @@ namespace lahar::barrier {
 
 Wire add_wire(const WireSpec& spec, dem::Particles& particles, dem::Bonds& bonds) {
   const auto& points = spec.line.points;
-  Wire wire{static_cast<dem::ParticleIndex>(particles.size()),
+  Wire wire{static_cast<dem::ParticleId>(particles.size()),
             static_cast<std::uint32_t>(points.size()),
             bonds.size(),
             spec.line.segments(),
@@ -26,8 +26,8 @@ Wire add_wire(const WireSpec& spec, dem::Particles& particles, dem::Bonds& bonds
   }
   for (std::size_t k = 0; k < wire.bonds; ++k) {
     const bool dissipates = std::ranges::count(spec.dissipator_bonds, k) > 0;
-    const auto next = static_cast<dem::ParticleIndex>((k + 1) % points.size());
-    bonds.add({wire.first_bead + static_cast<dem::ParticleIndex>(k), wire.first_bead + next,
+    const auto next = static_cast<dem::ParticleId>((k + 1) % points.size());
+    bonds.add({wire.first_bead + static_cast<dem::ParticleId>(k), wire.first_bead + next,
                dissipates ? spec.dissipator_sort : spec.sort},
               particles);
   }
@@ -37,7 +37,8 @@ Wire add_wire(const WireSpec& spec, dem::Particles& particles, dem::Bonds& bonds
 Polyline centre_line(const Wire& wire, const dem::Particles& particles) {
   Polyline line;
   line.closed = wire.closed;
-  for (std::uint32_t k = 0; k < wire.beads; ++k) line.points.push_back(particles.position[wire.first_bead + k]);
+  for (std::uint32_t k = 0; k < wire.beads; ++k)
+    line.points.push_back(particles.position[particles.index(wire.first_bead + k)]);
   return line;
 }
 

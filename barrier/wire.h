@@ -17,9 +17,9 @@ struct WireProperties {
   int material = 0;     ///< index into dem::Materials
 };
 
-/// A range of beads and of bonds. Bond k joins beads k and k + 1; the last bond of a closed wire closes it.
+/// A range of beads, by id, and of bonds. Bond k joins beads k and k + 1; the last bond of a closed wire closes it.
 struct Wire {
-  dem::ParticleIndex first_bead = 0;
+  dem::ParticleId first_bead = 0;
   std::uint32_t beads = 0;
   std::size_t first_bond = 0;
   std::size_t bonds = 0;

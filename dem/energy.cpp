@@ -38,7 +38,8 @@ std::array<std::pair<std::string_view, double>, 18> EnergyLedger::terms() const 
 
 EnergyLedger motion_energy(const Particles& particles, const Vec3& gravity) {
   const Vec3 sum = ordered_sum<Vec3>(
-      particles.size(), [&](std::size_t i) { return motion_terms(particles, i, gravity); }, 1024, Vec3::Zero());
+      particles.size(), [&](std::size_t id) { return motion_terms(particles, particles.index(id), gravity); }, 1024,
+      Vec3::Zero());
   EnergyLedger ledger;
   ledger.kinetic = sum[0], ledger.rotational = sum[1], ledger.gravitational = sum[2];
   return ledger;
@@ -51,7 +52,8 @@ double motion_energy(const Particles& particles, std::size_t i, const Vec3& grav
 double external_work(const Particles& p, double dt) {
   return dt * ordered_sum<double>(
                   p.size(),
-                  [&](std::size_t i) {
+                  [&](std::size_t id) {
+                    const ParticleIndex i = p.index(id);
                     return p.external_force.x[i] * p.velocity.x[i] + p.external_force.y[i] * p.velocity.y[i] +
                            p.external_force.z[i] * p.velocity.z[i] + p.external_torque.x[i] * p.angular_velocity.x[i] +
                            p.external_torque.y[i] * p.angular_velocity.y[i] +
@@ -62,15 +64,15 @@ double external_work(const Particles& p, double dt) {
 
 Vec3 momentum(const Particles& p) {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (p.inverse_mass[i] > 0) sum += p.mass[i] * p.velocity[i];
+  for (std::size_t id = 0; id < p.size(); ++id)
+    if (const ParticleIndex i = p.index(id); p.inverse_mass[i] > 0) sum += p.mass[i] * p.velocity[i];
   return sum;
 }
 
 Vec3 angular_momentum(const Particles& p) {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < p.size(); ++i)
-    if (p.inverse_mass[i] > 0)
+  for (std::size_t id = 0; id < p.size(); ++id)
+    if (const ParticleIndex i = p.index(id); p.inverse_mass[i] > 0)
       sum += p.mass[i] * p.position[i].cross(p.velocity[i]) + p.inertia[i] * p.angular_velocity[i];
   return sum;
 }

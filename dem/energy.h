@@ -34,7 +34,8 @@ struct EnergyLedger {
   [[nodiscard]] std::array<std::pair<std::string_view, double>, 18> terms() const;
 };
 
-/// Kinetic, rotational and gravitational energy of all particles, independent of the number of threads.
+/// Kinetic, rotational and gravitational energy of all particles, summed in the order of their ids: independent of the
+/// number of threads and of the numbering.
 EnergyLedger motion_energy(const Particles& particles, const Vec3& gravity);
 
 /// Kinetic + rotational + gravitational energy of one particle, J.
@@ -43,7 +44,7 @@ double motion_energy(const Particles& particles, std::size_t i, const Vec3& grav
 /// Work of the external forces over a drift of dt (s) with the present (mid-step) velocities, J.
 double external_work(const Particles& particles, double dt);
 
-/// Total momentum, kg m/s, and angular momentum about the origin, kg m^2/s, of all free particles.
+/// In the order of ids: total momentum, kg m/s, and angular momentum about the origin, kg m^2/s, of all free particles.
 Vec3 momentum(const Particles& particles);
 Vec3 angular_momentum(const Particles& particles);
 

@@ -1,15 +1,15 @@
 #pragma once
-// Particles as structure of arrays. A particle's index never changes and is its id: removal only deactivates.
+// Particles as structure of arrays. Removal only deactivates, so ids and their number never change; where a particle
+// stands in the arrays may (numbering.h).
 #include <cstdint>
 #include <numbers>
 #include <vector>
 
 #include "core/archive.h"
 #include "core/vector.h"
+#include "dem/numbering.h"
 
 namespace lahar::dem {
-
-using ParticleIndex = std::uint32_t;
 
 /// What a particle stands for: debris, or a piece of a ring or cable.
 enum class ParticleKind : std::uint8_t { grain, bead };
@@ -40,13 +40,19 @@ struct Particles {
   std::vector<std::int32_t> material, body;
   std::vector<ParticleKind> kind;
   std::vector<ParticleState> state;
+  Numbering numbering;
 
   [[nodiscard]] std::size_t size() const { return radius.size(); }
+  [[nodiscard]] ParticleId id(std::size_t index) const { return numbering.id(index); }
+  [[nodiscard]] ParticleIndex index(std::size_t id) const { return numbering.index(id); }
 
-  /// State of a checkpoint (solids_transfer.cpp); on loading there are as many particles as were stored.
+  /// State of a checkpoint, by id (solids_transfer.cpp); on loading there are as many particles as were stored.
   void transfer(Archive& archive);
+  /// Moves the particles to other places. Lists of contacts and bonds refer to indices: see Solids::renumber.
+  void renumber(const Renumbering& change);
 
-  ParticleIndex add(const ParticleSpec& s) {
+  /// Returns the id, which is also the index at which the particle now stands.
+  ParticleId add(const ParticleSpec& s) {
     const double m = 4.0 / 3.0 * std::numbers::pi * s.radius * s.radius * s.radius * s.density;
     position.push_back(s.position);
     velocity.push_back(s.velocity);
@@ -60,7 +66,8 @@ struct Particles {
     body.push_back(s.body);
     kind.push_back(s.kind);
     state.push_back(s.state);
-    return static_cast<ParticleIndex>(radius.size() - 1);
+    numbering.add();
+    return static_cast<ParticleId>(radius.size() - 1);
   }
 
   void remove(ParticleIndex i) {

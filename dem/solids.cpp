@@ -120,13 +120,13 @@ void Solids::detect_wires(bool bonds_broke) {
   particles_.position = half_way;
   double after = wires_->normal_energy(particles_);
   const ContactSlots& pairs = contacts_.pairs();
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
+  for_each_slot_by_id(pairs, particles_.numbering, [&](std::uint32_t k) {
     const ParticleIndex i = pairs.owner[k], j = pairs.partner[k];
-    if (covered[i] == 0 && covered[j] == 0) continue;
+    if (covered[i] == 0 && covered[j] == 0) return;
     const double distance = (particles_.position[j] - particles_.position[i]).norm();
     after += normal_energy(i, j, particles_.radius[i] + particles_.radius[j] - distance, particles_, materials_,
                            options_.contact_law);
-  }
+  });
   particles_.position = now;
   bonds_.breakage_loss += before - after;
   known_breakage_ = bonds_.breakage_loss;
@@ -211,11 +211,28 @@ void Solids::remove(ParticleIndex i) {
   const double springs = normal_energy_of(i, particles_, materials_, walls_, contacts_, options_.contact_law);
   const double slow_springs = normal_energy_of(i, particles_, materials_, walls_, slow_contacts_, options_.contact_law);
   const double wire_springs = wires_ && prepared_ ? wires_->normal_energy_of(i, particles_) : 0.0;
-  if (wires_) wires_->take_out(wire_springs);
-  contact_forces_.take_out(springs);
-  slow_forces_.take_out(slow_springs);
+  if (wires_) wires_->release(wire_springs);
+  contact_forces_.release(springs);
+  slow_forces_.release(slow_springs);
   removed_energy_ += motion_energy(particles_, i, options_.gravity) + springs + slow_springs + wire_springs;
   particles_.remove(i);
+}
+
+void Solids::renumber(const Renumbering& change) {
+  require(change.size() == particles_.size(), "an order of other particles");
+  particles_.renumber(change);
+  bonds_.find_ends(particles_);
+  if (!prepared_) return;
+  bond_forces_.find_ends(bonds_);
+  bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);  // what broke is between beads: no slow pair
+  if (wires_) wires_->renumber(change);
+  contact_forces_.renumber(contacts_.renumber(particles_, change));
+  slow_forces_.renumber(slow_contacts_.renumber(particles_, change));
+  change.move(slow_);
+  for (ParticleIndex& i : slow_particles_) i = change.to(i);
+  std::sort(slow_particles_.begin(), slow_particles_.end());
+  for (Vec3Field* f : {&slow_force_, &slow_torque_, &mean_.velocity, &mean_.spin, &applied_force_, &applied_torque_})
+    change.move(*f);
 }
 
 void Solids::watch() {

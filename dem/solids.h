@@ -32,7 +32,8 @@ struct SolidsOptions {
   WatchdogOptions watchdog;
 };
 
-/// All solids of a scene. Results do not depend on the number of threads nor on when neighbour lists are rebuilt.
+/// All solids of a scene. Results do not depend on the number of threads, on when neighbour lists are rebuilt nor on
+/// where particles stand in their arrays.
 class Solids {
  public:
   /// Throws std::logic_error if the time step is not positive.
@@ -52,6 +53,11 @@ class Solids {
   /// Takes a particle out of the scene; its kinetic and potential energy and what the normal springs of its contacts
   /// hold go to EnergyLedger::removed, what their tangential springs hold to friction. Not for beads with intact bonds.
   void remove(ParticleIndex i);
+
+  /// Moves the particles to other places in their arrays; spatial_order.h has orders that keep neighbours together.
+  /// To be called between steps. Every number of a particle, of a contact or of a sum stays the same to the bit;
+  /// indices that others keep must be found again from ids.
+  void renumber(const Renumbering& change);
 
   /// Sub-steps from now on have another length, s.
   void set_time_step(double time_step);
@@ -81,8 +87,8 @@ class Solids {
 
   [[nodiscard]] Timers& timers() { return timers_; }
 
-  /// State of a checkpoint (solids_transfer.cpp). Loading needs solids of the same scene: materials, walls, bond sorts
-  /// and options are theirs. Throws NumericalFailure instead of saving what is not finite.
+  /// State of a checkpoint, by id (solids_transfer.cpp). Loading needs solids of the same scene: materials, walls, bond
+  /// sorts and options are theirs. Throws NumericalFailure instead of saving what is not finite.
   void transfer(Archive& archive);
 
  private:
@@ -90,6 +96,7 @@ class Solids {
   [[nodiscard]] RateShare share(Rate rate) const {
     return {two_rates() ? rate : Rate::all, slow_.data(), wires_ ? wires_->chains().covered().data() : nullptr};
   }
+  void transfer_by_id(Archive& archive);
   void find_slow();
   void long_step(int substeps);
   void kick_slow(double dt);

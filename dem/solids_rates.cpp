@@ -99,7 +99,8 @@ WorstOverlap Solids::worst_overlap() const {
 }
 
 Vec3 Solids::force_on_wall(std::uint32_t wall) const {
-  return contact_forces_.force_on_wall(contacts_, wall) + slow_forces_.force_on_wall(slow_contacts_, wall);
+  return contact_forces_.force_on_wall(particles_, contacts_, wall) +
+         slow_forces_.force_on_wall(particles_, slow_contacts_, wall);
 }
 
 Vec3 Solids::moment_on_wall(std::uint32_t wall) const {

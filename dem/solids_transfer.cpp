@@ -13,6 +13,7 @@
 namespace lahar::dem {
 
 void Particles::transfer(Archive& archive) {
+  require(numbering.by_id(), "particles are stored in the order of their ids");
   archive.list("radius", radius);
   const std::size_t n = size();
   const auto vectors = [&](const char* name, Vec3Field& field) {
@@ -52,6 +53,7 @@ void Bonds::transfer(Archive& archive) {
   }
   archive.value("damping_loss", damping_loss);
   archive.value("breakage_loss", breakage_loss);
+  if (archive.loading()) id_i = i, id_j = j;  // particles are in the order of their ids
 }
 
 void NeighbourList::transfer(Archive& archive, const Particles& particles, const RateShare& share) {
@@ -145,7 +147,7 @@ void ContactDetection::transfer(Archive& archive, const Particles& particles, st
   if (walls_.offset.size() != pairs_.offset.size()) archive.refuse("walls", "are not there for every particle");
   if (!archive.loading() || refreshes_ == 0) return;
   set_move_limits(particles, share);
-  list_parties(particles.size());
+  list_parties(particles);
 }
 
 namespace {
@@ -167,8 +169,21 @@ struct Wires {
 
 }  // namespace
 
+/// Files hold particles in the order of their ids. Storing therefore renumbers them, which changes nothing, and back.
 void Solids::transfer(Archive& archive) {
-  if (!archive.loading()) check_motion(particles_, options_.watchdog, step_count_);
+  if (archive.loading()) {
+    particles_.numbering = {};
+    return transfer_by_id(archive);
+  }
+  check_motion(particles_, options_.watchdog, step_count_);
+  if (particles_.numbering.by_id()) return transfer_by_id(archive);
+  const Renumbering change = particles_.numbering.to_ids(particles_.size());
+  renumber(change);
+  transfer_by_id(archive);
+  renumber(change.inverse());
+}
+
+void Solids::transfer_by_id(Archive& archive) {
   archive.value("time", time_);
   archive.value("steps", step_count_);
   archive.value("time_step", options_.time_step);

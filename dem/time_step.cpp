@@ -28,7 +28,7 @@ double stiffest_branch(const AxialLaw& law) {
 /// What holds a bead, summed over its bonds: against a shift, N/m, against turning by the shear of bonds times their
 /// levers, and by their bending and torsion, N m/rad. The highest frequency of a bead's neighbourhood is below
 /// sqrt(sum / inertia) when a bond counts twice whose other end is free as well (Gershgorin; exact for a long chain).
-struct Held {
+struct BeadStiffness {
   double shift = 0, shear = 0, bending = 0, damping = 0;
 
   /// Adds a bond `count` times whose shear acts with the lever `lever` (m): half of the bond's length.
@@ -40,7 +40,7 @@ struct Held {
     bending += count * std::max(sort.axial.stiffness[0], 2 * sort.shear_stiffness) * second_moment;
     damping = std::max(damping, sort.damping_ratio);
   }
-  void at_least(const Held& other) {
+  void at_least(const BeadStiffness& other) {
     shift = std::max(shift, other.shift), shear = std::max(shear, other.shear);
     bending = std::max(bending, other.bending);
   }
@@ -89,14 +89,14 @@ double bond_time_step(const BondSort& sort, double mass) {
 double bond_time_step(const Bonds& bonds, const Particles& particles) {
   // A bead is never taken as held less than one in the middle of a chain of its stiffest bond, at rest: there a bond
   // counts four times, two bonds with both ends free.
-  std::vector<Held> now(particles.size()), at_rest(particles.size());
+  std::vector<BeadStiffness> now(particles.size()), at_rest(particles.size());
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     if (!bonds.intact[b]) continue;
     const BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
     const ParticleIndex i = bonds.i[b], j = bonds.j[b];
     const double length = (particles.position[j] - particles.position[i]).norm();
     const double both = particles.inverse_mass[i] > 0 && particles.inverse_mass[j] > 0 ? 2 : 1;
-    Held in_chain;
+    BeadStiffness in_chain;
     in_chain.add(sort, 0.5 * bonds.rest_length[b], 4);
     for (const ParticleIndex end : {i, j}) {
       now[end].add(sort, 0.5 * length, both);

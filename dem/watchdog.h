@@ -31,7 +31,7 @@ inline std::string number(double x) {
 /// "bead 17 at (0.1, 0.2, 0.3)"
 inline std::string particle_name(const Particles& p, std::size_t i) {
   const char* kind = p.kind[i] == ParticleKind::bead ? "bead " : "grain ";
-  return kind + std::to_string(i) + " at (" + number(p.position.x[i]) + ", " + number(p.position.y[i]) + ", " +
+  return kind + std::to_string(p.id(i)) + " at (" + number(p.position.x[i]) + ", " + number(p.position.y[i]) + ", " +
          number(p.position.z[i]) + ")";
 }
 
@@ -40,8 +40,8 @@ inline double defect(double x) { return x - x; }
 
 }  // namespace detail
 
-/// Throws NumericalFailure for the first particle whose position, velocity or spin is not finite or which is faster
-/// than the limit.
+/// Throws NumericalFailure for the first particle by id whose position, velocity or spin is not finite or which is
+/// faster than the limit.
 inline void check_motion(const Particles& p, const WatchdogOptions& options, std::int64_t step) {
   const std::size_t n = p.size();
   const double limit2 = options.speed_limit * options.speed_limit;
@@ -56,7 +56,8 @@ inline void check_motion(const Particles& p, const WatchdogOptions& options, std
     bad |= !(defect == 0) | !(speed2 <= limit2);
   }
   if (bad == 0) return;
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t id = 0; id < n; ++id) {
+    const ParticleIndex i = p.index(id);
     const std::string name = detail::particle_name(p, i);
     const double speed = p.velocity[i].norm();
     if (!p.position[i].allFinite()) throw NumericalFailure(name, step, "position is not finite");
@@ -74,8 +75,8 @@ inline void check_overlap(const Particles& p, const WorstOverlap& worst, const W
                           std::int64_t step) {
   if (worst.ratio <= options.overlap_limit) return;
   const std::string partner =
-      worst.with_wall ? "wall " + std::to_string(worst.partner) : detail::particle_name(p, worst.partner);
-  throw NumericalFailure(detail::particle_name(p, worst.particle), step,
+      worst.with_wall ? "wall " + std::to_string(worst.partner) : detail::particle_name(p, p.index(worst.partner));
+  throw NumericalFailure(detail::particle_name(p, p.index(worst.particle)), step,
                          "overlap with " + partner + " is " + detail::number(worst.ratio) +
                              " of the smaller radius, limit " + detail::number(options.overlap_limit));
 }

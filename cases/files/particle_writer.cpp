@@ -62,8 +62,8 @@ void ParticleWriter::write_constants(const dem::Particles& particles, const dem:
       {"body", XdmfCentre::node, store(group + "body", particles.body, 1, "")}};
   std::vector<std::int32_t> ends(2 * bonds.size());
   for (std::size_t b = 0; b < bonds.size(); ++b) {
-    ends[2 * b] = static_cast<std::int32_t>(bonds.i[b]);
-    ends[2 * b + 1] = static_cast<std::int32_t>(bonds.j[b]);
+    ends[2 * b] = static_cast<std::int32_t>(bonds.id_i[b]);
+    ends[2 * b + 1] = static_cast<std::int32_t>(bonds.id_j[b]);
   }
   connectivity_ = store(group + "connectivity", ends, 2, "");
   bond_constants_ = {{"sort", XdmfCentre::cell, store(group + "sort", bonds.sort, 1, "")}};
@@ -109,6 +109,11 @@ void ParticleWriter::drop_later_frames() {
 }
 
 void ParticleWriter::write(double time_s, const dem::Particles& particles, const dem::Bonds& bonds) {
+  if (!particles.numbering.by_id()) {  // files are in the order of ids
+    dem::Particles by_id = particles;
+    by_id.renumber(by_id.numbering.to_ids(by_id.size()));
+    return write(time_s, by_id, bonds);
+  }
   if (!file_) file_ = Hdf5File::create(directory_ / "particles.h5");
   if (frames_ == constants_from_ || particles.size() != particles_ || bonds.size() != bonds_)
     write_constants(particles, bonds);

@@ -19,7 +19,8 @@ void Grains::sample(double) {
   const double g = run_.scene.gravity.magnitude;
   kinetic_ = potential_ = passed_ = 0;
   front_ = run_.scene.domain.lower.x();
-  for (std::size_t i = 0; i < p.size(); ++i) {
+  for (dem::ParticleId id = 0; id < p.size(); ++id) {
+    const dem::ParticleIndex i = p.index(id);
     if (p.kind[i] != dem::ParticleKind::grain) continue;
     const double move =
         0.5 * p.mass[i] * p.velocity[i].squaredNorm() + 0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm();
@@ -31,11 +32,11 @@ void Grains::sample(double) {
     }
     if (!run_.section) continue;
     const bool beyond = gone || p.position.x[i] > *run_.section + run_.scene.measure.outflow_distance;
-    if (beyond && !crossed_[i]) {
-      crossed_[i] = 1;
+    if (beyond && !crossed_[id]) {
+      crossed_[id] = 1;
       energy_out_ += move + fall;
     }
-    if (crossed_[i]) passed_ += p.mass[i];
+    if (crossed_[id]) passed_ += p.mass[i];
   }
 }
 

@@ -107,9 +107,10 @@ constexpr auto choices(NetKind) {
   return std::to_array<Choice<NetKind>>(
       {{"rings", NetKind::rings, "linked rings"}, {"hexagonal", NetKind::hexagonal, "mesh of double-twisted wire"}});
 }
-constexpr auto choices(Foot) {
-  return std::to_array<Choice<Foot>>(
-      {{"fixed", Foot::fixed, "clamped"}, {"hinged", Foot::hinged, "a ball joint that turns freely about all axes"}});
+constexpr auto choices(FootJoint) {
+  return std::to_array<Choice<FootJoint>>(
+      {{"fixed", FootJoint::fixed, "clamped"},
+       {"hinged", FootJoint::hinged, "a ball joint that turns freely about all axes"}});
 }
 constexpr auto choices(ProbeKind) {
   return std::to_array<Choice<ProbeKind>>({{"height", ProbeKind::height, "depth of liquid above the point"},

@@ -21,7 +21,7 @@
 namespace lahar::scene {
 
 // Choices that a solver offers are the solver's own.
-using barrier::Foot;
+using barrier::FootJoint;
 using dem::SizeWeight;
 using dem::WireContacts;
 using lbm::BodyWeighting;
@@ -289,7 +289,7 @@ struct Posts {
   bool enabled = false;
   std::int64_t spans = 1;
   double height = 0, diameter = 0;  ///< m
-  Foot foot = Foot::fixed;
+  FootJoint foot = FootJoint::fixed;
   double youngs_modulus = 210e9;       ///< Pa
   double area = 0, second_moment = 0;  ///< m^2, m^4
   double density = 7850;               ///< kg/m^3, of the profile

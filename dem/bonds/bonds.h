@@ -35,14 +35,15 @@ struct BondSort {
 };
 
 struct BondSpec {
-  ParticleIndex i = 0, j = 0;
+  ParticleId i = 0, j = 0;
   int sort = 0;
 };
 
 /// All bonds, structure of arrays. Rest length and rest orientation are taken from the positions when a bond is added.
 struct Bonds {
   std::vector<BondSort> sorts;
-  std::vector<ParticleIndex> i, j;
+  std::vector<ParticleId> id_i, id_j;  ///< the ends
+  std::vector<ParticleIndex> i, j;     ///< where they stand now
   std::vector<std::int32_t> sort;
   std::vector<std::uint8_t> intact;        ///< 0 once broken
   std::vector<double> rest_length;         ///< m
@@ -63,12 +64,19 @@ struct Bonds {
     sorts.push_back(s);
     return static_cast<int>(sorts.size() - 1);
   }
+  /// Finds the ends again after the particles were renumbered.
+  void find_ends(const Particles& particles) {
+    for (std::size_t b = 0; b < size(); ++b) i[b] = particles.index(id_i[b]), j[b] = particles.index(id_j[b]);
+  }
   /// Adds a bond at rest in the present configuration.
   void add(const BondSpec& spec, const Particles& particles) {
-    const Vec3 arm = particles.position[spec.j] - particles.position[spec.i];
+    const ParticleIndex at_i = particles.index(spec.i), at_j = particles.index(spec.j);
+    const Vec3 arm = particles.position[at_j] - particles.position[at_i];
     require(arm.norm() > 0, "a bond needs two particles at different places");
-    i.push_back(spec.i);
-    j.push_back(spec.j);
+    id_i.push_back(spec.i);
+    id_j.push_back(spec.j);
+    i.push_back(at_i);
+    j.push_back(at_j);
     sort.push_back(spec.sort);
     intact.push_back(1);
     rest_length.push_back(arm.norm());

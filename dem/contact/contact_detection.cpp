@@ -1,6 +1,7 @@
 #include "dem/contact/contact_detection.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 #include "core/check.h"
@@ -16,11 +17,12 @@ constexpr std::size_t kChunk = 256;
 constexpr std::int64_t kFewSteps = 8, kManySteps = 60;
 constexpr double kThinnest = 0.02;
 
-/// Copies the histories of row i from `old` to `fresh`: a merge, as both rows ascend.
-void carry_row(const ContactSlots& old, ContactSlots& fresh, std::size_t i) {
+/// Copies the histories of row i from `old` to `fresh`: a merge, as both rows ascend by `precedes`.
+template <class Precedes>
+void carry_row(const ContactSlots& old, ContactSlots& fresh, std::size_t i, const Precedes& precedes) {
   std::uint32_t a = old.offset[i];
   for (std::uint32_t b = fresh.offset[i]; b < fresh.offset[i + 1]; ++b) {
-    while (a < old.offset[i + 1] && old.partner[a] < fresh.partner[b]) ++a;
+    while (a < old.offset[i + 1] && precedes(old.partner[a], fresh.partner[b])) ++a;
     if (a == old.offset[i + 1]) return;
     if (old.partner[a] != fresh.partner[b] || !old.touching[a]) continue;
     fresh.history.set(b, old.history[a]);
@@ -29,24 +31,38 @@ void carry_row(const ContactSlots& old, ContactSlots& fresh, std::size_t i) {
   }
 }
 
-void carry_histories(const ContactSlots& old, ContactSlots& fresh) {
+template <class Precedes>
+void carry_histories(const ContactSlots& old, ContactSlots& fresh, const Precedes& precedes) {
   fresh.history.clear(fresh.size());
   fresh.touching.assign(fresh.size(), 0);
   fresh.rolling.assign(fresh.rolls ? fresh.size() : 0, Triple{});
   if (old.offset.empty()) return;
   const std::size_t rows = std::min(old.offset.size(), fresh.offset.size()) - 1;
-  parallel_for(0, rows, 512, [&](std::size_t i) { carry_row(old, fresh, i); });
+  parallel_for(0, rows, 512, [&](std::size_t i) { carry_row(old, fresh, i, precedes); });
 }
 
-void store(const ContactSlots& slots, bool with_wall, std::vector<StoredContact>& out) {
-  for (std::size_t i = 0; i + 1 < slots.offset.size(); ++i)
-    for (std::uint32_t k = slots.offset[i]; k < slots.offset[i + 1]; ++k)
-      if (slots.touching[k])
-        out.push_back({static_cast<ParticleIndex>(i), slots.partner[k], with_wall, slots.history[k],
-                       slots.rolls ? slots.rolling[k] : Triple{}});
+void store(const ContactSlots& slots, const Numbering& numbering, bool with_wall, std::vector<StoredContact>& out) {
+  for_each_slot_by_id(slots, numbering, [&](std::uint32_t k) {
+    if (!slots.touching[k]) return;
+    const std::uint32_t partner = with_wall ? slots.partner[k] : numbering.id(slots.partner[k]);
+    out.push_back({numbering.id(slots.owner[k]), partner, with_wall, slots.history[k],
+                   slots.rolls ? slots.rolling[k] : Triple{}});
+  });
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> ContactSlots::renumber(const Renumbering& change, bool with_walls) {
+  std::vector<std::uint32_t> from = change.move_rows(offset);
+  for (std::vector<std::uint32_t>* v : {&owner, &partner}) reorder(*v, from);
+  for (std::uint32_t& i : owner) i = change.to(i);
+  if (!with_walls)
+    for (std::uint32_t& j : partner) j = change.to(j);
+  for (auto* v : {&history.x, &history.y, &history.z, &history.stiffness, &history.normal_force}) reorder(*v, from);
+  reorder(touching, from);
+  reorder(rolling, from);
+  return from;
+}
 
 bool ContactDetection::outdated(const Particles& particles) {
   ++asked_;
@@ -60,7 +76,7 @@ void ContactDetection::rebuild(const Particles& particles, const Walls& walls, c
   refresh(particles, share);
   std::swap(walls_, previous_walls_);
   list_walls(particles, walls, share);
-  carry_histories(previous_walls_, walls_);
+  carry_histories(previous_walls_, walls_, std::less<>{});
 }
 
 void ContactDetection::refresh(const Particles& particles, const RateShare& share) {
@@ -69,9 +85,10 @@ void ContactDetection::refresh(const Particles& particles, const RateShare& shar
   asked_ = 0;
   remember_positions(particles, share);
   std::swap(pairs_, previous_pairs_);
-  list_pairs(particles.size());
-  carry_histories(previous_pairs_, pairs_);
-  list_parties(particles.size());
+  list_pairs(particles);
+  carry_histories(previous_pairs_, pairs_,
+                  [&](ParticleIndex a, ParticleIndex b) { return particles.numbering.precedes(a, b); });
+  list_parties(particles);
   ++refreshes_;
 }
 
@@ -97,7 +114,7 @@ void ContactDetection::remember_positions(const Particles& particles, const Rate
 }
 
 /// Neighbours of i within the narrow skin, and those whose contact has not been seen to end yet.
-void ContactDetection::list_row(std::size_t i, std::vector<std::uint32_t>& row) const {
+void ContactDetection::list_row(std::size_t i, const Numbering& numbering, std::vector<std::uint32_t>& row) const {
   const auto& neighbour = neighbours_.neighbour();
   const std::uint32_t end = neighbours_.offset()[i + 1];
   const bool known = i + 1 < previous_pairs_.offset.size();
@@ -109,13 +126,14 @@ void ContactDetection::list_row(std::size_t i, std::vector<std::uint32_t>& row) 
     const double dx = reach_[j].x - me.x, dy = reach_[j].y - me.y, dz = reach_[j].z - me.z;
     const double sum = reach_[j].reach + me.reach;
     bool listed = dx * dx + dy * dy + dz * dz < sum * sum;
-    while (old < old_end && previous_pairs_.partner[old] < j) ++old;
+    while (old < old_end && numbering.precedes(previous_pairs_.partner[old], j)) ++old;
     if (old < old_end && previous_pairs_.partner[old] == j) listed = listed || previous_pairs_.touching[old] != 0;
     if (listed) row.push_back(j);
   }
 }
 
-void ContactDetection::list_pairs(std::size_t n) {
+void ContactDetection::list_pairs(const Particles& particles) {
+  const std::size_t n = particles.size();
   chunk_rows_.resize((n + kChunk - 1) / kChunk);
   pairs_.offset.assign(n + 1, 0);
   parallel_for_chunks(n, kChunk, [&](std::size_t first, std::size_t last) {
@@ -123,7 +141,7 @@ void ContactDetection::list_pairs(std::size_t n) {
     rows.clear();
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t before = rows.size();
-      list_row(i, rows);
+      list_row(i, particles.numbering, rows);
       pairs_.offset[i + 1] = static_cast<std::uint32_t>(rows.size() - before);
     }
   });
@@ -139,8 +157,8 @@ void ContactDetection::list_pairs(std::size_t n) {
   });
 }
 
-void ContactDetection::list_parties(std::size_t n) {
-  const std::size_t slots = pairs_.size(), chunks = (n + kContactChunk - 1) / kContactChunk;
+void ContactDetection::list_parties(const Particles& particles) {
+  const std::size_t n = particles.size(), slots = pairs_.size(), chunks = (n + kContactChunk - 1) / kContactChunk;
   ContactParties& t = parties_;
   place_.assign(n, 0);  // whether a particle is in a slot, then its place
   t.first_partner.assign(chunks + 1, 0);
@@ -163,11 +181,20 @@ void ContactDetection::list_parties(std::size_t n) {
   t.as_partner.resize(slots);
   std::vector<std::uint32_t>& next = chunk_next_;
   next.assign(t.first_partner.begin(), t.first_partner.end());
-  for (std::size_t k = 0; k < slots; ++k) {
+  for_each_slot_by_id(pairs_, particles.numbering, [&](std::uint32_t k) {
     t.owner[k] = place_[pairs_.owner[k]];
     t.partner[k] = place_[pairs_.partner[k]];
-    t.as_partner[next[pairs_.partner[k] / kContactChunk]++] = {static_cast<std::uint32_t>(k), t.partner[k]};
-  }
+    t.as_partner[next[pairs_.partner[k] / kContactChunk]++] = {k, t.partner[k]};
+  });
+}
+
+std::vector<std::uint32_t> ContactDetection::renumber(const Particles& particles, const Renumbering& change) {
+  neighbours_.renumber(change);
+  change.move(listed_at_);
+  change.move(move_limit2_);
+  pairs_.renumber(change, false);
+  if (!pairs_.offset.empty()) list_parties(particles);
+  return walls_.renumber(change, true);
 }
 
 void ContactDetection::list_walls(const Particles& particles, const Walls& walls, const RateShare& share) {
@@ -187,20 +214,20 @@ void ContactDetection::list_walls(const Particles& particles, const Walls& walls
   }
 }
 
-std::vector<StoredContact> ContactDetection::stored_contacts() const {
+std::vector<StoredContact> ContactDetection::stored_contacts(const Particles& particles) const {
   std::vector<StoredContact> all;
-  store(pairs_, false, all);
-  store(walls_, true, all);
+  store(pairs_, particles.numbering, false, all);
+  store(walls_, particles.numbering, true, all);
   return all;
 }
 
-void ContactDetection::restore(const std::vector<StoredContact>& contacts) {
+void ContactDetection::restore(const Particles& particles, const std::vector<StoredContact>& contacts) {
   for (const auto& c : contacts) {
     ContactSlots& slots = c.with_wall ? walls_ : pairs_;
     require(c.particle + 1 < slots.offset.size(), "restored contact of a particle that does not exist");
-    const auto row = slots.partner.begin() + slots.offset[c.particle];
-    const auto row_end = slots.partner.begin() + slots.offset[c.particle + 1];
-    const auto found = std::find(row, row_end, c.partner);
+    const ParticleIndex i = particles.index(c.particle);
+    const auto row = slots.partner.begin() + slots.offset[i], row_end = slots.partner.begin() + slots.offset[i + 1];
+    const auto found = std::find(row, row_end, c.with_wall ? c.partner : particles.index(c.partner));
     require(found != row_end, "restored contact between particles that are not near each other");
     const auto k = static_cast<std::size_t>(found - slots.partner.begin());
     slots.history.set(k, c.history);

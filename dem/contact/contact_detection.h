@@ -28,8 +28,8 @@ struct SlotHistories {
   }
 };
 
-/// Possible contacts in CSR form: row i holds partners (a particle or a wall) in ascending order; a contact's memory
-/// lies in its slot.
+/// Possible contacts in CSR form: row i holds partners, particles in the order of their ids or walls in that of their
+/// numbers; a contact's memory lies in its slot.
 struct ContactSlots {
   std::vector<std::uint32_t> offset;   ///< per particle
   std::vector<std::uint32_t> owner;    ///< per slot: the particle of its row
@@ -40,14 +40,25 @@ struct ContactSlots {
   std::vector<Triple> rolling;         ///< rad, elastic rotation of rolling resistance; empty unless `rolls`
 
   [[nodiscard]] std::size_t size() const { return partner.size(); }
+  /// The same slots of renumbered particles. Returns for each slot where it was.
+  std::vector<std::uint32_t> renumber(const Renumbering& change, bool with_walls);
   /// State of a checkpoint: rows and histories (solids_transfer.cpp).
   void transfer(Archive& archive, std::size_t particles, std::size_t partners);
 };
 
+/// Visits all slots in the order of their particles' ids: visit(slot).
+template <class Visit>
+void for_each_slot_by_id(const ContactSlots& slots, const Numbering& numbering, const Visit& visit) {
+  for (std::size_t id = 0; id + 1 < slots.offset.size(); ++id) {
+    const ParticleIndex i = numbering.index(id);
+    for (std::uint32_t k = slots.offset[i]; k < slots.offset[i + 1]; ++k) visit(k);
+  }
+}
+
 /// A touching contact by the names of its sides.
 struct StoredContact {
-  ParticleIndex particle = 0;
-  std::uint32_t partner = 0;  ///< particle or wall
+  ParticleId particle = 0;
+  std::uint32_t partner = 0;  ///< id of a particle, or number of a wall
   bool with_wall = false;
   ContactHistory history;
   Triple rolling{};
@@ -65,7 +76,7 @@ struct ContactParties {
   std::vector<std::uint32_t> owner, partner;  ///< per slot: places of its two particles
   std::vector<std::uint32_t> first_place;     ///< per chunk of particles, and the number of places at the end
   std::vector<std::uint32_t> first_partner;   ///< per chunk of particles, into `as_partner`, and its size at the end
-  std::vector<Partner> as_partner;            ///< all slots by the chunk of their partner, ascending in it
+  std::vector<Partner> as_partner;            ///< all slots by the chunk of their partner, in it by id of their owner
 };
 
 /// Slots for all pairs that may touch before the next rebuild. Histories are keyed on the pair, so that they outlive a
@@ -99,22 +110,25 @@ class ContactDetection {
   /// Counts `refresh`, also those in `rebuild`.
   [[nodiscard]] std::int64_t refreshes() const { return refreshes_; }
 
-  /// All touching contacts with their histories, ordered.
-  [[nodiscard]] std::vector<StoredContact> stored_contacts() const;
+  /// The same lists of renumbered particles. Returns for each wall slot where it was. The particles are those after it.
+  std::vector<std::uint32_t> renumber(const Particles& particles, const Renumbering& change);
+
+  /// All touching contacts with their histories, in the order of ids.
+  [[nodiscard]] std::vector<StoredContact> stored_contacts(const Particles& particles) const;
   /// State of a checkpoint: the lists as they are, with all histories (solids_transfer.cpp). A list that was built
   /// later would differ where a bond has broken or a particle was removed since it was built.
   void transfer(Archive& archive, const Particles& particles, std::size_t walls, const RateShare& share);
   /// Puts stored histories into the present lists; contacts that are not listed there are an error.
-  void restore(const std::vector<StoredContact>& contacts);
+  void restore(const Particles& particles, const std::vector<StoredContact>& contacts);
 
  private:
   struct Reach {
     double x, y, z, reach;  // m; not a number where removed
   };
 
-  void list_pairs(std::size_t particles);
-  void list_row(std::size_t i, std::vector<std::uint32_t>& row) const;
-  void list_parties(std::size_t particles);
+  void list_pairs(const Particles& particles);
+  void list_row(std::size_t i, const Numbering& numbering, std::vector<std::uint32_t>& row) const;
+  void list_parties(const Particles& particles);
   void list_walls(const Particles& particles, const Walls& walls, const RateShare& share);
   void remember_positions(const Particles& particles, const RateShare& share);
   void set_move_limits(const Particles& particles, const RateShare& share);

@@ -5,7 +5,7 @@ namespace lahar::dem {
 namespace {
 
 /// A contact at rest: the law tells what its spring holds.
-double held(const ContactLawChoice& law, const MaterialPair& pair, double effective_radius, double overlap) {
+double stored_energy(const ContactLawChoice& law, const MaterialPair& pair, double effective_radius, double overlap) {
   if (!(overlap > 0)) return 0;
   ContactState s;
   s.overlap = overlap;
@@ -22,7 +22,7 @@ double held(const ContactLawChoice& law, const MaterialPair& pair, double effect
 double normal_energy(ParticleIndex i, ParticleIndex j, double overlap, const Particles& p, const Materials& materials,
                      const ContactLawChoice& law) {
   const double effective_radius = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
-  return held(law, materials.pair(p.material[i], p.material[j]), effective_radius, overlap);
+  return stored_energy(law, materials.pair(p.material[i], p.material[j]), effective_radius, overlap);
 }
 
 double normal_energy_of(ParticleIndex i, const Particles& p, const Materials& materials, const Walls& walls,
@@ -45,8 +45,8 @@ double normal_energy_of(ParticleIndex i, const Particles& p, const Materials& ma
   for (std::uint32_t k = wall.offset[i]; k < wall.offset[i + 1]; ++k) {
     if (!wall.touching[k]) continue;
     const std::uint32_t w = wall.partner[k];
-    energy += held(law, materials.pair(p.material[i], walls.all()[w].material), p.radius[i],
-                   p.radius[i] - walls.distance(w, p.position[i]));
+    energy += stored_energy(law, materials.pair(p.material[i], walls.all()[w].material), p.radius[i],
+                            p.radius[i] - walls.distance(w, p.position[i]));
   }
   return energy;
 }

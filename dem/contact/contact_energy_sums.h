@@ -37,6 +37,13 @@ struct ContactEnergy {
 struct ContactTally {
   double elastic_normal = 0, elastic_tangential = 0, elastic_rolling = 0;
   double damping = 0, friction = 0, rolling = 0, wall_work = 0;
+
+  ContactTally& operator+=(const ContactTally& o) {
+    elastic_normal += o.elastic_normal, elastic_tangential += o.elastic_tangential;
+    elastic_rolling += o.elastic_rolling, damping += o.damping, friction += o.friction;
+    rolling += o.rolling, wall_work += o.wall_work;
+    return *this;
+  }
 };
 
 }  // namespace lahar::dem

@@ -43,7 +43,7 @@ void ContactForces::compute(Particles& particles, ContactDetection& contacts, co
   require(contacts.pairs().offset.size() == n + 1, "contact lists do not belong to these particles");
   if (noted_refresh_ != contacts.refreshes()) {
     pairs_.note_slots(particles, contacts, materials_);
-    walls_.resize(contacts.wall_contacts().size());
+    walls_.resize(contacts.wall_contacts().size(), particles.numbering);
     noted_refresh_ = contacts.refreshes();
   }
   pairs_.pack(particles, contacts, dt, mean);
@@ -62,7 +62,20 @@ void ContactForces::compute(Particles& particles, ContactDetection& contacts, co
     pairs_.add_partners(particles, contacts, chunk, tally);
     tallies_[chunk] = tally;
   });
+  if (!particles.numbering.by_id()) tally_by_id(particles, contacts, dt);
   sum_tallies();
+}
+
+/// The tallies of chunks by index are not those of chunks by id: sums them up again in the order of ids.
+void ContactForces::tally_by_id(const Particles& particles, const ContactDetection& contacts, double dt) {
+  const Numbering& numbering = particles.numbering;
+  parallel_for(0, tallies_.size(), 1, [&](std::size_t chunk) {
+    ContactTally tally;
+    pairs_.tally_losses(numbering, contacts, chunk, tally);
+    walls_.tally_by_id(numbering, contacts, dt, chunk, tally);
+    pairs_.tally_elastic(chunk, tally);
+    tallies_[chunk] = tally;
+  });
 }
 
 void ContactForces::sum_tallies() {

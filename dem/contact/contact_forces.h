@@ -32,19 +32,26 @@ class ContactForces {
   [[nodiscard]] bool rolls() const { return materials_.rolls(); }
   [[nodiscard]] const ContactEnergy& energy() const { return energy_; }
   /// See WallContacts.
-  [[nodiscard]] Vec3 force_on_wall(const ContactDetection& contacts, std::uint32_t wall) const {
-    return walls_.force_on_wall(contacts, wall);
+  [[nodiscard]] Vec3 force_on_wall(const Particles& particles, const ContactDetection& contacts,
+                                   std::uint32_t wall) const {
+    return walls_.force_on_wall(particles, contacts, wall);
   }
   [[nodiscard]] Vec3 moment_on_wall(const Particles& particles, const ContactDetection& contacts, const Walls& walls,
                                     std::uint32_t wall) const {
     return walls_.moment_on_wall(particles, contacts, walls, wall);
   }
   /// A particle leaves with this energy of its normal springs, J.
-  void take_out(double normal_energy) { energy_.elastic_normal -= normal_energy; }
+  void release(double normal_energy) { energy_.elastic_normal -= normal_energy; }
+  /// The particles were renumbered, and wall slot k was from[k].
+  void renumber(const std::vector<std::uint32_t>& from) {
+    walls_.renumber(from);
+    noted_refresh_ = -1;
+  }
   /// State of a checkpoint; the histories lie with the contacts.
   void transfer(Archive& archive);
 
  private:
+  void tally_by_id(const Particles& particles, const ContactDetection& contacts, double dt);
   void sum_tallies();
 
   ContactLawChoice law_;
@@ -52,7 +59,7 @@ class ContactForces {
   PairContacts pairs_;
   WallContacts walls_;
   std::int64_t noted_refresh_ = -1;
-  std::vector<ContactTally> tallies_;  // per chunk of particles
+  std::vector<ContactTally> tallies_;  // per chunk of particles that follow each other by id
   ContactEnergy energy_;
 };
 

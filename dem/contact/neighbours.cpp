@@ -13,6 +13,12 @@ namespace {
 
 constexpr std::size_t kChunk = 256;
 
+template <class Iterator>
+void sort_by_id(Iterator first, Iterator last, const Numbering& numbering) {
+  if (numbering.by_id()) return std::sort(first, last);
+  std::sort(first, last, [&](ParticleIndex a, ParticleIndex b) { return numbering.precedes(a, b); });
+}
+
 /// Mean distance of the particles from their mean along one axis, times four: the extent of a uniform crowd, and little
 /// moved by a few that ran away.
 double extent(const std::vector<double>& x, const std::vector<ParticleIndex>& particles) {
@@ -78,7 +84,7 @@ void NeighbourList::build(const Particles& particles, const PairSet& excluded, c
     for (std::size_t i = first; i < last; ++i) {
       const std::size_t before = rows.size();
       if (particles.state[i] != ParticleState::removed && share.paired(i)) search(particles, excluded, share, i, rows);
-      std::sort(rows.begin() + static_cast<std::ptrdiff_t>(before), rows.end());
+      sort_by_id(rows.begin() + static_cast<std::ptrdiff_t>(before), rows.end(), particles.numbering);
       offset_[i + 1] = static_cast<std::uint32_t>(rows.size() - before);
     }
   });
@@ -91,6 +97,13 @@ void NeighbourList::build(const Particles& particles, const PairSet& excluded, c
   });
   remember_positions(particles, share);
   ++builds_;
+}
+
+void NeighbourList::renumber(const Renumbering& change) {
+  reorder(neighbour_, change.move_rows(offset_));
+  for (ParticleIndex& j : neighbour_) j = change.to(j);
+  change.move(built_at_);
+  change.move(move_limit2_);
 }
 
 void NeighbourList::remember_positions(const Particles& particles, const RateShare& share) {
@@ -197,15 +210,15 @@ void NeighbourList::search(const Particles& particles, const PairSet& excluded, 
   const int own = std::ilogb(reach);
   for (const auto& level : levels_)  // small looks for large, never the other way round: few cells, few candidates
     if (level.exponent >= own && !level.particles.empty() && !(me.slow && level.only_slow))
-      search_level(level, me, level.exponent == own, excluded, row);
+      search_level(level, me, level.exponent == own, particles.numbering, excluded, row);
 }
 
-void NeighbourList::search_level(const Level& level, const Member& me, bool same_level, const PairSet& excluded,
-                                 std::vector<ParticleIndex>& row) const {
+void NeighbourList::search_level(const Level& level, const Member& me, bool same_level, const Numbering& numbering,
+                                 const PairSet& excluded, std::vector<ParticleIndex>& row) {
   const auto consider = [&](const Member& other) {
     const double dx = other.x - me.x, dy = other.y - me.y, dz = other.z - me.z, sum = other.reach + me.reach;
     if (dx * dx + dy * dy + dz * dz >= sum * sum) return;
-    if (same_level && other.index <= me.index) return;
+    if (same_level && !numbering.precedes(me.index, other.index)) return;
     if ((!me.free && !other.free) || (me.slow && other.slow)) return;
     if (!excluded.contains(me.index, other.index)) row.push_back(other.index);
   };

@@ -32,9 +32,9 @@ struct NeighbourOptions {
   double minimum_skin = 0;  ///< m
 };
 
-/// Half Verlet list in CSR form: row i lists its neighbours in ascending order, and each pair stands in one row only
-/// (that of the smaller size class; of the lower index within a class). The same particles give the same list on any
-/// number of threads. Removed particles, pairs of fixed particles and excluded pairs are left out.
+/// Half Verlet list in CSR form: row i lists its neighbours in the order of their ids, and each pair stands in one row
+/// only (that of the smaller size class; of the lower id within a class). The same particles give the same list on any
+/// number of threads and in any numbering. Removed particles, pairs of fixed particles and excluded pairs are left out.
 class NeighbourList {
  public:
   explicit NeighbourList(NeighbourOptions options = {}) : options_(options) {}
@@ -49,6 +49,8 @@ class NeighbourList {
   /// Skin of particle i, m.
   [[nodiscard]] double skin(const Particles& particles, std::size_t i) const;
   [[nodiscard]] std::int64_t builds() const { return builds_; }
+  /// The same list of renumbered particles.
+  void renumber(const Renumbering& change);
   /// State of a checkpoint: the list and where the particles were when it was built (solids_transfer.cpp).
   void transfer(Archive& archive, const Particles& particles, const RateShare& share);
 
@@ -81,8 +83,8 @@ class NeighbourList {
   void fill_level(Level& level, const Particles& particles, const RateShare& share);
   void search(const Particles& particles, const PairSet& excluded, const RateShare& share, std::size_t i,
               std::vector<ParticleIndex>& row) const;
-  void search_level(const Level& level, const Member& me, bool same_level, const PairSet& excluded,
-                    std::vector<ParticleIndex>& row) const;
+  static void search_level(const Level& level, const Member& me, bool same_level, const Numbering& numbering,
+                           const PairSet& excluded, std::vector<ParticleIndex>& row);
   void remember_positions(const Particles& particles, const RateShare& share);
   void set_move_limits(const Particles& particles, const RateShare& share);
 

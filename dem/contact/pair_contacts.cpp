@@ -15,8 +15,9 @@ struct PairContacts::Eight {
   const std::uint16_t* material;
   double *x, *y, *z, *stiffness, *normal_force;  // history
   std::uint8_t* touching;
-  Triple* rolling;     // nullptr unless remembered
-  double* on_partner;  // lines
+  Triple* rolling;           // nullptr unless remembered
+  double* on_partner;        // lines
+  ContactTally* of_rolling;  // nullptr where indices are ids, or nothing rolls
 };
 
 /// From the centres to where the forces act, m: the radii less half the overlap.
@@ -43,10 +44,11 @@ struct PairContacts::Tail {
     std::copy_n(at.partner, count, partner.data());
     std::copy_n(at.material, count, material.data());
   }
-  [[nodiscard]] Eight eight(bool rolls) {
-    return {owner.data(),     partner.data(),   material.data(),     x.data(),        y.data(),
-            z.data(),         stiffness.data(), normal_force.data(), touching.data(), rolls ? rolling.data() : nullptr,
-            on_partner.data()};
+  /// Lanes that are idle book nothing.
+  [[nodiscard]] Eight eight(bool rolls, ContactTally* of_rolling) {
+    return {owner.data(),      partner.data(),   material.data(),     x.data(),        y.data(),
+            z.data(),          stiffness.data(), normal_force.data(), touching.data(), rolls ? rolling.data() : nullptr,
+            on_partner.data(), of_rolling};
   }
   void copy(const Eight& at, std::size_t count, bool in) {
     const auto move = [&](auto* theirs, auto* ours) {
@@ -77,6 +79,12 @@ void PairContacts::note_slots(const Particles& p, const ContactDetection& contac
     partner_at_[k] = static_cast<std::uint32_t>(ContactBodies::kStride * parties.partner[k]);
   });
   one_material_ = std::all_of(material_.begin(), material_.end(), [&](auto m) { return m == material_[0]; });
+  const bool by_id = p.numbering.by_id();
+  id_of_place_.clear();
+  if (!by_id)
+    for (const ParticleIndex i : parties.particle) id_of_place_.push_back(p.id(i));
+  energies_.assign(by_id ? 0 : p.size(), {});
+  of_rolling_.assign(by_id || !slots.rolls ? 0 : slots.size(), {});
 }
 
 namespace {
@@ -139,7 +147,10 @@ void PairContacts::roll(const EightContacts& c, const ContactHistoryOf<Line>& hi
     const double inverse_inertia = inverse_rolling_inertia(i[2 * kLine + 6], i[2 * kLine + 7]) +
                                    inverse_rolling_inertia(j[2 * kLine + 6], j[2 * kLine + 7]);
     state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
-    const Triple torque = roll_lane(c, history, l, state, stiffness_before[l], dt, at.rolling[l], tally);
+    ContactTally booked;
+    const Triple torque = roll_lane(c, history, l, state, stiffness_before[l], dt, at.rolling[l], booked);
+    tally += booked;
+    if (at.of_rolling != nullptr) at.of_rolling[l] = booked;
     const Line line{0, 0, 0, torque.x, torque.y, torque.z, 0, 0};
     on_owner[l] += line;
     on_partner[l] -= line;
@@ -199,6 +210,7 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
   const std::size_t particles = slots.offset.size() - 1, first = chunk * kContactChunk;
   for (std::size_t p = t.first_place[chunk]; p < t.first_place[chunk + 1]; ++p) store_line(bodies_.sum(p), Line{});
   const std::size_t end = slots.offset[std::min(first + kContactChunk, particles)];
+  if (!of_rolling_.empty()) std::fill(&of_rolling_[slots.offset[first]], of_rolling_.data() + end, ContactTally{});
   for (std::size_t k = slots.offset[first]; k < end; k += kLine) {
     const Eight at{&owner_at_[k],
                    &partner_at_[k],
@@ -210,7 +222,8 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
                    &h.normal_force[k],
                    &slots.touching[k],
                    slots.rolls ? &slots.rolling[k] : nullptr,
-                   on_partner_[k]};
+                   on_partner_[k],
+                   of_rolling_.empty() ? nullptr : &of_rolling_[k]};
     const std::size_t count = std::min(kLine, end - k);
     if (k + 3 * kLine <= end) prefetch_partners(k + 2 * kLine);
     if (count == kLine) {
@@ -218,7 +231,7 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
       continue;
     }
     Tail tail(at, count, static_cast<std::uint32_t>(ContactBodies::kStride * t.particle.size()));
-    evaluate_eight(law, tail.eight(slots.rolls), materials, dt, tally);
+    evaluate_eight(law, tail.eight(slots.rolls, at.of_rolling), materials, dt, tally);
     tail.copy(at, count, false);
   }
   Line energies{};  // of all slots, by their owners; partners bring other ones in the same places
@@ -226,6 +239,8 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
     double* at = bodies_.sum(p);
     const Line sum = load_line(at);
     energies += sum;
+    if (!id_of_place_.empty())
+      energies_[id_of_place_[p]].damping = sum[6], energies_[id_of_place_[p]].friction = sum[7];
     store_line(at, sum * Line{1, 1, 1, 1, 1, 1, 0, 0});
   }
   tally.damping += energies[6];
@@ -257,6 +272,9 @@ void PairContacts::add_partners(Particles& particles, const ContactDetection& co
     for (std::size_t l = 0; l < count; ++l) {
       sum[l] = load_line(bodies_.sum(p + l));
       energies += sum[l];
+      if (id_of_place_.empty()) continue;
+      Energies& own = energies_[id_of_place_[p + l]];
+      own.elastic_normal = sum[l][6], own.elastic_tangential = sum[l][7];
     }
     if (count == kLine && index[kLine - 1] - index[0] == kLine - 1) {
       transpose(sum);
@@ -271,6 +289,29 @@ void PairContacts::add_partners(Particles& particles, const ContactDetection& co
   }
   tally.elastic_normal += energies[6];
   tally.elastic_tangential += energies[7];
+}
+
+void PairContacts::tally_losses(const Numbering& numbering, const ContactDetection& contacts, std::size_t chunk,
+                                ContactTally& tally) const {
+  const ContactSlots& slots = contacts.pairs();
+  const std::size_t first = chunk * kContactChunk, end = std::min(first + kContactChunk, energies_.size());
+  double damping = 0, friction = 0;
+  for (std::size_t id = first; id < end; ++id) {
+    const ParticleIndex i = numbering.index(id);
+    for (std::size_t k = slots.offset[i]; !of_rolling_.empty() && k < slots.offset[i + 1]; ++k) tally += of_rolling_[k];
+    damping += energies_[id].damping, friction += energies_[id].friction;
+  }
+  tally.damping += damping;
+  tally.friction += friction;
+}
+
+void PairContacts::tally_elastic(std::size_t chunk, ContactTally& tally) const {
+  const std::size_t first = chunk * kContactChunk, end = std::min(first + kContactChunk, energies_.size());
+  double normal = 0, tangential = 0;
+  for (std::size_t id = first; id < end; ++id)
+    normal += energies_[id].elastic_normal, tangential += energies_[id].elastic_tangential;
+  tally.elastic_normal += normal;
+  tally.elastic_tangential += tangential;
 }
 
 }  // namespace lahar::dem

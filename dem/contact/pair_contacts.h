@@ -19,8 +19,9 @@ namespace lahar::dem {
 /// The contact laws that a scene can choose from.
 using ContactLawChoice = std::variant<HertzMindlin, LinearSpringDashpot>;
 
-/// A particle's sum is taken over the slots that it owns, ascending, then over those where it is the partner. Slots
-/// that do not touch add zeros: the sum depends neither on which of them are listed nor on threads.
+/// A particle's sum is taken over the slots that it owns, in the order of their partners' ids, then over those where it
+/// is the partner, in the order of their owners' ids. Slots that do not touch add zeros: the sum depends neither on
+/// which of them are listed nor on threads nor on where particles stand.
 class PairContacts {
  public:
   /// Notes what stays the same while the slots stay. To be called when they are new.
@@ -35,6 +36,12 @@ class PairContacts {
                 std::size_t chunk, ContactTally& tally);
   /// Completes the sums of a chunk of particles and adds them to `force` and `torque`.
   void add_partners(Particles& particles, const ContactDetection& contacts, std::size_t chunk, ContactTally& tally);
+
+  /// Where indices are not ids: the energies of the chunk of particles with these ids, in the order in which `evaluate`
+  /// and `add_partners` sum them up where they are. First what slots lose, then, after the walls, what they hold.
+  void tally_losses(const Numbering& numbering, const ContactDetection& contacts, std::size_t chunk,
+                    ContactTally& tally) const;
+  void tally_elastic(std::size_t chunk, ContactTally& tally) const;
 
  private:
   struct Eight;  // where the numbers of eight slots lie
@@ -57,6 +64,13 @@ class PairContacts {
   LineField on_partner_;                              // per slot: force, torque, elastic energies (normal, tangential)
   std::vector<std::uint32_t> owner_at_, partner_at_;  // per slot: where the lines of its two particles begin
   bool one_material_ = false;                         // the same in all slots
+  // Only where indices are not ids:
+  struct Energies {
+    double damping = 0, friction = 0, elastic_normal = 0, elastic_tangential = 0;  // J, of a particle's slots
+  };
+  std::vector<ParticleId> id_of_place_;
+  std::vector<Energies> energies_;        // by id
+  std::vector<ContactTally> of_rolling_;  // per slot, where it resists rolling
 };
 
 }  // namespace lahar::dem

@@ -31,6 +31,9 @@ Vec3 gradient_of(const Walls& walls, std::uint32_t w, const Vec3& p) {
   return plane != nullptr ? plane->normal : walls.gradient(w, p);
 }
 
+/// Not inlined: a compiler may or may not fuse product and sum, but here it does the same wherever this is called from.
+[[gnu::noinline]] void add_work(double dt, double power, ContactTally& tally) { tally.wall_work += dt * power; }
+
 }  // namespace
 
 struct WallContacts::Work {
@@ -102,6 +105,7 @@ template <ContactLaw L>
     tally.elastic_tangential += f.elastic_tangential[l];
     tally.damping += f.damping[l];
     tally.friction += f.friction[l];
+    ContactTally rolled;
     const ContactHistoryOf<Line>& h = batch.history;
     work.slots.history.set(k, {lane_of(h.tangential_displacement, l), h.tangential_stiffness[l], h.normal_force[l]});
     Answer& answer = answers_[k];
@@ -117,12 +121,18 @@ template <ContactLaw L>
           inverse_rolling_inertia(batch.contacts.inverse_mass[l], batch.contacts.effective_radius[l]);
       state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
       answer.torque = answer.torque + roll_lane(batch.contacts, h, l, state, stiffness_before[l], work.dt,
-                                                work.slots.rolling[k], tally);
+                                                work.slots.rolling[k], rolled);
+      tally += rolled;
+    }
+    if (!booked_.empty()) {
+      Booked& booked = booked_[k];
+      booked.law.elastic_normal = f.elastic_normal[l], booked.law.elastic_tangential = f.elastic_tangential[l];
+      booked.law.damping = f.damping[l], booked.law.friction = f.friction[l];
+      booked.rolling = rolled;
     }
     const bool touches = batch.contacts.touches[l] != 0;
     work.slots.touching[k] = touches ? 1 : 0;
-    if (touches)
-      tally.wall_work += work.dt * dot(answer.force, triple(work.walls.all()[work.slots.partner[k]].velocity));
+    if (touches) answer.power = dot(answer.force, triple(work.walls.all()[work.slots.partner[k]].velocity));
   }
   batch.count = 0;
 }
@@ -135,6 +145,7 @@ void WallContacts::evaluate_with(const L& law, const Work& work, std::size_t chu
   for (std::uint32_t k = first; k < last; ++k) {
     const std::size_t i = work.slots.owner[k];
     answers_[k] = Answer{};
+    if (!booked_.empty()) booked_[k] = Booked{};
     const bool listed = work.particles.state[i] != ParticleState::removed;
     const double radius = work.particles.radius[i];
     const double distance =
@@ -144,6 +155,8 @@ void WallContacts::evaluate_with(const L& law, const Work& work, std::size_t chu
     if (batch.count == kLine) evaluate_batch(law, work, batch, tally);
   }
   if (batch.count > 0) evaluate_batch(law, work, batch, tally);
+  for (std::uint32_t k = first; k < last; ++k)
+    if (answers_[k].power != 0) add_work(work.dt, answers_[k].power, tally);
 }
 
 void WallContacts::evaluate(const ContactLawChoice& law, const Particles& particles, ContactDetection& contacts,
@@ -164,11 +177,28 @@ void WallContacts::add_to(Particles& p, const ContactDetection& contacts, std::s
   }
 }
 
-Vec3 WallContacts::force_on_wall(const ContactDetection& contacts, std::uint32_t wall) const {
+void WallContacts::tally_by_id(const Numbering& numbering, const ContactDetection& contacts, double dt,
+                               std::size_t chunk, ContactTally& tally) const {
+  const ContactSlots& slots = contacts.wall_contacts();
+  const std::size_t first = chunk * kContactChunk, end = std::min(first + kContactChunk, slots.offset.size() - 1);
+  for (std::size_t id = first; id < end; ++id) {
+    const ParticleIndex i = numbering.index(id);
+    for (std::uint32_t k = slots.offset[i]; k < slots.offset[i + 1]; ++k) {
+      tally += booked_[k].law;
+      tally += booked_[k].rolling;
+      if (answers_[k].power != 0) add_work(dt, answers_[k].power, tally);
+    }
+  }
+}
+
+Vec3 WallContacts::force_on_wall(const Particles& particles, const ContactDetection& contacts,
+                                 std::uint32_t wall) const {
   const ContactSlots& slots = contacts.wall_contacts();
   Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < answers_.size(); ++k)
+  if (answers_.empty()) return sum;
+  for_each_slot_by_id(slots, particles.numbering, [&](std::uint32_t k) {
     if (slots.partner[k] == wall) sum -= vec(answers_[k].force);
+  });
   return sum;
 }
 
@@ -176,12 +206,13 @@ Vec3 WallContacts::moment_on_wall(const Particles& particles, const ContactDetec
                                   std::uint32_t wall) const {
   const ContactSlots& slots = contacts.wall_contacts();
   Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 0; k < answers_.size(); ++k) {
-    if (slots.partner[k] != wall) continue;
+  if (answers_.empty()) return sum;
+  for_each_slot_by_id(slots, particles.numbering, [&](std::uint32_t k) {
+    if (slots.partner[k] != wall) return;
     const Vec3 p = particles.position[slots.owner[k]];
     const Vec3 at = p - walls.distance(wall, p) * walls.gradient(wall, p);
     sum -= at.cross(vec(answers_[k].force));
-  }
+  });
   return sum;
 }
 

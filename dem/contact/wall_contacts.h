@@ -15,8 +15,14 @@ namespace lahar::dem {
 
 class WallContacts {
  public:
-  void resize(std::size_t slots) { answers_.resize(slots); }
+  /// To be called when the slots are new.
+  void resize(std::size_t slots, const Numbering& numbering) {
+    answers_.resize(slots);
+    booked_.assign(numbering.by_id() ? 0 : slots, {});
+  }
   void clear() { answers_.clear(); }
+  /// The slots stand elsewhere: slot k was from[k].
+  void renumber(const std::vector<std::uint32_t>& from) { reorder(answers_, from); }
 
   /// The wall slots of a chunk of particles: evaluates them and advances their histories by `dt` (s). Needs the forces
   /// of the step before in `particles`; `mean`: see ContactBodies::pack.
@@ -25,9 +31,14 @@ class WallContacts {
                 ContactTally& tally);
   /// Adds what came out to the `force` and `torque` of the chunk's particles.
   void add_to(Particles& particles, const ContactDetection& contacts, std::size_t chunk) const;
+  /// Where indices are not ids: the energies of the chunk of particles with these ids, in the order in which `evaluate`
+  /// sums them up where they are.
+  void tally_by_id(const Numbering& numbering, const ContactDetection& contacts, double dt, std::size_t chunk,
+                   ContactTally& tally) const;
 
   /// Force of all particles on one wall in the last evaluation, N.
-  [[nodiscard]] Vec3 force_on_wall(const ContactDetection& contacts, std::uint32_t wall) const;
+  [[nodiscard]] Vec3 force_on_wall(const Particles& particles, const ContactDetection& contacts,
+                                   std::uint32_t wall) const;
   /// Its moment about the origin of the coordinates, N m; each force acts where its sphere is nearest to the wall.
   [[nodiscard]] Vec3 moment_on_wall(const Particles& particles, const ContactDetection& contacts, const Walls& walls,
                                     std::uint32_t wall) const;
@@ -35,6 +46,10 @@ class WallContacts {
  private:
   struct Answer {
     Triple force{}, torque{};  // on the particle
+    double power = 0;          // W, of a moving wall on the particle
+  };
+  struct Booked {  // energies of a slot
+    ContactTally law, rolling;
   };
   struct Work;
   struct Batch;
@@ -45,6 +60,7 @@ class WallContacts {
   void evaluate_batch(const L& law, const Work& work, Batch& batch, ContactTally& tally);
 
   std::vector<Answer> answers_;  // per wall slot
+  std::vector<Booked> booked_;   // per wall slot, only where indices are not ids
 };
 
 }  // namespace lahar::dem

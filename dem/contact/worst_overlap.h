@@ -8,12 +8,12 @@ namespace lahar::dem {
 
 struct WorstOverlap {
   double ratio = 0;  ///< overlap over the smaller radius
-  ParticleIndex particle = 0;
-  std::uint32_t partner = 0;
+  ParticleId particle = 0;
+  std::uint32_t partner = 0;  ///< id of a particle, or number of a wall
   bool with_wall = false;
 };
 
-/// Looks at all contacts that touched in the last evaluation, where the particles are now. Ties go to the first.
+/// Looks at all contacts that touched in the last evaluation, where the particles are now. Ties go to the lowest id.
 [[nodiscard]] WorstOverlap worst_overlap(const Particles& particles, const ContactDetection& contacts,
                                          const Walls& walls);
 

@@ -45,22 +45,24 @@ void WireChains::build(const Bonds& bonds, const Particles& p) {
     join(i, j), join(j, i);
     covered_[i] = covered_[j] = 1;
   }
-  std::vector<std::uint8_t> strung(n, 0);
-  const auto string_up_all = [&](bool closed) {  // open chains from their lower end first, then closed ones
-    for (ParticleIndex i = 0; i < n; ++i) {
-      if (covered_[i] == 0 || strung[i] != 0 || (!closed && !is_end(i))) continue;
-      string_up(i);
-      for (ParticleIndex k = i; k != none && strung[k] == 0; k = behind_[k]) strung[k] = 1, closed_[k] = closed ? 1 : 0;
+  std::vector<std::uint8_t> ordered(n, 0);
+  const auto order_all = [&](bool closed) {  // open chains from their lower end first, then closed ones
+    for (ParticleId id = 0; id < n; ++id) {
+      const ParticleIndex i = p.index(id);
+      if (covered_[i] == 0 || ordered[i] != 0 || (!closed && !is_end(i))) continue;
+      order_chain(i, p.numbering);
+      for (ParticleIndex k = i; k != none && ordered[k] == 0; k = behind_[k])
+        ordered[k] = 1, closed_[k] = closed ? 1 : 0;
     }
   };
-  string_up_all(false);
-  string_up_all(true);
+  order_all(false);
+  order_all(true);
   find_near(bonds, n);
 }
 
 /// Sorts the neighbours of all beads of a chain into before and behind, starting here; a ring towards its lower one.
-void WireChains::string_up(ParticleIndex from) {
-  if (before_[from] != none && (behind_[from] == none || before_[from] < behind_[from]))
+void WireChains::order_chain(ParticleIndex from, const Numbering& numbering) {
+  if (before_[from] != none && (behind_[from] == none || numbering.precedes(before_[from], behind_[from])))
     std::swap(before_[from], behind_[from]);
   for (ParticleIndex last = from, k = behind_[from]; k != none && k != from; last = std::exchange(k, behind_[k]))
     if (before_[k] != last) std::swap(before_[k], behind_[k]);
@@ -84,6 +86,20 @@ void WireChains::find_near(const Bonds& bonds, std::size_t n) {
     near_.erase(std::unique(near_.begin() + row, near_.end()), near_.end());
     near_offset_.push_back(static_cast<std::uint32_t>(near_.size()));
   }
+}
+
+void WireChains::renumber(const Renumbering& change) {
+  change.move(covered_);
+  change.move(closed_);
+  for (std::vector<ParticleIndex>* beads : {&before_, &behind_}) {
+    for (ParticleIndex& i : *beads)
+      if (i != none) i = change.to(i);
+    change.move(*beads, none);
+  }
+  reorder(near_, change.move_rows(near_offset_));
+  for (ParticleIndex& j : near_) j = change.to(j);
+  for (std::size_t i = 0; i + 1 < near_offset_.size(); ++i)
+    std::sort(near_.begin() + near_offset_[i], near_.begin() + near_offset_[i + 1]);
 }
 
 bool WireChains::near(ParticleIndex i, ParticleIndex j) const {

@@ -15,8 +15,11 @@ class WireChains {
  public:
   static constexpr ParticleIndex none = std::numeric_limits<ParticleIndex>::max();
 
-  /// From the bonds that are intact now. The direction of a chain follows from its beads' indices.
+  /// From the bonds that are intact now. The direction of a chain follows from its beads' ids.
   void build(const Bonds& bonds, const Particles& particles);
+
+  /// The same chains of renumbered particles.
+  void renumber(const Renumbering& change);
 
   /// 1 for each particle that is part of a wire.
   [[nodiscard]] const std::vector<std::uint8_t>& covered() const { return covered_; }
@@ -31,7 +34,7 @@ class WireChains {
 
  private:
   void find_near(const Bonds& bonds, std::size_t particles);
-  void string_up(ParticleIndex from);
+  void order_chain(ParticleIndex from, const Numbering& numbering);
 
   std::vector<std::uint8_t> covered_, closed_;
   std::vector<ParticleIndex> before_, behind_;

@@ -41,8 +41,8 @@ double effective_radius_of_wires(double r, double other) { return std::sqrt(r * 
 
 double effective_radius_on_sphere(double r, double sphere) { return sphere / std::sqrt(1 + sphere / r); }
 
-void describe(const WirePatch& patch, const WirePiece& piece, const WirePartner& partner, const WireSphere& sphere,
-              double reach, double radius, WireContact& c) {
+void describe(const WirePatch& patch, const SplineSegment& segment, const WirePartner& partner,
+              const WireSphere& sphere, double reach, double radius, WireContact& c) {
   c.wire.count = c.partner.count = 0;
   c.overlap = equivalent_overlap(patch.integral, reach);
   const double per_node = 0.8 * c.overlap / patch.integral;  // de = 2/5 e/I dI, dI = 2 sum of overlap d(overlap) dl
@@ -59,20 +59,21 @@ void describe(const WirePatch& patch, const WirePiece& piece, const WirePartner&
     // Less what lies along the wire, but for a sphere in front of its end.
     const double along = dot(n.normal, n.along);
     resultant = resultant + per_node * n.weight * n.overlap * (n.normal - along * (1 - along * along) * n.along);
-    wire = wire + share * n.point, other = other + share * n.foot.point;
-    const auto weights = piece.weights(n.s), slopes = piece.weight_slopes(n.s);
+    wire = wire + share * n.point, other = other + share * n.nearest.point;
+    const auto weights = segment.weights(n.s), slopes = segment.weight_slopes(n.s);
     // Beads that move apart lengthen the patch: dI = sum of overlap^2 d(dl).
     const Triple stretch = (0.5 * per_node * n.overlap * n.overlap * n.share) * n.along;
     for (std::size_t b = 0; b < 3; ++b)
-      if (weights[b] > 0) add(c.wire, piece.beads[b], share * weights[b], weights[b] * pull + slopes[b] * stretch);
+      if (weights[b] > 0) add(c.wire, segment.beads[b], share * weights[b], weights[b] * pull + slopes[b] * stretch);
     if (sphere.there) {
       add(c.partner, sphere.particle, share, -1.0 * pull);
       continue;
     }
-    const WirePiece& foot = partner.pieces[n.foot.piece];
-    const auto feet = foot.weights(n.foot.t);
+    const SplineSegment& other_segment = partner.segments[n.nearest.segment];
+    const auto other_weights = other_segment.weights(n.nearest.t);
     for (std::size_t b = 0; b < 3; ++b)
-      if (feet[b] > 0) add(c.partner, foot.beads[b], share * feet[b], -feet[b] * pull);
+      if (other_weights[b] > 0)
+        add(c.partner, other_segment.beads[b], share * other_weights[b], -other_weights[b] * pull);
   }
   c.spread = length(resultant);
   c.normal = (1 / c.spread) * resultant;

@@ -1,16 +1,16 @@
 #pragma once
 // One contact of a wire: from its patch to what the contact law sees, and from the law's answer to forces on beads.
 //
-// The equivalent overlap e is a function of the positions of all beads whose pieces take part, and the elastic force F
-// of the law acts on each of them as -F de/dx: the contact is as conservative as the law. At every place of the patch
+// The equivalent overlap e is a function of the positions of all beads whose segments take part, and the elastic force
+// F of the law acts on each of them as -F de/dx: the contact is as conservative as the law. At every place of the patch
 // these forces lie on the line between both centre-lines and are shared out by the weights of the splines, so that
 // neither momentum nor angular momentum changes.
 //
 // Friction and dampers act at one point, between the mean points of both centre-lines; each side's beads share their
 // force by the mean weights W, and its moment about the centre-line goes to their spins by the same weights. The law
 // sees the velocity of that point, from sum W v and sum W w, so that what it books is what the beads feel. The damper
-// does not see de/dt: a patch that slides along a wire passes from piece to piece, each of which it enters and leaves,
-// and nothing approaches.
+// does not see de/dt: a patch that slides along a wire passes from segment to segment, each of which it enters and
+// leaves, and nothing approaches.
 #include <array>
 #include <cstddef>
 
@@ -46,9 +46,9 @@ struct WireSphere {
   ParticleIndex particle = 0;
 };
 
-/// @param reach,radius  sum of the radii, radius of the piece, m
-void describe(const WirePatch& patch, const WirePiece& piece, const WirePartner& partner, const WireSphere& sphere,
-              double reach, double radius, WireContact& contact);
+/// @param reach,radius  sum of the radii, radius of the segment, m
+void describe(const WirePatch& patch, const SplineSegment& segment, const WirePartner& partner,
+              const WireSphere& sphere, double reach, double radius, WireContact& contact);
 
 /// 1/R* for Hertz' law, R* = sqrt(R' R'') with the principal radii of the gap: of two wires that cross at a right
 /// angle, R' and R'' are their radii; of a sphere on a wire 1/R' = 1/a and 1/R'' = 1/a + 1/r. m.

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "dem/wires/wire_piece.h"
+#include "dem/wires/spline_segment.h"
 
 namespace lahar::dem {
 
@@ -12,11 +12,11 @@ namespace {
 
 constexpr std::uint64_t kRun = std::uint64_t{1} << 31;  // particles are fewer
 
-std::uint64_t candidate(ParticleIndex piece, ParticleIndex partner, bool run) {
-  return (static_cast<std::uint64_t>(piece) << 32) + partner + (run ? kRun : 0);
+std::uint64_t candidate(ParticleId segment, ParticleId partner, bool run) {
+  return (static_cast<std::uint64_t>(segment) << 32) + partner + (run ? kRun : 0);
 }
-ParticleIndex piece_of(std::uint64_t c) { return static_cast<ParticleIndex>(c >> 32); }
-ParticleIndex partner_of(std::uint64_t c) { return static_cast<ParticleIndex>(c & (kRun - 1)); }
+ParticleId segment_of(std::uint64_t c) { return static_cast<ParticleId>(c >> 32); }
+ParticleId partner_of(std::uint64_t c) { return static_cast<ParticleId>(c & (kRun - 1)); }
 bool is_run(std::uint64_t c) { return (c & kRun) != 0; }
 
 bool in_run(const WireSlot& slot, const WireChains& chains, ParticleIndex bead) {
@@ -26,7 +26,7 @@ bool in_run(const WireSlot& slot, const WireChains& chains, ParticleIndex bead) 
   return false;
 }
 
-/// Whether anything that the particle's sphere or piece hangs on can move.
+/// Whether anything that the particle's sphere or segment hangs on can move.
 bool can_move(const Particles& p, const WireChains& chains, std::size_t i) {
   bool free = p.inverse_mass[i] > 0;
   for (const ParticleIndex j : {chains.before(i), chains.behind(i)})
@@ -40,21 +40,22 @@ bool WireDetection::outdated(const Particles& particles) const {
   return particles.size() != built_at_.size() || any_moved(particles.position, built_at_, move_limit2_);
 }
 
-/// What the neighbour list is to see: spheres around the pieces of wires; all others as they are.
-Particles WireDetection::spheres_around_pieces(const Particles& p, const WireChains& chains) const {
+/// What the neighbour list is to see: spheres around the segments of wires; all others as they are.
+Particles WireDetection::spheres_around_segments(const Particles& p, const WireChains& chains) const {
   Particles s;
   s.position = p.position;
   s.radius = p.radius;
   s.state = p.state;
+  s.numbering = p.numbering;
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (s.state[i] == ParticleState::removed) continue;
-    if (chains.covered()[i] != 0) s.radius[i] += WirePiece::extent(chains, p.position, i);
+    if (chains.covered()[i] != 0) s.radius[i] += SplineSegment::extent(chains, p.position, i);
     s.state[i] = can_move(p, chains, i) ? ParticleState::free : ParticleState::fixed;
   }
   return s;
 }
 
-/// A piece moves with three beads, each of which may move by half the least of their skins.
+/// A segment moves with three beads, each of which may move by half the least of their skins.
 void WireDetection::set_move_limits(const std::vector<double>& radius, const WireChains& chains) {
   const auto skin = [&](std::size_t i) { return std::max(options_.relative_skin * radius[i], options_.minimum_skin); };
   move_limit2_.resize(radius.size());
@@ -70,24 +71,32 @@ double WireDetection::rebuild(const Particles& p, const WireChains& chains) {
   std::vector<std::uint8_t> plain(p.size());
   for (std::size_t i = 0; i < p.size(); ++i) plain[i] = chains.covered()[i] == 0 ? 1 : 0;
   // As with two rates: pairs of plain particles are not looked for.
-  const Particles spheres = spheres_around_pieces(p, chains);
+  const Particles spheres = spheres_around_segments(p, chains);
   neighbours_.build(spheres, PairSet{}, {.rate = Rate::fast, .slow = plain.data()});
   built_at_ = p.position;
   set_move_limits(spheres.radius, chains);
   list_candidates(p, chains);
   const auto old = std::exchange(slots_, {});
   for (std::size_t first = 0, last = 0; first < candidates_.size(); first = last) {
-    for (last = first; last < candidates_.size() && piece_of(candidates_[last]) == piece_of(candidates_[first]);)
+    for (last = first; last < candidates_.size() && segment_of(candidates_[last]) == segment_of(candidates_[first]);)
       ++last;
     std::size_t k = first;
     for (; k < last && !is_run(candidates_[k]); ++k) {
       WireSlot slot;
-      slot.wire = piece_of(candidates_[k]), slot.partner = partner_of(candidates_[k]);
+      slot.wire = p.index(segment_of(candidates_[k])), slot.partner = p.index(partner_of(candidates_[k]));
+      slot.last = slot.partner;
       slots_.push_back(slot);
     }
-    add_runs(chains, k, last);
+    add_runs(chains, p.numbering, k, last);
   }
-  return carry_histories(old, chains);
+  return carry_histories(old, chains, p.numbering);
+}
+
+void WireDetection::renumber(const Renumbering& change) {
+  for (WireSlot& s : slots_)
+    for (ParticleIndex* i : {&s.wire, &s.partner, &s.last}) *i = change.to(*i);
+  change.move(built_at_);
+  change.move(move_limit2_);
 }
 
 void WireDetection::list_candidates(const Particles& p, const WireChains& chains) {
@@ -95,11 +104,14 @@ void WireDetection::list_candidates(const Particles& p, const WireChains& chains
   const auto add_pair = [&](ParticleIndex i, ParticleIndex j) {
     if (chains.near(i, j)) return;
     const bool wire_i = chains.covered()[i] != 0, wire_j = chains.covered()[j] != 0;
-    if (wire_i && (!wire_j || chains.is_end(j))) candidates_.push_back(candidate(i, j, false));
-    if (wire_j && (!wire_i || chains.is_end(i))) candidates_.push_back(candidate(j, i, false));
+    const auto add = [&](ParticleIndex segment, ParticleIndex partner, bool run) {
+      candidates_.push_back(candidate(p.id(segment), p.id(partner), run));
+    };
+    if (wire_i && (!wire_j || chains.is_end(j))) add(i, j, false);
+    if (wire_j && (!wire_i || chains.is_end(i))) add(j, i, false);
     if (!wire_i || !wire_j) return;
-    const auto rank = [&](ParticleIndex k) { return std::tuple(!chains.closed(k), p.body[k], k); };
-    candidates_.push_back(rank(i) < rank(j) ? candidate(i, j, true) : candidate(j, i, true));
+    const auto rank = [&](ParticleIndex k) { return std::tuple(!chains.closed(k), p.body[k], p.id(k)); };
+    rank(i) < rank(j) ? add(i, j, true) : add(j, i, true);
   };
   for (ParticleIndex i = 0; i < p.size(); ++i)
     for (std::uint32_t k = neighbours_.offset()[i]; k < neighbours_.offset()[i + 1]; ++k)
@@ -107,18 +119,20 @@ void WireDetection::list_candidates(const Particles& p, const WireChains& chains
   std::sort(candidates_.begin(), candidates_.end());
 }
 
-/// The candidates [first, last) are all that one piece may touch of wires: each stretch of them becomes a run.
-void WireDetection::add_runs(const WireChains& chains, std::size_t first, std::size_t last) {
+/// The candidates [first, last) are all that one segment may touch of wires: each stretch of them becomes a run.
+void WireDetection::add_runs(const WireChains& chains, const Numbering& numbering, std::size_t first,
+                             std::size_t last) {
   if (first == last) return;
-  const ParticleIndex piece = piece_of(candidates_[first]);
+  const ParticleId segment_id = segment_of(candidates_[first]);
+  const ParticleIndex segment = numbering.index(segment_id);
   const auto listed = [&](ParticleIndex j) {
-    return j != WireChains::none &&
-           std::binary_search(candidates_.begin() + static_cast<std::ptrdiff_t>(first),
-                              candidates_.begin() + static_cast<std::ptrdiff_t>(last), candidate(piece, j, true));
+    return j != WireChains::none && std::binary_search(candidates_.begin() + static_cast<std::ptrdiff_t>(first),
+                                                       candidates_.begin() + static_cast<std::ptrdiff_t>(last),
+                                                       candidate(segment_id, numbering.id(j), true));
   };
   const auto add_run = [&](ParticleIndex from) {
     WireSlot slot;
-    slot.wire = piece, slot.partner = from;
+    slot.wire = segment, slot.partner = slot.last = from;
     ParticleIndex k = from;
     do ++slot.count, k = chains.behind(k);
     while (k != from && listed(k));
@@ -126,15 +140,15 @@ void WireDetection::add_runs(const WireChains& chains, std::size_t first, std::s
     return k == from;
   };
   for (std::size_t k = first; k < last; ++k)
-    if (const ParticleIndex j = partner_of(candidates_[k]); !listed(chains.before(j))) add_run(j);
-  // What is left are rings of which every piece is a candidate: none of them has a beginning.
+    if (const ParticleIndex j = numbering.index(partner_of(candidates_[k])); !listed(chains.before(j))) add_run(j);
+  // What is left are rings of which every segment is a candidate: none of them has a beginning.
   std::vector<ParticleIndex> known;
-  for (std::size_t k = slots_.size(); k-- > 0 && slots_[k].wire == piece && slots_[k].count > 0;) {
+  for (std::size_t k = slots_.size(); k-- > 0 && slots_[k].wire == segment && slots_[k].count > 0;) {
     ParticleIndex j = slots_[k].partner;
     for (std::uint32_t n = 0; n < slots_[k].count; ++n, j = chains.behind(j)) known.push_back(j);
   }
   for (std::size_t k = first; k < last && known.size() < last - first; ++k) {
-    const ParticleIndex from = partner_of(candidates_[k]);
+    const ParticleIndex from = numbering.index(partner_of(candidates_[k]));
     if (std::find(known.begin(), known.end(), from) != known.end()) continue;
     add_run(from);
     ParticleIndex j = from;
@@ -142,12 +156,13 @@ void WireDetection::add_runs(const WireChains& chains, std::size_t first, std::s
   }
 }
 
-double WireDetection::carry_histories(const std::vector<WireSlot>& old, const WireChains& chains) {
+double WireDetection::carry_histories(const std::vector<WireSlot>& old, const WireChains& chains,
+                                      const Numbering& numbering) {
   double lost = 0;
   std::size_t row = 0;
   for (const WireSlot& was : old) {
     if (was.touching == 0) continue;
-    while (row < slots_.size() && slots_[row].wire < was.wire) ++row;
+    while (row < slots_.size() && numbering.precedes(slots_[row].wire, was.wire)) ++row;
     bool found = false;
     for (std::size_t k = row; k < slots_.size() && slots_[k].wire == was.wire && !found; ++k) {
       WireSlot& slot = slots_[k];

@@ -14,7 +14,7 @@ constexpr std::size_t kChunk = 16;     // slots; fixed, so that sums do not depe
 constexpr double kNarrowShare = 0.05;  // of a wire's radius; a narrowing costs about as much as ten steps
 
 /// The energy of a tangential spring.
-double held(const ContactHistory& h) {
+double stored_energy(const ContactHistory& h) {
   return 0.5 * h.tangential_stiffness * dot(h.tangential_displacement, h.tangential_displacement);
 }
 
@@ -22,7 +22,7 @@ double held(const ContactHistory& h) {
 
 /// What one thread needs for one contact at a time.
 struct WireForces::Scratch {
-  WirePiece piece;
+  SplineSegment segment;
   WirePartner partner;
   WireSphere sphere;
   WirePatch patch;
@@ -53,6 +53,13 @@ void WireForces::relist(const Particles& particles) {
 
 void WireForces::narrow(const Particles& particles) {
   if (any_moved(particles.position, narrowed_at_, narrow_limit2_)) pick_near(particles);
+}
+
+void WireForces::renumber(const Renumbering& change) {
+  chains_.renumber(change);
+  detection_.renumber(change);
+  change.move(narrowed_at_);
+  if (narrowed_at_.size() > 0) note_near();
 }
 
 void WireForces::pick_near(const Particles& p) {
@@ -93,32 +100,32 @@ bool WireForces::find_patch_of(const WireSlot& slot, const Particles& p, double 
   x.sphere = {slot.count == 0, slot.partner};
   if (slot.count == 0 && p.state[slot.partner] == ParticleState::removed) return false;
   const Triple own = triple_at(p.position, slot.wire);
-  const double extent = WirePiece::extent(chains_, p.position, slot.wire);
+  const double extent = SplineSegment::extent(chains_, p.position, slot.wire);
   ParticleIndex near = slot.partner;
-  std::uint32_t near_piece = 0;
+  std::uint32_t near_segment = 0;
   double least = -1;
   for (std::uint32_t n = 0, k = slot.partner; n < std::max(1U, slot.count); ++n) {
     const Triple d = triple_at(p.position, k) - own;
-    if (least < 0 || dot(d, d) < least) least = dot(d, d), near = k, near_piece = n;
+    if (least < 0 || dot(d, d) < least) least = dot(d, d), near = k, near_segment = n;
     if (slot.count > 0) k = chains_.behind(k);
   }
-  const double far = reach + extent + (slot.count > 0 ? WirePiece::extent(chains_, p.position, near) : 0.0);
+  const double far = reach + extent + (slot.count > 0 ? SplineSegment::extent(chains_, p.position, near) : 0.0);
   if (!(least < far * far)) return false;
-  x.piece = wire_piece(chains_, p.position, slot.wire);
-  x.partner.pieces.clear();
+  x.segment = spline_segment(chains_, p.position, slot.wire);
+  x.partner.segments.clear();
   x.partner.centre = triple_at(p.position, slot.partner);
   for (std::uint32_t n = 0, k = slot.partner; n < slot.count; ++n, k = chains_.behind(k))
-    x.partner.pieces.push_back(wire_piece(chains_, p.position, k));
-  bend_of(x.partner, reach);
-  const Foot hint{x.partner.centre, slot.count > 0 ? near_piece : 0, 0.5};
-  return find_patch(x.piece, x.partner, reach, extent, hint, x.patch);
+    x.partner.segments.push_back(spline_segment(chains_, p.position, k));
+  find_kinks(x.partner, reach);
+  const NearestPoint hint{x.partner.centre, slot.count > 0 ? near_segment : 0, 0.5};
+  return find_patch(x.segment, x.partner, reach, extent, hint, x.patch);
 }
 
 /// Fills the scratch with the contact of a slot. False if it does not touch.
 bool WireForces::find_contact(const WireSlot& slot, const Particles& p, Scratch& x) const {
   if (!find_patch_of(slot, p, 0, x)) return false;
   const double r = p.radius[slot.wire];
-  describe(x.patch, x.piece, x.partner, x.sphere, r + p.radius[slot.partner], r, x.contact);
+  describe(x.patch, x.segment, x.partner, x.sphere, r + p.radius[slot.partner], r, x.contact);
   return true;
 }
 
@@ -140,7 +147,7 @@ template <ContactLaw L>
 void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p, double dt, Scratch& x,
                                Chunk& chunk) const {
   if (!find_contact(slot, p, x)) {
-    if (slot.touching != 0) chunk.energy.friction += held(slot.history);
+    if (slot.touching != 0) chunk.energy.friction += stored_energy(slot.history);
     slot.history = {}, slot.touching = 0;
     return;
   }
@@ -158,7 +165,7 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
   slot.touching = 1;
   const auto deepest = std::max_element(x.patch.nodes.begin(), x.patch.nodes.begin() + static_cast<long>(x.patch.count),
                                         [](const auto& a, const auto& b) { return a.overlap < b.overlap; });
-  slot.last = slot.count > 0 ? x.partner.pieces[deepest->foot.piece].beads[1] : slot.partner;
+  slot.last = slot.count > 0 ? x.partner.segments[deepest->nearest.segment].beads[1] : slot.partner;
   const auto answer = [&](const WireSide& side, double sign) {
     const Triple moment = cross(side.lever, sign * at_point);
     for (std::size_t k = 0; k < side.count; ++k) {
@@ -174,7 +181,7 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
   chunk.energy.damping_of_step += f.damping_work;
   chunk.energy.friction += f.friction_work;
   const double ratio = x.patch.depth / std::min(p.radius[slot.wire], p.radius[slot.partner]);
-  if (ratio > chunk.worst.ratio) chunk.worst = {ratio, slot.wire, slot.last, false};
+  if (ratio > chunk.worst.ratio) chunk.worst = {ratio, p.id(slot.wire), p.id(slot.last), false};
 }
 
 template <ContactLaw L>

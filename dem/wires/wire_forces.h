@@ -27,6 +27,9 @@ class WireForces {
   /// Lists the contacts anew. Positions must be finite.
   void relist(const Particles& particles);
 
+  /// The same contacts of renumbered particles.
+  void renumber(const Renumbering& change);
+
   /// Forces of all contacts after a step of dt (s) that brought the particles to where they are. Velocities must be
   /// those of mid-step, `particles.force` still the sum of the step before. Wires of one body touch without friction.
   void evaluate(const Particles& particles, double dt);
@@ -45,7 +48,7 @@ class WireForces {
   [[nodiscard]] double normal_energy(const Particles& particles) const;
   [[nodiscard]] double normal_energy_of(ParticleIndex sphere, const Particles& particles) const;
   /// A sphere leaves with this energy of its normal springs, J.
-  void take_out(double normal_energy) { energy_.elastic_normal -= normal_energy; }
+  void release(double normal_energy) { energy_.elastic_normal -= normal_energy; }
 
   /// State of a checkpoint (wire_transfer.cpp); the wires follow from the bonds.
   void transfer(Archive& archive, const Particles& particles, const Bonds& bonds);

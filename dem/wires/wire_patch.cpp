@@ -12,27 +12,27 @@ constexpr std::array<double, 4> kPlace{0.06943184420297371, 0.3300094782075719, 
 constexpr std::array<double, 4> kShare{0.17392742256872692, 0.32607257743127305, 0.32607257743127305,
                                        0.17392742256872692};
 
-// Wires that lie nearly along each other may be nearest at several places of a piece.
+// Wires that lie nearly along each other may be nearest at several places of a segment.
 constexpr std::size_t kStretches = 4;
 static_assert(2 * kStretches * kPlace.size() <= std::tuple_size_v<decltype(WirePatch::nodes)>);
 
-/// What is known of one place of the piece.
+/// What is known of one place of the segment.
 struct Probe {
   double s = 0, overlap = 0, turn = 0;  // turn: half the slope of the squared distance
-  Foot foot;
+  NearestPoint nearest;
 };
 
 class Search {
  public:
-  Search(const WirePiece& piece, const WirePartner& partner, double reach, WirePatch& patch)
-      : piece_(piece), partner_(partner), reach_(reach), patch_(patch) {}
+  Search(const SplineSegment& segment, const WirePartner& partner, double reach, WirePatch& patch)
+      : segment_(segment), partner_(partner), reach_(reach), patch_(patch) {}
 
-  Probe probe(double s, const Foot& from) const {
-    const Triple x = piece_.at(s);
-    Probe p{s, 0, 0, foot_of(partner_, x, from)};
-    const Triple d = x - p.foot.point;
+  Probe probe(double s, const NearestPoint& from) const {
+    const Triple x = segment_.at(s);
+    Probe p{s, 0, 0, nearest_point(partner_, x, from)};
+    const Triple d = x - p.nearest.point;
     p.overlap = reach_ - length(d);
-    p.turn = dot(d, piece_.along(s));
+    p.turn = dot(d, segment_.along(s));
     return p;
   }
 
@@ -53,7 +53,7 @@ class Search {
         if (side == -1) fb *= 0.5;
         side = -1;
       }
-      p = probe((a.s * fb - b.s * fa) / (fb - fa), p.foot);
+      p = probe((a.s * fb - b.s * fa) / (fb - fa), p.nearest);
     }
     return p;
   }
@@ -65,21 +65,21 @@ class Search {
     const double s = deepest.s + (outside.s - deepest.s) * std::sqrt(deepest.overlap / fall);
     return root(
                outside, deepest, [](const Probe& p) { return p.overlap; }, 1e-8 * deepest.overlap,
-               probe(s, deepest.foot))
+               probe(s, deepest.nearest))
         .s;
   }
 
-  void add_nodes(double from, double to, const Foot& hint) {
+  void add_nodes(double from, double to, const NearestPoint& hint) {
     for (std::size_t k = 0; k < kPlace.size(); ++k) {
       PatchNode n;
       n.s = from + (to - from) * kPlace[k];
-      n.point = piece_.at(n.s);
-      n.foot = foot_of(partner_, n.point, hint);
-      const Triple d = n.foot.point - n.point;
+      n.point = segment_.at(n.s);
+      n.nearest = nearest_point(partner_, n.point, hint);
+      const Triple d = n.nearest.point - n.point;
       const double distance = length(d);
       n.overlap = std::max(0.0, reach_ - distance);
       n.normal = (1 / distance) * d;
-      const Triple along = piece_.along(n.s);
+      const Triple along = segment_.along(n.s);
       const double stretch = length(along);
       n.along = (1 / stretch) * along;
       n.share = (to - from) * kShare[k];
@@ -92,39 +92,39 @@ class Search {
 
   void around(const Probe& left, const Probe& deepest, const Probe& right) {
     if (deepest.overlap <= 0) return;
-    add_nodes(edge(left, deepest), edge(right, deepest), deepest.foot);
+    add_nodes(edge(left, deepest), edge(right, deepest), deepest.nearest);
   }
 
-  /// The patch within one stretch of the piece, in which the distance has one extremum or none.
+  /// The patch within one stretch of the segment, in which the distance has one extremum or none.
   void search(const Probe& a, const Probe& b) {
     const auto turn = [](const Probe& p) { return p.turn; };
     const double tolerance = 1e-10 * reach_ * reach_;
     if (a.turn < 0 && b.turn > 0) {
       const double s = a.s + (b.s - a.s) * a.turn / (a.turn - b.turn);
-      return around(a, root(a, b, turn, tolerance, probe(s, a.foot)), b);
+      return around(a, root(a, b, turn, tolerance, probe(s, a.nearest)), b);
     }
     if (a.turn >= 0 && b.turn >= 0) return around(a, a, b);
     if (a.turn <= 0 && b.turn <= 0) return around(a, b, b);
     // Nearest at both ends, farthest in between: one patch at each end, or all of it.
-    const Probe far = root(a, b, turn, tolerance, probe(0.5 * (a.s + b.s), a.foot));
-    if (far.overlap >= 0) return add_nodes(a.s, b.s, far.foot);
+    const Probe far = root(a, b, turn, tolerance, probe(0.5 * (a.s + b.s), a.nearest));
+    if (far.overlap >= 0) return add_nodes(a.s, b.s, far.nearest);
     around(a, a, far);
     around(far, b, b);
   }
 
-  void run(const Foot& hint) {
+  void run(const NearestPoint& hint) {
     Probe a = probe(0, hint);
     for (std::size_t k = 1; k <= kStretches; ++k) {
-      const Probe b = probe(static_cast<double>(k) / kStretches, a.foot);
+      const Probe b = probe(static_cast<double>(k) / kStretches, a.nearest);
       // The distance changes by no more than the way along the wire.
-      const double way = std::max(length(piece_.along(a.s)), length(piece_.along(b.s))) / kStretches;
+      const double way = std::max(length(segment_.along(a.s)), length(segment_.along(b.s))) / kStretches;
       if (a.overlap + b.overlap + way > 0) search(a, b);
       a = b;
     }
   }
 
  private:
-  const WirePiece& piece_;
+  const SplineSegment& segment_;
   const WirePartner& partner_;
   double reach_;
   WirePatch& patch_;
@@ -134,18 +134,18 @@ class Search {
 
 namespace {
 
-/// The nearest of all points of the run. Each quarter of a piece holds at most one place that is nearer than those
+/// The nearest of all points of the run. Each quarter of a segment holds at most one place that is nearer than those
 /// around it.
-Foot nearest_of_all(const WirePartner& partner, const Triple& x) {
-  Foot best;
+NearestPoint nearest_point_of_all(const WirePartner& partner, const Triple& x) {
+  NearestPoint best;
   double least = -1;
   const auto consider = [&](std::size_t k, double t) {
-    const Triple point = partner.pieces[k].at(t);
+    const Triple point = partner.segments[k].at(t);
     const double square = dot(point - x, point - x);
     if (least < 0 || square < least) least = square, best = {point, static_cast<std::uint32_t>(k), t};
   };
-  for (std::size_t k = 0; k < partner.pieces.size(); ++k) {
-    const WirePiece& p = partner.pieces[k];
+  for (std::size_t k = 0; k < partner.segments.size(); ++k) {
+    const SplineSegment& p = partner.segments[k];
     const auto slope = [&](double t) { return dot(p.at(t) - x, p.along(t)); };
     consider(k, 0);
     consider(k, 1);
@@ -162,22 +162,22 @@ Foot nearest_of_all(const WirePartner& partner, const Triple& x) {
 
 }  // namespace
 
-void bend_of(WirePartner& partner, double reach) {
+void find_kinks(WirePartner& partner, double reach) {
   // The distance to x has one minimum where (C - x) . C' grows: C'^2 + (C - x) . C'' > 0.
   partner.kinked = false;
-  for (const WirePiece& p : partner.pieces) {
+  for (const SplineSegment& p : partner.segments) {
     const double bend = length(p.bend), along = std::max(0.0, length(p.slope + p.bend) - bend);
     partner.kinked = partner.kinked || along * along <= 2 * bend * (reach + length(p.slope));
   }
 }
 
-Foot foot_of(const WirePartner& partner, const Triple& x, const Foot& from) {
-  if (partner.pieces.empty()) return {partner.centre, 0, 0};
-  if (partner.kinked) return nearest_of_all(partner, x);
-  const std::size_t count = partner.pieces.size();
-  std::size_t k = from.piece;
+NearestPoint nearest_point(const WirePartner& partner, const Triple& x, const NearestPoint& from) {
+  if (partner.segments.empty()) return {partner.centre, 0, 0};
+  if (partner.kinked) return nearest_point_of_all(partner, x);
+  const std::size_t count = partner.segments.size();
+  std::size_t k = from.segment;
   for (int way = 0;;) {  // never back: at a joint rounding must not send it to and fro
-    const WirePiece& p = partner.pieces[k];
+    const SplineSegment& p = partner.segments[k];
     double t = 0;
     if (dot(p.start - x, p.slope) >= 0) {
       if (k > 0 && way <= 0) {
@@ -191,20 +191,20 @@ Foot foot_of(const WirePartner& partner, const Triple& x, const Foot& from) {
         continue;
       }
     } else {
-      t = nearest_on(p, x, 0, 1, k == from.piece ? from.t : 0.5);
+      t = nearest_on(p, x, 0, 1, k == from.segment ? from.t : 0.5);
     }
     return {p.at(t), static_cast<std::uint32_t>(k), t};
   }
 }
 
-bool find_patch(const WirePiece& piece, const WirePartner& partner, double reach, double extent, const Foot& hint,
-                WirePatch& patch) {
+bool find_patch(const SplineSegment& segment, const WirePartner& partner, double reach, double extent,
+                const NearestPoint& hint, WirePatch& patch) {
   patch.integral = patch.depth = 0;
   patch.count = 0;
-  const Triple middle = piece.at(0.5);
-  const Foot foot = foot_of(partner, middle, hint);
-  if (length(foot.point - middle) >= reach + extent) return false;
-  Search(piece, partner, reach, patch).run(foot);
+  const Triple middle = segment.at(0.5);
+  const NearestPoint nearest = nearest_point(partner, middle, hint);
+  if (length(nearest.point - middle) >= reach + extent) return false;
+  Search(segment, partner, reach, patch).run(nearest);
   return patch.integral > 0;
 }
 

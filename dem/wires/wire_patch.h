@@ -1,49 +1,49 @@
 #pragma once
-// Where and how deep a piece of wire presses into its partner: the patch of a contact.
+// Where and how deep a segment of wire presses into its partner: the patch of a contact.
 //
 // Each length dl of the wire has the overlap d(l) = R - distance to the partner's centre or centre-line, R the sum of
 // the radii. What all of the patch amounts to is the integral I of d^2 dl, and from it the equivalent overlap
 //   e = (I / (16/15 sqrt(2 R)))^(2/5),
 // which is the overlap of a sphere on a straight wire, or of two straight wires that cross at a right angle, with the
-// same I. The contact law gets e. Hertz' energy ~ e^(5/2) is then proportional to I: it adds up over pieces, so that
-// nothing happens when a patch passes from one piece to the next, and wires that lie along each other press along their
-// whole length.
+// same I. The contact law gets e. Hertz' energy ~ e^(5/2) is then proportional to I: it adds up over segments, so that
+// nothing happens when a patch passes from one segment to the next, and wires that lie along each other press along
+// their whole length.
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "dem/wires/wire_piece.h"
+#include "dem/wires/spline_segment.h"
 
 namespace lahar::dem {
 
-/// A run of pieces that follow each other, or one sphere.
+/// A run of segments that follow each other, or one sphere.
 struct WirePartner {
-  Triple centre{};                ///< of the sphere, m
-  std::vector<WirePiece> pieces;  ///< of the run; empty for a sphere
-  /// Bent so sharply that from places within reach there may be several nearest points on it. To be set by bend_of.
+  Triple centre{};                      ///< of the sphere, m
+  std::vector<SplineSegment> segments;  ///< of the run; empty for a sphere
+  /// Bent so sharply that from places within reach there may be several nearest points on it. To be set by find_kinks.
   bool kinked = false;
 };
 
 /// Sets `kinked` for places up to `reach` (m) from the run.
-void bend_of(WirePartner& partner, double reach);
+void find_kinks(WirePartner& partner, double reach);
 
 /// The point of the partner nearest to a point of the wire.
-struct Foot {
+struct NearestPoint {
   Triple point{};
-  std::uint32_t piece = 0;  ///< of the run
-  double t = 0;             ///< place on it
+  std::uint32_t segment = 0;  ///< of the run
+  double t = 0;               ///< place on it
 };
 
 /// One place of the patch.
 struct PatchNode {
-  double s = 0;       ///< place on the piece
+  double s = 0;       ///< place on the segment
   double share = 0;   ///< quadrature weight, in s
   double weight = 0;  ///< dl x quadrature weight, m
   double overlap = 0;
   Triple point{};   ///< of the wire's centre-line
   Triple along{};   ///< unit, of the wire
   Triple normal{};  ///< unit, towards the partner
-  Foot foot;
+  NearestPoint nearest;
 };
 
 struct WirePatch {
@@ -54,12 +54,12 @@ struct WirePatch {
 };
 
 /// Point of the partner nearest to x, going on from `from`.
-[[nodiscard]] Foot foot_of(const WirePartner& partner, const Triple& x, const Foot& from);
+[[nodiscard]] NearestPoint nearest_point(const WirePartner& partner, const Triple& x, const NearestPoint& from);
 
-/// The patch of `piece` against its partner, `reach` the sum of the radii (m). False if they do not touch.
-/// `extent` (m): no point of the piece is farther from its middle; a hint for a quick answer.
-bool find_patch(const WirePiece& piece, const WirePartner& partner, double reach, double extent, const Foot& hint,
-                WirePatch& patch);
+/// The patch of `segment` against its partner, `reach` the sum of the radii (m). False if they do not touch.
+/// `extent` (m): no point of the segment is farther from its middle; a hint for a quick answer.
+bool find_patch(const SplineSegment& segment, const WirePartner& partner, double reach, double extent,
+                const NearestPoint& hint, WirePatch& patch);
 
 /// The equivalent overlap of a patch, m.
 [[nodiscard]] double equivalent_overlap(double integral, double reach);

@@ -1,10 +1,16 @@
 // A small net with soft bonds hangs and swings in the particle step.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <numeric>
+#include <random>
+
 #include "barrier/clearance.h"
+#include "barrier/guide.h"
 #include "barrier/net.h"
 #include "barrier/response.h"
 #include "barrier/topology.h"
+#include "core/memory_archive.h"
 #include "dem/solids.h"
 #include "dem/time_step.h"
 
@@ -54,6 +60,50 @@ TEST(HangingNet, KeepsItsLinksAndDoesNotInterpenetrate) {
   // The same energies as the particle step's own ledger has in total.
   EXPECT_NEAR(r[Component::barrier].energy.axial, run.bond_energy().axial, 1e-9 * run.bond_energy().elastic());
   EXPECT_NEAR(r[Component::barrier].energy.elastic(), run.bond_energy().elastic(), 1e-9 * run.bond_energy().elastic());
+}
+
+/// A net in guides that swings for a while, and what is measured of it.
+struct Swing {
+  StoredState state;
+  std::vector<double> measured;
+
+  explicit Swing(bool renumber) {
+    RingNetSpec spec = soft_spec();
+    spec.cable_extension = 0.06;
+    dem::Particles particles;
+    dem::Bonds bonds;
+    const Net net = build_net(spec, particles, bonds);
+    const Topology before = find_topology(net, particles, bonds);
+    Guides guides({.stiffness = 1e3, .damping_ratio = 0.1});
+    for (std::size_t c = 0; c < net.cables.size(); ++c)
+      for (const Vec3& corner : {net.corners[c].start, net.corners[c].end}) guides.add(net.cables[c], corner);
+    const Vec3 gravity(9.81, 0, -9.81);
+    dem::Solids run = solids(std::move(particles), std::move(bonds), gravity);
+    std::mt19937 random(2);
+    for (int n = 0; n < 100; ++n) {
+      std::vector<dem::ParticleIndex> order(run.particles().size());
+      std::iota(order.begin(), order.end(), 0U);
+      std::shuffle(order.begin(), order.end(), random);
+      if (renumber) run.renumber(dem::Renumbering(std::move(order)));
+      guides.apply(run.particles());
+      run.advance(10);
+    }
+    EXPECT_EQ(first_difference(before, find_topology(net, run.particles(), run.bonds())), "");
+    state = state_of(run);
+    const BarrierResponse r = response(net, run.particles(), run.bonds(), gravity);
+    const ComponentResponse &whole = r[Component::barrier], &left = r[Component::left_cable];
+    measured = {r.elongation,     r.kinetic_energy,       r.potential_energy,    guides.energy(),
+                whole.force_sum,  whole.energy.elastic(), whole.reaction.norm(), left.start_reaction.norm(),
+                left.max_tension, guides.largest_force()};
+  }
+};
+
+TEST(HangingNet, KeepsItsBitsWhenParticlesAreRenumbered) {
+  const Swing plain(false), renumbered(true);
+  for (const double x : plain.measured) EXPECT_NE(x, 0);
+  EXPECT_EQ(plain.measured, renumbered.measured);
+  const auto differing = differing_lists(plain.state, renumbered.state);
+  EXPECT_TRUE(differing.empty()) << ::testing::PrintToString(differing);
 }
 
 TEST(HangingNet, NetIsFreeOfStressAndContactWhenBuilt) {

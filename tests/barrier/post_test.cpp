@@ -17,7 +17,7 @@ PostSection tube() {
   return {.youngs_modulus = 210e9, .area = 8.7e-4, .second_moment = 3.35e-7, .density = 7850, .damping_ratio = 0};
 }
 
-PostSpec upright(Foot foot) {
+PostSpec upright(FootJoint foot) {
   PostSpec s;
   s.foot = {0, 0, 0.03}, s.head = {0, 0, 0.93};
   s.diameter = 0.06, s.section = tube(), s.foot_joint = foot, s.body = 4;
@@ -36,7 +36,7 @@ TEST(Post, BondHasTheStiffnessOfTheSection) {
 TEST(Post, BeadsTouchAndCarryTheProfilesMass) {
   dem::Particles p;
   dem::Bonds b;
-  const Post post = add_post(upright(Foot::fixed), p, b);
+  const Post post = add_post(upright(FootJoint::fixed), p, b);
   ASSERT_EQ(post.wire.beads, 16u);
   EXPECT_NEAR(p.position.z[1] - p.position.z[0], 0.06, 1e-12);
   double mass = 0;
@@ -46,7 +46,7 @@ TEST(Post, BeadsTouchAndCarryTheProfilesMass) {
   }
   EXPECT_NEAR(mass, 7850 * 8.7e-4 * 0.96, 1e-9);
   EXPECT_EQ(p.state[0], dem::ParticleState::fixed);
-  EXPECT_EQ(post.footing, std::vector<dem::ParticleIndex>{0});
+  EXPECT_EQ(post.foot_beads, std::vector<dem::ParticleIndex>{0});
   EXPECT_NEAR(post_spacing(0.9, 0.07), 0.075, 1e-12);  // never less than a diameter
 }
 
@@ -55,7 +55,7 @@ TEST(Post, HingedFootTurnsFreelyAndStaysInPlace) {
   for (const Vec3& spin : {Vec3(0, 0.5, 0), Vec3(0.5, 0, 0), Vec3(0.2, 0.3, 1)}) {
     dem::Particles p;
     dem::Bonds b;
-    const Post post = add_post(upright(Foot::hinged), p, b);
+    const Post post = add_post(upright(FootJoint::hinged), p, b);
     const Vec3 foot = p.position[post.wire.first_bead];
     for (dem::ParticleIndex i = 0; i <= post.head(); ++i)
       p.velocity.set(i, spin.cross(p.position[i] - foot)), p.angular_velocity.set(i, spin);
@@ -77,7 +77,7 @@ TEST(Post, HingedFootTurnsFreelyAndStaysInPlace) {
 TEST(Post, RefusesWhatIsNoBeam) {
   dem::Particles p;
   dem::Bonds b;
-  PostSpec stout = upright(Foot::fixed), hollow = stout;
+  PostSpec stout = upright(FootJoint::fixed), hollow = stout;
   stout.diameter = 0.2;
   EXPECT_THROW(add_post(stout, p, b), InputError);
   hollow.section.area = 0;

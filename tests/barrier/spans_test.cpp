@@ -23,7 +23,7 @@ SpansSpec two_spans() {
   s.net.lower = NetCable{};
   s.spans = 2, s.post_height = 0.16, s.post_diameter = 0.025;
   s.section = {.youngs_modulus = 210e9, .area = 1.445e-4, .second_moment = 9.63e-9, .density = 7850};
-  s.foot = Foot::hinged;
+  s.foot = FootJoint::hinged;
   s.retaining = {{.post = -1, .anchor = {-0.15, 0, 0}, .dissipators_at = {0}}};
   return s;
 }

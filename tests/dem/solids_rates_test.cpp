@@ -129,8 +129,8 @@ TEST(SolidsRates, TheLedgerClosesWithFrictionAndDamping) {
   solids.advance(1);
   EXPECT_LT(departure(solids, 0.05), 1e-3);  // the bar of all ledgers
   EXPECT_GT(solids.ledger().friction, 10.0);
-  EXPECT_GT(solids.contacts().stored_contacts().size(), 10U);       // with beads
-  EXPECT_GT(solids.slow_contacts().stored_contacts().size(), 10U);  // among grains
+  EXPECT_GT(solids.contacts().stored_contacts(solids.particles()).size(), 10U);       // with beads
+  EXPECT_GT(solids.slow_contacts().stored_contacts(solids.particles()).size(), 10U);  // among grains
 }
 
 TEST(SolidsRates, ComeNearToOneRateAsTheLongStepShrinks) {
@@ -213,7 +213,7 @@ TEST(SolidsRates, SameBitsOnOneAndTwoThreadsAndAfterARestart) {
 TEST(SolidsRates, ARemovedGrainTakesItsSpringsAlong) {
   Solids solids = scene({.long_step = 6});
   solids.advance(6000);
-  const std::vector<StoredContact> contacts = solids.slow_contacts().stored_contacts();
+  const std::vector<StoredContact> contacts = solids.slow_contacts().stored_contacts(solids.particles());
   ASSERT_FALSE(contacts.empty());
   const double before = solids.ledger().total();
   const double held = solids.ledger().elastic_normal;

@@ -86,7 +86,7 @@ TEST(SolidsTransfer, GoesOnWithContactsBondsAndBrokenBonds) {
   solids.advance(10);
   EXPECT_GT(broken(solids), 3U);
   EXPECT_LT(broken(solids), solids.bonds().size());
-  EXPECT_GT(solids.contacts().stored_contacts().size(), 50U);
+  EXPECT_GT(solids.contacts().stored_contacts(solids.particles()).size(), 50U);
   EXPECT_GT(solids.ledger().friction, 0);
   EXPECT_GT(*std::max_element(solids.bonds().plastic_elongation.begin(), solids.bonds().plastic_elongation.end()), 0);
   expect_same_after_restart(solids, 2000);

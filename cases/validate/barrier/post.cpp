@@ -27,7 +27,7 @@ barrier::PostSection tube() {
           .damping_ratio = 0.02};
 }
 
-barrier::PostSpec upright(double length, barrier::Foot foot) {
+barrier::PostSpec upright(double length, barrier::FootJoint foot) {
   barrier::PostSpec post;
   post.head = {0, 0, length};
   post.diameter = kTube;
@@ -72,7 +72,7 @@ Row load(Standing& s, double force, double rate, double time, const std::string&
 }
 
 void ask_cantilever(double length, std::vector<Row>& rows) {
-  const barrier::PostSpec spec = upright(length, barrier::Foot::fixed);
+  const barrier::PostSpec spec = upright(length, barrier::FootJoint::fixed);
   const double bending = tube().youngs_modulus * tube().second_moment, stiffness = 3 * bending / std::pow(length, 3);
   const double frequency = std::pow(1.87510407, 2) / (2 * std::numbers::pi * length * length) *
                            std::sqrt(bending / (tube().density * tube().area));
@@ -88,7 +88,7 @@ void ask_cantilever(double length, std::vector<Row>& rows) {
 
 /// Moments about the foot: the cable's pull along x holds the load, its pull along z presses on the foot.
 void ask_held(double length, double anchor, std::vector<Row>& rows) {
-  Standing s = stand(upright(length, barrier::Foot::hinged), anchor);
+  Standing s = stand(upright(length, barrier::FootJoint::hinged), anchor);
   constexpr double force = 200;  // N: stretches the cable by 0.3 %
   const Row ledger = load(s, force, 150, 0.25, "hinged post");
   const dem::Particles& p = s.solids.particles();

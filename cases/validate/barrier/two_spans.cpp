@@ -28,7 +28,7 @@ barrier::SpansSpec small_spans(int columns, int rows) {
   s.post_diameter = 0.025;
   s.section = {
       .youngs_modulus = 210e9, .area = 1.445e-4, .second_moment = 9.63e-9, .density = 7850, .damping_ratio = 0.02};
-  s.foot = barrier::Foot::hinged;
+  s.foot = barrier::FootJoint::hinged;
   s.retaining = {{.post = -1, .anchor = {-0.15, 0, 0}, .dissipators_at = {0}},
                  {.post = 0, .anchor = {0, -0.15, 0}, .dissipators_at = {}},
                  {.post = 2, .anchor = {0, 0.15, 0}, .dissipators_at = {}}};

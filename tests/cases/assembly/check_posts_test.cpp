@@ -64,7 +64,7 @@ TEST(CheckPosts, SpansSpecHoldsWhatTheSceneSays) {
   const Scene scene = load(case_file("two_spans/scene.toml"), {"solids.bond_stiffness_scale=0.5"});
   const barrier::SpansSpec spec = make_spans_spec(scene);
   EXPECT_EQ(spec.spans, 2);
-  EXPECT_EQ(spec.foot, barrier::Foot::hinged);
+  EXPECT_EQ(spec.foot, barrier::FootJoint::hinged);
   EXPECT_DOUBLE_EQ(spec.section.youngs_modulus, 105e9);
   ASSERT_EQ(spec.retaining.size(), 3u);
   EXPECT_EQ(spec.retaining[1].post, 0);

@@ -105,6 +105,21 @@ TEST(ParticleWriter, FramesReadBack) {
   EXPECT_EQ(file.members("/constant").size(), 1U) << "constants must be stored once";
 }
 
+TEST(ParticleWriter, FilesAreInTheOrderOfIds) {
+  const TestFolder plain, moved;
+  System s = three_beads_and_a_grain();
+  ParticleWriter(plain.path()).write(0, s.particles, s.bonds);
+  s.particles.renumber(dem::Renumbering({3, 1, 0, 2}));
+  s.bonds.find_ends(s.particles);
+  ParticleWriter(moved.path()).write(0, s.particles, s.bonds);
+  const Hdf5File a = Hdf5File::open_for_reading(plain / "particles.h5");
+  const Hdf5File b = Hdf5File::open_for_reading(moved / "particles.h5");
+  for (const char* name : {"/frames/000000/position", "/frames/000000/velocity", "/constant/000000/radius"})
+    EXPECT_EQ(a.read<float>(name), b.read<float>(name)) << name;
+  for (const char* name : {"/constant/000000/id", "/constant/000000/body", "/constant/000000/connectivity"})
+    EXPECT_EQ(a.read<std::int32_t>(name), b.read<std::int32_t>(name)) << name;
+}
+
 TEST(ParticleWriter, XdmfIsWellFormedAndMatchesTheArrays) {
   const TestFolder folder;
   const System s = three_beads_and_a_grain();

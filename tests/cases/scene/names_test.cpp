@@ -39,7 +39,7 @@ void expect_words(E) {
 
 TEST(Names, EveryOptionHasAWordThatLeadsBack) {
   expect_words(CollisionOperator{}), expect_words(BodyWeighting{}), expect_words(SolidOperator{});
-  expect_words(WallPlacement{}), expect_words(FlowLaw{}), expect_words(WireContacts{}), expect_words(Foot{});
+  expect_words(WallPlacement{}), expect_words(FlowLaw{}), expect_words(WireContacts{}), expect_words(FootJoint{});
   expect_words(SizeWeight{}), expect_words(Face{}), expect_words(ContactLaw{});
   EXPECT_EQ(name_of(Precision::float64), "double");
 }

@@ -23,12 +23,12 @@ TEST(ContactDetection, histories_survive_a_rebuild_with_other_neighbours) {
   contacts.rebuild(p, walls, {});
   ASSERT_EQ(contacts.pairs().size(), 1u);
   ASSERT_EQ(contacts.wall_contacts().size(), 3u);
-  contacts.restore({{0, 1, false, mark(1)}, {0, 0, true, mark(2)}});
+  contacts.restore(p, {{0, 1, false, mark(1)}, {0, 0, true, mark(2)}});
 
   p.position.set(2, {0.02, 0.0347, 0.02});  // now near both
   contacts.rebuild(p, walls, {});
   EXPECT_EQ(contacts.pairs().size(), 3u);
-  const auto stored = contacts.stored_contacts();
+  const auto stored = contacts.stored_contacts(p);
   ASSERT_EQ(stored.size(), 2u);
   EXPECT_EQ(stored[0].particle, 0u);
   EXPECT_EQ(stored[0].partner, 1u);
@@ -43,7 +43,7 @@ TEST(ContactDetection, restoring_a_contact_between_strangers_is_refused) {
   p.add(testing::sphere({1, 0, 0}, 0.02, 1000));
   ContactDetection contacts;
   contacts.rebuild(p, {}, {});
-  EXPECT_THROW(contacts.restore({{0, 1, false, mark(1)}}), std::logic_error);
+  EXPECT_THROW(contacts.restore(p, {{0, 1, false, mark(1)}}), std::logic_error);
 }
 
 TEST(ContactDetection, every_slot_is_listed_once_with_the_chunk_of_its_partner) {
@@ -105,7 +105,7 @@ TEST(ContactDetection, a_contact_that_parts_at_once_stays_listed_until_its_end_w
   p.add(testing::sphere({0.0399, 0, 0}, 0.02, 1000));
   ContactDetection contacts;
   contacts.rebuild(p, {}, {});
-  contacts.restore({{0, 1, false, mark(1)}});
+  contacts.restore(p, {{0, 1, false, mark(1)}});
   p.position.set(1, {0.0415, 0, 0});  // beyond the narrow skin, within the wide one
   contacts.refresh(p);
   ASSERT_EQ(contacts.pairs().size(), 1u);

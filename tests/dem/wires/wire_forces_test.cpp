@@ -95,7 +95,8 @@ TEST(WireForces, ForcesHaveNoStepsAtJointsOfARing) {
 }
 
 TEST(WireForces, ForcesHaveNoStepsWhileWiresTurnThroughParallel) {
-  // Pieces that end opposite to each other and pieces that do not; the ends of the shorter wire lie on the other one.
+  // Segments that end opposite to each other and segments that do not; the ends of the shorter wire lie on the other
+  // one.
   for (const double shift : {0.0, 0.37}) {
     const auto place = [&](WireScene& s, double way) {
       const double turn = 0.04 * (way - 0.5);

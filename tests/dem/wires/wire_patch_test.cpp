@@ -1,4 +1,4 @@
-// Overlap of smooth wires: right for what Hertz solves, the same wherever on the wire, without a step between pieces.
+// Overlap of smooth wires: right for what Hertz solves, the same wherever on the wire, without a step between segments.
 #include "dem/wires/wire_patch.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double r = testing::kWireRadius;
 
-/// Integral over all pieces of a wire against a sphere or another wire.
+/// Integral over all segments of a wire against a sphere or another wire.
 double integral(const testing::WireScene& s, ParticleIndex from, ParticleIndex to, const WirePartner& partner,
                 double reach) {
   WireChains chains;
@@ -20,8 +20,8 @@ double integral(const testing::WireScene& s, ParticleIndex from, ParticleIndex t
   double sum = 0;
   for (ParticleIndex k = from; k < to; ++k) {
     WirePatch patch;
-    const WirePiece piece = wire_piece(chains, s.particles.position, k);
-    if (find_patch(piece, partner, reach, WirePiece::extent(chains, s.particles.position, k), {}, patch))
+    const SplineSegment segment = spline_segment(chains, s.particles.position, k);
+    if (find_patch(segment, partner, reach, SplineSegment::extent(chains, s.particles.position, k), {}, patch))
       sum += patch.integral;
   }
   return sum;
@@ -31,7 +31,7 @@ WirePartner run(const testing::WireScene& s, ParticleIndex from, ParticleIndex t
   WireChains chains;
   chains.build(s.bonds, s.particles);
   WirePartner partner;
-  for (ParticleIndex k = from; k < to; ++k) partner.pieces.push_back(wire_piece(chains, s.particles.position, k));
+  for (ParticleIndex k = from; k < to; ++k) partner.segments.push_back(spline_segment(chains, s.particles.position, k));
   return partner;
 }
 
@@ -82,8 +82,8 @@ TEST(WirePatch, ParallelWiresPressAlongTheirWholeLength) {
   EXPECT_NEAR(integral(s, 0, 5, run(s, 5, 14), 2 * r) / expected, 1, 1e-9);
 }
 
-TEST(WirePatch, ARingPressedFromInsideTouchesAtBothEndsOfAPiece) {
-  // A straight piece inside a ring of larger beads' spacing is nearest to it at both of its ends.
+TEST(WirePatch, ARingPressedFromInsideTouchesAtBothEndsOfASegment) {
+  // A straight segment inside a ring of larger beads' spacing is nearest to it at both of its ends.
   testing::WireScene s;
   s.add_wire(testing::straight(2, Vec3::Zero(), Vec3::UnitX()));
   s.add_wire(testing::circle(36, 0.0344, {0, -0.0344 + 2 * r, 0}, Vec3::UnitX(), Vec3::UnitY()), true);
@@ -93,14 +93,14 @@ TEST(WirePatch, ARingPressedFromInsideTouchesAtBothEndsOfAPiece) {
   const WirePartner partner = run(s, 2, 38);
   constexpr double reach = 2 * r + 1e-4;
   for (ParticleIndex k = 0; k < 2; ++k) {
-    const WirePiece piece = wire_piece(chains, s.particles.position, k);
+    const SplineSegment segment = spline_segment(chains, s.particles.position, k);
     WirePatch patch;
-    if (find_patch(piece, partner, reach, 0.003, {{}, 9, 0.5}, patch)) sum += patch.integral;
+    if (find_patch(segment, partner, reach, 0.003, {{}, 9, 0.5}, patch)) sum += patch.integral;
     constexpr int n = 20000;
     for (int m = 0; m < n; ++m) {
-      const Triple x = piece.at((m + 0.5) / n);
-      const double d = std::max(0.0, reach - length(x - foot_of(partner, x, {{}, 9, 0.5}).point));
-      brute += d * d * length(piece.along(0.5)) / n;
+      const Triple x = segment.at((m + 0.5) / n);
+      const double d = std::max(0.0, reach - length(x - nearest_point(partner, x, {{}, 9, 0.5}).point));
+      brute += d * d * length(segment.along(0.5)) / n;
     }
   }
   EXPECT_GT(brute, 0);

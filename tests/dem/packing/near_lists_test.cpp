@@ -1,4 +1,4 @@
-#include "dem/contact/near_lists.h"
+#include "dem/packing/near_lists.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
-// The centre-line of a wire as a smooth curve: the quadratic B-spline of its beads, in pieces of one bead each.
+// The centre-line of a wire as a smooth curve: the quadratic B-spline of its beads, in segments of one bead each.
 //
-// The piece of bead k runs from the middle of the bond before it to the middle of the bond behind it and touches both
+// The segment of bead k runs from the middle of the bond before it to the middle of the bond behind it and touches both
 // bonds there, so that the curve has no corners: C(t) = sum of w_b(t) x_b over beads k-1, k, k+1, t from 0 to 1, with
 // w = ((1-t)^2, 1 + 2t - 2t^2, t^2) / 2 (Piegl & Tiller 1997, The NURBS Book, ch. 2). At the end of an open wire it is
 // the straight half bond up to the bead. Its weights add up to one and are never negative.
@@ -15,7 +15,7 @@
 
 namespace lahar::dem {
 
-struct WirePiece {
+struct SplineSegment {
   std::array<ParticleIndex, 3> beads{};  ///< before, own, behind; at an open end its own once more (weight 0)
   bool first = false, last = false;      ///< the curve begins or ends here
   Triple start{}, slope{}, bend{};       ///< C(t) = start + t slope + t^2 bend, m
@@ -32,7 +32,7 @@ struct WirePiece {
     if (last) return {-0.5, 0.5, 0};
     return {t - 1, 1 - 2 * t, t};
   }
-  /// No point of the piece is farther from its own bead, m.
+  /// No point of the segment is farther from its own bead, m.
   [[nodiscard]] static double extent(const WireChains& chains, const Vec3Field& x, std::size_t k) {
     double longest = 0;
     for (const ParticleIndex j : {chains.before(k), chains.behind(k)})
@@ -43,9 +43,9 @@ struct WirePiece {
 
 inline Triple triple_at(const Vec3Field& f, std::size_t i) { return {f.x[i], f.y[i], f.z[i]}; }
 
-/// The piece of a bead that belongs to a wire.
-inline WirePiece wire_piece(const WireChains& chains, const Vec3Field& position, ParticleIndex k) {
-  WirePiece p;
+/// The segment of a bead that belongs to a wire.
+inline SplineSegment spline_segment(const WireChains& chains, const Vec3Field& position, ParticleIndex k) {
+  SplineSegment p;
   p.first = chains.before(k) == WireChains::none;
   p.last = chains.behind(k) == WireChains::none;
   p.beads = {p.first ? k : chains.before(k), k, p.last ? k : chains.behind(k)};
@@ -62,9 +62,9 @@ inline WirePiece wire_piece(const WireChains& chains, const Vec3Field& position,
   return p;
 }
 
-/// Place in [low, high] at which the piece is nearest to x, given that its distance falls at `low` and grows at `high`
-/// (Newton, guarded by bisection).
-inline double nearest_on(const WirePiece& p, const Triple& x, double low, double high, double guess) {
+/// Place in [low, high] at which the segment is nearest to x, given that its distance falls at `low` and grows at
+/// `high` (Newton, guarded by bisection).
+inline double nearest_on(const SplineSegment& p, const Triple& x, double low, double high, double guess) {
   double t = guess;
   for (int iteration = 0; iteration < 40; ++iteration) {
     const Triple d = p.at(t) - x, along = p.along(t);
