@@ -12,7 +12,7 @@ namespace lahar::coupling {
 /// emptied. What a body map wrote it replaces itself where that is due; sampled velocities stay.
 template <class Real>
 void clear_body_fields(lbm::FluidGrid<Real>& grid) {
-  for (const lbm::BlockIndex b : grid.active()) {
+  for (const lbm::BlockIndex b : grid.owned()) {
     lbm::BodyFields<Real>* f = grid.block(b).body;
     if (!f) continue;
     f->used = false;
@@ -30,14 +30,14 @@ void clear_body_fields(lbm::FluidGrid<Real>& grid) {
 /// Gives back the fields of blocks that nothing was written to.
 template <class Real>
 void release_unused_body_fields(lbm::FluidGrid<Real>& grid) {
-  for (const lbm::BlockIndex b : grid.active())
+  for (const lbm::BlockIndex b : grid.owned())
     if (grid.block(b).body && !grid.block(b).body->used) grid.release_body(b);
 }
 
 /// Momentum that the fluid gave to bodies in the last step, lu, read cell by cell: the fluid's side of the audit.
 template <class Real>
 Vec3 momentum_given_to_bodies(const lbm::FluidGrid<Real>& grid) {
-  const auto& active = grid.active();
+  const auto& active = grid.owned();
   return ordered_sum<Vec3>(
       active.size(),
       [&](std::size_t k) {

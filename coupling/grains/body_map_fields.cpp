@@ -141,7 +141,7 @@ template <class Real>
 void BodyMap<Real>::write_fields(lbm::Fluid<Real>& fluid) {
   auto& grid = fluid.grid();
   written_.assign(block_start_.size(), 0);
-  for (const BlockIndex b : grid.active()) {
+  for (const BlockIndex b : grid.owned()) {
     const auto at = static_cast<std::size_t>(b);
     if (block_start_[at] < block_start_[at + 1]) {
       lbm::BodyFields<Real>& fields = grid.require_body(b);

@@ -85,7 +85,7 @@ void WireMap<Real>::write_fields(lbm::Fluid<Real>& fluid) {
   enum : std::uint8_t { nothing, keep, write };
   write_.assign(block_start_.size(), nothing);
   written_blocks_ = 0;
-  for (const BlockIndex b : grid.active()) {
+  for (const BlockIndex b : grid.owned()) {
     const auto at = static_cast<std::size_t>(b);
     if (block_start_[at] == block_start_[at + 1]) {
       lbm::BodyFields<Real>* fields = grid.block(b).body;

@@ -118,7 +118,7 @@ TEST(CoupledStep, FieldWriterActsInEveryStep) {
     if (writes)
       step.set_field_writer([&](lbm::Fluid<double>& f) {
         ++calls;
-        for (const lbm::BlockIndex b : f.grid().active()) {
+        for (const lbm::BlockIndex b : f.grid().owned()) {
           auto& fields = f.grid().require_body(b);
           fields.used = fields.edited = true;
           std::fill_n(fields.coverage, lbm::kBlockCells, 1.0);

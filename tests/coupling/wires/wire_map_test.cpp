@@ -34,7 +34,7 @@ void fill_all(lbm::Fluid<Real>& fluid) {
 template <class Real, class Visit>
 void for_body_cells(lbm::Fluid<Real>& fluid, const Visit& visit) {
   auto& grid = fluid.grid();
-  for (const lbm::BlockIndex b : grid.active())
+  for (const lbm::BlockIndex b : grid.owned())
     if (grid.block(b).body)
       for (int n = 0; n < lbm::kBlockCells; ++n) visit(grid.centre(b, n), *grid.block(b).body, n);
 }
@@ -201,7 +201,7 @@ TEST(WireMap, WritesOnlyWhatMoved) {
   const std::vector<float> kept = fields();
   WireMap<float> fresh(c.particles, c.bonds, 2, -0.06);
   BodyMap<float> fresh_grains(-0.06);
-  for (const lbm::BlockIndex b : fluid.grid().active())
+  for (const lbm::BlockIndex b : fluid.grid().owned())
     if (fluid.grid().block(b).body) fluid.grid().block(b).body->edited = true;
   update(fresh, fresh_grains);
   EXPECT_EQ(kept, fields());
