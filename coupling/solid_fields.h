@@ -33,7 +33,7 @@ class SolidFields {
 
   /// Before bodies and wires are written: nobody reaches a block yet, and what several wrote is emptied.
   void open(lbm::FluidGrid<Real>& grid) {
-    for (const lbm::BlockIndex b : grid.active()) {
+    for (const lbm::BlockIndex b : grid.owned()) {
       lbm::Block<Real>& block = grid.block(b);
       Entry& e = entry(b);
       e.reached = false;
@@ -68,7 +68,7 @@ class SolidFields {
 
   /// Releases the fields of blocks that nobody reached.
   void close(lbm::FluidGrid<Real>& grid) {
-    for (const lbm::BlockIndex b : grid.active()) {
+    for (const lbm::BlockIndex b : grid.owned()) {
       if (!grid.block(b).body || entry(b).reached) continue;
       grid.release_body(b);
       set_writer(b, Writer::none);
@@ -98,7 +98,7 @@ class SolidFields {
 /// Momentum that the fluid gave to bodies in the last step, lu, read cell by cell: the fluid's side of the audit.
 template <class Real>
 Vec3 momentum_given_to_bodies(const lbm::FluidGrid<Real>& grid) {
-  const auto& active = grid.active();
+  const auto& active = grid.owned();
   return ordered_sum<Vec3>(
       active.size(),
       [&](std::size_t k) {

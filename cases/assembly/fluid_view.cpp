@@ -17,7 +17,7 @@ class ViewOf final : public FluidView {
   [[nodiscard]] bool is_in_order() const override { return fluid_.is_in_order(); }
   [[nodiscard]] std::map<std::string, double> seconds() const override { return fluid_.timers().seconds(); }
   [[nodiscard]] std::size_t wet_cells() const override { return fluid_.wet_cells(); }
-  [[nodiscard]] std::size_t active_blocks() const override { return fluid_.grid().active().size(); }
+  [[nodiscard]] std::size_t active_blocks() const override { return fluid_.grid().owned().size(); }
   [[nodiscard]] double cell_updates() const override { return fluid_.cell_updates(); }
   [[nodiscard]] double max_speed_lu() const override { return fluid_.max_speed_lu(); }
   [[nodiscard]] std::size_t limited_cells() const override { return fluid_.limited_cells(); }

@@ -46,7 +46,7 @@ template <class Real>
 void GrainCoupling<Real>::choose_blocks(lbm::FluidGrid<Real>& grid, SolidFields<Real>& fields) {
   using Writer = typename SolidFields<Real>::Writer;
   written_.assign(map_.by_block().blocks(), 0);
-  for (const lbm::BlockIndex b : grid.active()) {
+  for (const lbm::BlockIndex b : grid.owned()) {
     const auto at = static_cast<std::size_t>(b);
     if (map_.by_block().any_in(at)) {
       fields.reach(grid, b);

@@ -153,7 +153,7 @@ template <class Real>
 void WireMap<Real>::choose_blocks(lbm::FluidGrid<Real>& grid, SolidFields<Real>& fields) {
   using Writer = typename SolidFields<Real>::Writer;
   tasks_.assign(by_block_.blocks(), Task::none);
-  for (const BlockIndex b : grid.active()) {
+  for (const BlockIndex b : grid.owned()) {
     const auto at = static_cast<std::size_t>(b);
     if (by_block_.any_in(at)) {
       fields.reach(grid, b);

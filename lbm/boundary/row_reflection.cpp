@@ -152,8 +152,8 @@ void copy_row(const std::array<Block<Real>*, 27>& around, const RowLink& link, u
 template <class Real>
 void end_at_gas(FluidGrid<Real>& grid, CellPlace place, int i, Parity parity) {
   const auto m = outgoing_moments(grid, place, parity);
-  const auto way = way_of(grid, place, i, parity);
-  *way.back = equilibrium_pair_sum(i, Real(0), m.u[0], m.u[1], m.u[2]) - *way.sent;
+  const auto link = link_populations(grid, place, i, parity);
+  *link.back = equilibrium_pair_sum(i, Real(0), m.u[0], m.u[1], m.u[2]) - *link.sent;
 }
 
 }  // namespace

@@ -78,8 +78,8 @@ void exchange_over_mirrors(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
     for (int k = 0; k < wall.links; ++k) {
       if (!(links >> k & 1)) continue;
       const int i = directions[static_cast<std::size_t>(wall.first_link + k)];
-      const auto way = way_of(grid, place, i, parity);
-      gain += exchange_share(grid, grid.neighbour(place, mirror_link(i, axis).along), fill) * (*way.back - *way.sent);
+      const auto link = link_populations(grid, place, i, parity);
+      gain += exchange_share(grid, grid.neighbour(place, mirror_link(i, axis).along), fill) * (*link.back - *link.sent);
     }
     block.surface->mass[wall.cell] += gain;
   }

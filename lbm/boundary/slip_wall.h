@@ -41,13 +41,13 @@ const MirrorLink& mirror_link(int i, int axis);
 
 /// The populations of one velocity at a cell.
 template <class Real>
-struct Way {
+struct LinkPopulations {
   Real* sent;  ///< f_i that went out
   Real* back;  ///< f_opposite(i) that comes in
 };
 
 template <class Real>
-Way<Real> way_of(FluidGrid<Real>& grid, CellPlace place, int i, Parity parity) {
+LinkPopulations<Real> link_populations(FluidGrid<Real>& grid, CellPlace place, int i, Parity parity) {
   const bool forward = i % 2 == 1;
   const auto pair = grid.access(place, forward ? i : i - 1, parity);
   if (forward) return {pair.outgoing_a, pair.incoming_b};

@@ -1,8 +1,10 @@
 #include "lbm/boundary/wall_balance.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/parallel.h"
+#include "lbm/grid/block_sum.h"
 
 namespace lahar::lbm {
 
@@ -24,21 +26,29 @@ double give(Block<Real>& block, WallPlacement placement, Real share) {
 
 }  // namespace
 
+bool some_wall_moves_mass(const Domain& domain) {
+  const auto& walls = domain.walls().all();
+  return domain.placement() == WallPlacement::interpolated ||
+         std::any_of(walls.begin(), walls.end(), [](const Wall& w) {
+           return w.slip != WallSlip::no_slip || !w.velocity.isZero() || !w.angular_velocity.isZero();
+         });
+}
+
 template <class Real>
 void balance_walls(FluidGrid<Real>& grid, WallAccount& account) {
-  const auto& active = grid.active();
-  const auto sum = [&](const auto& of_block) { return ordered_sum<double>(active.size(), of_block, 16); };
-  const double gained = sum([&](std::size_t k) { return grid.block(active[k]).walls.gained; });
-  const double takers = sum([&](std::size_t k) { return static_cast<double>(grid.block(active[k]).walls.takers); });
+  const auto sum = [&](const auto& of_block) { return sum_over_blocks<double>(grid, of_block); };
+  const double gained = sum([&](BlockIndex b) { return grid.block(b).walls.gained; });
+  const double takers = sum([&](BlockIndex b) { return static_cast<double>(grid.block(b).walls.takers); });
   account.owed += gained;
   account.returned += std::abs(gained);
   if (takers == 0) return;
   const auto share = static_cast<Real>(-account.owed / takers);
-  parallel_for(0, active.size(), 16, [&](std::size_t k) {
-    Block<Real>& block = grid.block(active[k]);
+  const auto& owned = grid.owned();
+  parallel_for(0, owned.size(), 16, [&](std::size_t k) {
+    Block<Real>& block = grid.block(owned[k]);
     block.walls.gained = block.walls.takers > 0 ? give(block, grid.domain().placement(), share) : 0;
   });
-  account.owed += sum([&](std::size_t k) { return grid.block(active[k]).walls.gained; });
+  account.owed += sum([&](BlockIndex b) { return grid.block(b).walls.gained; });
 }
 
 template void balance_walls<float>(FluidGrid<float>&, WallAccount&);

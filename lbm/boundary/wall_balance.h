@@ -22,6 +22,9 @@ inline bool moves_mass(const WallCell& wall, WallPlacement placement) {
   return !wall.even && !is_mirror(wall);
 }
 
+/// Whether some wall of the domain may.
+bool some_wall_moves_mass(const Domain& domain);
+
 struct WallAccount {
   double owed = 0;      ///< gained by cells and not yet taken back (rounding), lu
   double returned = 0;  ///< sum of |what was given back or taken| so far, lu

@@ -124,8 +124,8 @@ class BlockJudge {
     const Verdict v = is_covered(block_, cell)
                           ? judge_covered(grid_, place, block_.at_rim[cell])
                           : judge(grid_, place, surface_.mass[cell], rho, block_.at_rim[cell], draining);
-    if (v == Verdict::fill) flagged_.filled.push_back(cell);
-    if (v == Verdict::empty) flagged_.emptied.push_back(cell);
+    if (v == Verdict::fill) flagged_.filled.add(cell);
+    if (v == Verdict::empty) flagged_.emptied.add(cell);
     if (moving_ && v == Verdict::stay && surface_.alone[cell]) flag_drop(grid_, place, parity_, round_, flagged_.drops);
   }
 

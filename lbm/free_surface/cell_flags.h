@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lbm/free_surface/drops.h"
+#include "lbm/grid/cell_set.h"
 #include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
@@ -11,8 +12,9 @@ namespace lahar::lbm {
 /// What is to become of the interface cells of one block.
 template <class Real>
 struct Flagged {
-  std::vector<std::uint16_t> filled, emptied;
+  CellSet filled, emptied;
   std::vector<Drop<Real>> drops;
+  [[nodiscard]] bool empty() const { return filled.empty() && emptied.empty() && drops.empty(); }
   void clear() { filled.clear(), emptied.clear(), drops.clear(); }
 };
 

@@ -9,12 +9,11 @@
 namespace lahar::lbm {
 
 template <class Real>
-Inflow<Real>::Inflow(InflowOptions options, const Domain& domain, const LatticeUnits& units)
-    : options_(std::move(options)), units_(units) {
+Inflow<Real>::Inflow(InflowOptions options, const Domain& domain) : options_(std::move(options)) {
   // Cells whose centre lies in [lower, upper).
   for (int a = 0; a < 3; ++a) {
     const auto cell = [&](double x) {
-      return static_cast<int>(std::ceil((x - domain.origin()[a]) / units.cell_size - 0.5 - 1e-9));
+      return static_cast<int>(std::ceil((x - domain.origin()[a]) / domain.cell_size() - 0.5 - 1e-9));
     };
     first_[a] = cell(options_.lower[a]);
     last_[a] = cell(options_.upper[a]) - 1;
@@ -23,12 +22,12 @@ Inflow<Real>::Inflow(InflowOptions options, const Domain& domain, const LatticeU
 }
 
 template <class Real>
-void Inflow<Real>::feed(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity, double time,
-                        double duration, std::int64_t step, LiquidAccount& account) {
+void Inflow<Real>::feed(FluidLevel<Real>& level, CellConversion<Real>& conversion, double time, double duration,
+                        std::int64_t step, LiquidAccount& account) {
   const double volume = options_.discharge.volume_until(time + duration) - options_.discharge.volume_until(time);
-  owed_ += volume / std::pow(units_.cell_size, 3);
+  owed_ += volume / std::pow(level.units.cell_size, 3);
   if (std::abs(owed_) < 1e-12) return;
-  collect(grid, conversion, parity);
+  collect(level, conversion);
   const double cells = (last_ - first_ + Vec3i::Ones()).cast<double>().prod();
   if (owed_ > std::max(cells, kLargestDose) || wet_.empty())
     throw NumericalFailure(
@@ -36,17 +35,18 @@ void Inflow<Real>::feed(FluidGrid<Real>& grid, CellConversion<Real>& conversion,
         wet_.empty() ? "no free cell in its box" : "its box cannot take the discharge; make it larger");
   const double mass = std::min(kLargestDose, owed_ / static_cast<double>(wet_.size()));
   double arrived = 0;
-  for (const CellPlace& place : wet_) arrived += dose(grid, place, parity, mass);
+  for (const CellPlace& place : wet_) arrived += dose(level, place, mass);
   owed_ -= arrived;
   account.inflow += arrived;
 }
 
 /// Lists the wet cells of the box after wetting the lowest free cell of each column that is dry there.
 template <class Real>
-void Inflow<Real>::collect(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity) {
+void Inflow<Real>::collect(FluidLevel<Real>& level, CellConversion<Real>& conversion) {
+  FluidGrid<Real>& grid = level.grid;
   wet_.clear();
   CellMoments<Real> entering;
-  for (int a = 0; a < 3; ++a) entering.u[a] = static_cast<Real>(units_.velocity_to_lu(options_.velocity[a]));
+  for (int a = 0; a < 3; ++a) entering.u[a] = static_cast<Real>(level.units.velocity_to_lu(options_.velocity[a]));
   for (int x = first_.x(); x <= last_.x(); ++x)
     for (int y = first_.y(); y <= last_.y(); ++y) {
       bool lowest = true;
@@ -55,7 +55,7 @@ void Inflow<Real>::collect(FluidGrid<Real>& grid, CellConversion<Real>& conversi
         const CellPlace place{grid.require_block(block_of(cell)), cell_index(x & 7, y & 7, z & 7)};
         const CellType type = grid.type(place);
         if (type == CellType::wall || type == CellType::sink) continue;
-        if (type == CellType::gas && lowest) conversion.wet(grid, place, parity, entering);
+        if (type == CellType::gas && lowest) conversion.wet(level, place, entering);
         if (is_wet(grid.type(place))) wet_.push_back(place);
         lowest = false;
       }
@@ -64,10 +64,11 @@ void Inflow<Real>::collect(FluidGrid<Real>& grid, CellConversion<Real>& conversi
 
 /// Mass and momentum into one cell; returns the mass as it was stored.
 template <class Real>
-double Inflow<Real>::dose(FluidGrid<Real>& grid, CellPlace place, Parity parity, double mass) {
+double Inflow<Real>::dose(FluidLevel<Real>& level, CellPlace place, double mass) const {
+  FluidGrid<Real>& grid = level.grid;
   Block<Real>& block = grid.block(place.block);
   const bool liquid = block.type[static_cast<std::size_t>(place.cell)] == CellType::liquid;
-  const auto m = outgoing_moments(grid, place, parity);
+  const auto m = outgoing_moments(grid, place, level.parity());
   Real& store = liquid ? block.f(0)[place.cell] : block.surface->mass[place.cell];
   const Real before = store;
   store += static_cast<Real>(mass);
@@ -78,7 +79,7 @@ double Inflow<Real>::dose(FluidGrid<Real>& grid, CellPlace place, Parity parity,
   ImpulseFields<Real>& impulses = grid.require_impulse(place.block);
   Real* const impulse[3] = {impulses.x, impulses.y, impulses.z};
   for (int a = 0; a < 3; ++a) {
-    const double entering = units_.velocity_to_lu(options_.velocity[a]);
+    const double entering = level.units.velocity_to_lu(options_.velocity[a]);
     const double change = liquid ? entering : entering - static_cast<double>(m.u[a]);
     impulse[a][place.cell] += static_cast<Real>(weight * change);
   }

@@ -9,7 +9,6 @@
 // were stored.
 #include <string>
 
-#include "core/units.h"
 #include "lbm/free_surface/conversion.h"
 #include "lbm/free_surface/hydrograph.h"
 
@@ -28,21 +27,19 @@ struct InflowOptions {
 template <class Real>
 class Inflow {
  public:
-  Inflow(InflowOptions options, const Domain& domain, const LatticeUnits& units);
+  Inflow(InflowOptions options, const Domain& domain);
 
   /// Puts in what is due in a step of `duration` from `time` on, s. Throws NumericalFailure where the box cannot take
   /// the discharge.
-  void feed(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity, double time, double duration,
-            std::int64_t step, LiquidAccount& account);
-  void set_units(const LatticeUnits& units) { units_ = units; }
+  void feed(FluidLevel<Real>& level, CellConversion<Real>& conversion, double time, double duration, std::int64_t step,
+            LiquidAccount& account);
   void transfer(Archive& archive) { archive.value("owed", owed_); }
 
  private:
-  void collect(FluidGrid<Real>& grid, CellConversion<Real>& conversion, Parity parity);
-  double dose(FluidGrid<Real>& grid, CellPlace place, Parity parity, double mass);
+  void collect(FluidLevel<Real>& level, CellConversion<Real>& conversion);
+  double dose(FluidLevel<Real>& level, CellPlace place, double mass) const;
 
   InflowOptions options_;
-  LatticeUnits units_;
   Vec3i first_, last_;  ///< cells of the box
   double owed_ = 0;     ///< volume due and not yet in, cells
   std::vector<CellPlace> wet_;

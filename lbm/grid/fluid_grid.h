@@ -1,8 +1,8 @@
 #pragma once
 // The blocks of the fluid: topology, storage, and the geometry cut into them.
 #include <array>
-#include <deque>
-#include <memory>
+#include <cstdint>
+#include <vector>
 
 #include "lbm/grid/block.h"
 #include "lbm/grid/block_topology.h"
@@ -25,7 +25,8 @@ class FluidGrid {
 
   [[nodiscard]] const Domain& domain() const { return domain_; }
   [[nodiscard]] const BlockTopology& topology() const { return topology_; }
-  [[nodiscard]] const std::vector<BlockIndex>& active() const { return topology_.active(); }
+  /// The blocks that this process computes, in Morton order; loops run over these. Today they are all that exist.
+  [[nodiscard]] const std::vector<BlockIndex>& owned() const { return topology_.active(); }
   [[nodiscard]] bool exists(BlockIndex b) const { return blocks_[static_cast<std::size_t>(b)] != nullptr; }
   [[nodiscard]] Block<Real>& block(BlockIndex b) { return *blocks_[static_cast<std::size_t>(b)]; }
   [[nodiscard]] const Block<Real>& block(BlockIndex b) const { return *blocks_[static_cast<std::size_t>(b)]; }
@@ -39,8 +40,16 @@ class FluidGrid {
 
   /// The block at a block coordinate; made if missing: gas at rest, walls and sinks cut in.
   BlockIndex require_block(const Vec3i& coordinate);
+  /// The same for many: in Morton order, cut in parallel.
+  void require_blocks(const std::vector<Vec3i>& coordinates);
   /// Makes sure that all 26 neighbours of a cell lie in existing blocks.
   void require_neighbours(CellPlace place);
+  /// The blocks (bits by neighbour_slot) that hold some of the 26 neighbours of a cell, or that lie around a block, and
+  /// do not exist.
+  [[nodiscard]] std::uint32_t missing_around(CellPlace place) const;
+  [[nodiscard]] std::uint32_t missing_neighbours(BlockIndex b) const;
+  /// Appends the coordinates of a block's neighbours of these slots.
+  void add_coordinates(BlockIndex b, std::uint32_t slots, std::vector<Vec3i>& coordinates) const;
   void release(BlockIndex b);
   /// For the walls of blocks that are made from now on.
   void set_velocity_to_lu(double velocity_to_lu) { velocity_to_lu_ = velocity_to_lu; }
@@ -59,6 +68,9 @@ class FluidGrid {
 
   /// Optional fields, given with sensible contents: fill level from the types; no body.
   SurfaceFields<Real>& require_surface(BlockIndex b);
+  /// require_surface in two parts: storage, one block at a time; contents, for several blocks at once.
+  void acquire_surface(BlockIndex b);
+  void clear_surface(BlockIndex b);
   BodyFields<Real>& require_body(BlockIndex b);
   /// Zero where nothing was written yet; the body kernel applies it, so the block gets body fields too.
   ImpulseFields<Real>& require_impulse(BlockIndex b);
@@ -85,15 +97,13 @@ class FluidGrid {
   void transfer(Archive& archive);
 
  private:
-  void make_block(BlockIndex b);
+  void make_blocks(const std::vector<BlockIndex>& made);
+  void link_block(BlockIndex b);
   void transfer_types(Archive& archive);
   void transfer_surfaces(Archive& archive);
   void transfer_bodies(Archive& archive);
   void transfer_wall_links(Archive& archive);
   void release_impulse(BlockIndex b);
-  void cut_geometry(BlockIndex b);
-  [[nodiscard]] WallHit wall_hit(const Wall& wall, const Vec3i& place, int i) const;
-  void add_wall_links(Block<Real>& block, int cell, const Vec3i& place, const std::array<CellType, 1000>& types);
 
   Domain domain_;
   double velocity_to_lu_;

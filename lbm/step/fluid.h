@@ -6,49 +6,18 @@
 
 #include "core/step_clock.h"
 #include "core/timers.h"
-#include "core/units.h"
-#include "lbm/boundary/wall_load.h"
 #include "lbm/free_surface/conversion.h"
 #include "lbm/free_surface/inflow.h"
-#include "lbm/free_surface/shear_row.h"
-#include "lbm/grid/fluid_grid.h"
 #include "lbm/step/cell_moments.h"
+#include "lbm/step/fluid_level.h"
+#include "lbm/step/fluid_options.h"
 #include "lbm/step/fluid_snapshot.h"
-#include "lbm/step/sweep.h"
+#include "lbm/step/surface_pass.h"
+#include "lbm/step/survey.h"
 #include "lbm/step/time_step_control.h"
+#include "lbm/step/wall_pass.h"
 
 namespace lahar::lbm {
-
-struct FluidOptions {
-  DomainSpec domain;
-  double time_step = 0;               ///< s; the first, where it adapts
-  bool adaptive_time_step = false;    ///< follows the speed of the liquid (time_step_control.h)
-  double lattice_velocity = 0.1;      ///< lu, largest speed that an adaptive step aims at
-  double density = 1000;              ///< kg/m^3
-  double kinematic_viscosity = 1e-6;  ///< m^2/s
-  Vec3 gravity = Vec3::Zero();        ///< m/s^2
-  double surface_tension = 0;         ///< N/m; 0 is off
-  CollisionOperator collision = CollisionOperator::central_moments;
-  BodyWeighting weighting = kBodyWeighting;
-  SolidOperator solid_operator = kSolidOperator;  ///< those that bounce back: Newtonian without LES only
-  double seepage_constant = 0;                    ///< in place of tau - 1/2 for BodyWeighting::seepage
-  double smagorinsky = 0;                         ///< Cs; 0 is off; only with a Newtonian fluid
-  RheologyOptions rheology;                       ///< flow law of mud and slurry
-  std::vector<InflowOptions> inflows;             ///< boxes through which liquid enters
-};
-
-/// How the populations of a flow without a surface start.
-enum class Start {
-  equilibrium,  ///< no stress: it builds up in a few tau; at small viscosity it rings from step to step until it has
-  with_stress,  ///< with the viscous stress of the velocity's gradient; for smooth velocities
-};
-
-/// Liquid at the start: a box, or a body within it.
-struct LiquidRegion {
-  Vec3 lower, upper;                         ///< m
-  Vec3 velocity = Vec3::Zero();              ///< m/s
-  std::optional<Shape> body = std::nullopt;  ///< liquid where its distance is below 0
-};
 
 /// One wet cell as observers see it, SI.
 struct WetCell {
@@ -77,7 +46,7 @@ class Fluid {
   void open_ledger() { initial_mass_ = liquid_mass() + outflow_mass() - inflow_mass() - rescaled_mass(); }
 
   /// Whether the velocity of cells with bodies is kept for wires to sample (it is by default).
-  void keep_velocities(bool keep) { parameters_.keep_velocity = keep; }
+  void keep_velocities(bool keep) { level_.parameters.keep_velocity = keep; }
 
   /// One fluid step: mass over the surface, collide and stream, walls, cell conversion, blocks.
   /// Throws NumericalFailure if a cell is no longer finite or faster than the lattice can carry.
@@ -90,14 +59,14 @@ class Fluid {
   void set_time_step(double time_step);
   [[nodiscard]] const TimeStepRecord& time_step_record() const { return time_steps_; }
 
-  [[nodiscard]] const LatticeUnits& units() const { return units_; }
+  [[nodiscard]] const LatticeUnits& units() const { return level_.units; }
   [[nodiscard]] const FluidOptions& options() const { return options_; }
-  [[nodiscard]] double tau() const { return parameters_.tau; }
-  [[nodiscard]] const CoverageWeightLaw& coverage_weight_law() const { return parameters_.coverage_weight; }
+  [[nodiscard]] double tau() const { return level_.parameters.tau; }
+  [[nodiscard]] const CoverageWeightLaw& coverage_weight_law() const { return level_.parameters.coverage_weight; }
   [[nodiscard]] std::int64_t steps() const { return clock_.steps(); }
-  [[nodiscard]] FluidGrid<Real>& grid() { return grid_; }
-  [[nodiscard]] const FluidGrid<Real>& grid() const { return grid_; }
-  [[nodiscard]] Parity parity() const { return parameters_.parity; }
+  [[nodiscard]] FluidGrid<Real>& grid() { return level_.grid; }
+  [[nodiscard]] const FluidGrid<Real>& grid() const { return level_.grid; }
+  [[nodiscard]] Parity parity() const { return level_.parity(); }
   [[nodiscard]] LiquidAccount& account() { return account_; }
   /// s, of the last finished step.
   [[nodiscard]] double time() const { return clock_.time(); }
@@ -106,11 +75,11 @@ class Fluid {
   /// Liquid in the domain, kg: full cells, interface cells, pool, less the bodies' share.
   [[nodiscard]] double liquid_mass() const;
   /// Liquid that left through open faces, kg.
-  [[nodiscard]] double outflow_mass() const { return account_.outflow * units_.mass(); }
+  [[nodiscard]] double outflow_mass() const { return account_.outflow * level_.units.mass(); }
   /// Liquid that came in through inflow boxes, kg.
-  [[nodiscard]] double inflow_mass() const { return account_.inflow * units_.mass(); }
+  [[nodiscard]] double inflow_mass() const { return account_.inflow * level_.units.mass(); }
   /// Mass that changes of the time step have added, kg: they keep the volume (rescale.h).
-  [[nodiscard]] double rescaled_mass() const { return account_.rescaled * units_.mass(); }
+  [[nodiscard]] double rescaled_mass() const { return account_.rescaled * level_.units.mass(); }
   /// (in the domain + left - come in - rescaled - at the start) / (come in + at the start); 0 without liquid.
   [[nodiscard]] double mass_drift() const;
   [[nodiscard]] std::size_t wet_cells() const;
@@ -125,10 +94,10 @@ class Fluid {
   [[nodiscard]] std::size_t limited_cells() const { return limited_cells_; }
 
   /// From now on books what the walls get.
-  void measure_walls() { wall_loads_.assign(grid_.domain().walls().all().size(), {}); }
+  void measure_walls() { walls_.measure(level_.grid.domain()); }
   /// What each wall of the domain got since measure_walls(), N s and N m s about the origin of the coordinates: the
   /// walls of the options in their order, then the closed faces. Empty if nothing is measured.
-  [[nodiscard]] const std::vector<WallLoad>& wall_loads() const { return wall_loads_; }
+  [[nodiscard]] const std::vector<WallLoad>& wall_loads() const { return walls_.loads(); }
 
   /// Calls visit for every wet cell in a fixed order.
   void for_each_wet_cell(const std::function<void(const WetCell&)>& visit) const;
@@ -144,35 +113,30 @@ class Fluid {
 
   /// Looks at what the last sweep saw: throws NumericalFailure with cell, step and cause.
   void watch() const;
-  /// Gives back blocks that no wet cell needs.
-  void release_dry_blocks();
 
  private:
   void check_finite() const;
   void sweep();
   void feed();
   void exchange();
-  void measure_surface_shear();
   void reflect();
-  void book_wall_loads();
   void stretch_impulses(double ratio);
   void rescale(double ratio);
   void take_time_step(double time_step);
   void transfer_time(Archive& archive);
   void look();
   void classify_filled(std::vector<BlockIndex>& touched);
+  void require_box(const Vec3i& low, const Vec3i& high);
+  void require_neighbours(const std::vector<CellPlace>& cells);
   void initialize(CellPlace place, double drho, const Vec3& velocity_lu, const Mat3& stress = Mat3::Zero());
   [[nodiscard]] Mat3 flow_stress(const std::function<Vec3(const Vec3&)>& velocity_lu, const Vec3& centre) const;
   [[nodiscard]] WetCell describe(CellPlace place) const;
 
   FluidOptions options_;
-  LatticeUnits units_;
-  SweepParameters parameters_;
-  FluidGrid<Real> grid_;
+  FluidLevel<Real> level_;
   CellConversion<Real> conversion_;
   std::vector<Inflow<Real>> inflows_;
   LiquidAccount account_;
-  bool balances_walls_ = false;  ///< whether some wall may change the mass of cells (boundary/wall_balance.h)
   double initial_mass_ = 0;
   StepClock clock_;
   double coming_time_step_ = 0;
@@ -181,13 +145,11 @@ class Fluid {
   Survey survey_;                // of the last sweep
   std::int64_t looked_at_ = -1;  // steps at the last look of the control
   double cell_updates_ = 0;
-  std::size_t limited_cells_ = 0;                   // most cells whose speed was limited in a step
-  std::vector<std::vector<ShearRow<Real>>> shear_;  // by place in active(); surface_shear.h
-  std::vector<SweepNote> notes_;                    // of the last sweep, by place in the list of active blocks
+  std::size_t limited_cells_ = 0;  // most cells whose speed was limited in a step
+  SurfacePass<Real> surface_pass_;
+  WallPass<Real> walls_;
+  std::vector<SweepNote> notes_;  // of the last sweep, by place in the list of owned blocks
   Timers timers_;
-  std::vector<std::uint8_t> needed_;
-  std::vector<WallLoad> wall_loads_;
-  std::vector<BlockWallLoads> block_loads_;  // of the last step, by place in the list of active blocks
 };
 
 extern template class Fluid<float>;

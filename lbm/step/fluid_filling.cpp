@@ -20,19 +20,18 @@ double stress_part(int i, const Mat3& stress) {
 
 template <class Real>
 void Fluid<Real>::initialize(CellPlace place, double drho, const Vec3& u, const Mat3& stress) {
-  grid_.require_neighbours(place);
   const auto r = static_cast<Real>(drho), x = static_cast<Real>(u.x()), y = static_cast<Real>(u.y()),
              z = static_cast<Real>(u.z());
   const auto population = [&](int i) { return equilibrium(i, r, x, y, z) + static_cast<Real>(stress_part(i, stress)); };
-  grid_.block(place.block).f(0)[place.cell] = population(0);
+  level_.grid.block(place.block).f(0)[place.cell] = population(0);
   for (int a = 1; a < D3Q19::q; a += 2) {
-    const auto pair = grid_.access(place, a, parameters_.parity);
+    const auto pair = level_.grid.access(place, a, level_.parity());
     const Real fa = population(a), fb = population(a + 1);
     // What the cell sends out is what its neighbours receive; from neighbours that send nothing it receives its own.
     *pair.outgoing_a = fa;
     *pair.outgoing_b = fb;
-    if (!is_wet(grid_.type(grid_.neighbour(place, a)))) *pair.incoming_b = fb;
-    if (!is_wet(grid_.type(grid_.neighbour(place, a + 1)))) *pair.incoming_a = fa;
+    if (!is_wet(level_.grid.type(level_.grid.neighbour(place, a)))) *pair.incoming_b = fb;
+    if (!is_wet(level_.grid.type(level_.grid.neighbour(place, a + 1)))) *pair.incoming_a = fa;
   }
 }
 
@@ -69,50 +68,76 @@ double body_fraction(const Vec3& centre, double dx, const Shape& body) {
 
 }  // namespace
 
+/// The blocks of a box of block coordinates.
+template <class Real>
+void Fluid<Real>::require_box(const Vec3i& low, const Vec3i& high) {
+  std::vector<Vec3i> blocks;
+  for (int x = low.x(); x <= high.x(); ++x)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int z = low.z(); z <= high.z(); ++z) blocks.emplace_back(x, y, z);
+  level_.grid.require_blocks(blocks);
+}
+
+template <class Real>
+void Fluid<Real>::require_neighbours(const std::vector<CellPlace>& cells) {
+  std::vector<Vec3i> blocks;
+  std::vector<std::uint32_t> missing(level_.grid.topology().capacity(), 0);
+  for (const CellPlace& p : cells) missing[static_cast<std::size_t>(p.block)] |= level_.grid.missing_around(p);
+  for (const BlockIndex b : level_.grid.owned())
+    level_.grid.add_coordinates(b, missing[static_cast<std::size_t>(b)], blocks);
+  level_.grid.require_blocks(blocks);
+}
+
 template <class Real>
 void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
-  const double dx = units_.cell_size;
+  const double dx = level_.units.cell_size;
   std::vector<BlockIndex> touched;
-  std::vector<std::pair<CellPlace, const LiquidRegion*>> wet;
+  std::vector<CellPlace> wet;
+  std::vector<const LiquidRegion*> regions_of_wet;
   for (const auto& region : regions) {
     std::set<BlockIndex> filled;  // along a periodic axis the block beyond the end is the first one again
-    const Vec3i low = block_of(grid_.domain().cell_at(region.lower)),
-                high = block_of(grid_.domain().cell_at(region.upper));
+    const Vec3i low = block_of(level_.grid.domain().cell_at(region.lower)),
+                high = block_of(level_.grid.domain().cell_at(region.upper));
+    require_box(low, high);
     for (int x = low.x(); x <= high.x(); ++x)
       for (int y = low.y(); y <= high.y(); ++y)
         for (int z = low.z(); z <= high.z(); ++z) {
-          const BlockIndex b = grid_.require_block({x, y, z});
+          const BlockIndex b = level_.grid.topology().find({x, y, z});
           if (!filled.insert(b).second) continue;
           touched.push_back(b);
           for (int n = 0; n < kBlockCells; ++n) {
-            Block<Real>& block = grid_.block(b);
+            Block<Real>& block = level_.grid.block(b);
             CellType& type = block.type[static_cast<std::size_t>(n)];
-            const double fraction = region.body ? body_fraction(grid_.centre(b, n), dx, *region.body)
-                                                : overlap_fraction(grid_.centre(b, n), dx, region);
+            const double fraction = region.body ? body_fraction(level_.grid.centre(b, n), dx, *region.body)
+                                                : overlap_fraction(level_.grid.centre(b, n), dx, region);
             if (type == CellType::wall || type == CellType::sink || fraction < 1e-6) continue;
-            SurfaceFields<Real>& surface = grid_.require_surface(b);
-            if (type == CellType::gas) wet.push_back({{b, n}, &region});
+            SurfaceFields<Real>& surface = level_.grid.require_surface(b);
+            if (type == CellType::gas) wet.push_back({b, n}), regions_of_wet.push_back(&region);
             type = CellType::interface;
             surface.fill_level[n] = std::min(Real(1), surface.fill_level[n] + static_cast<Real>(fraction));
             surface.mass[n] =
-                surface.fill_level[n] *
-                static_cast<Real>(1 + resting_density(grid_.centre(b, n).z(), region, options_.gravity.z(), units_));
+                surface.fill_level[n] * static_cast<Real>(1 + resting_density(level_.grid.centre(b, n).z(), region,
+                                                                              options_.gravity.z(), level_.units));
           }
         }
   }
   // Between two steps cells send out what half of a step's weight has been added to: without it water at rest would
   // start with a jolt of g/2 and ring.
-  const Vec3 half_force = 0.5 * Vec3(parameters_.gravity[0], parameters_.gravity[1], parameters_.gravity[2]);
-  for (const auto& [place, region] : wet) {
+  const Vec3 half_force =
+      0.5 * Vec3(level_.parameters.gravity[0], level_.parameters.gravity[1], level_.parameters.gravity[2]);
+  require_neighbours(wet);
+  for (std::size_t k = 0; k < wet.size(); ++k) {
+    const CellPlace place = wet[k];
+    const LiquidRegion& region = *regions_of_wet[k];
     const double drho =
-        resting_density(grid_.centre(place.block, place.cell).z(), *region, options_.gravity.z(), units_);
-    initialize(place, drho, units_.velocity_to_lu(1.0) * region->velocity + half_force);
-    SurfaceFields<Real>& surface = *grid_.block(place.block).surface;
+        resting_density(level_.grid.centre(place.block, place.cell).z(), region, options_.gravity.z(), level_.units);
+    initialize(place, drho, level_.units.velocity_to_lu(1.0) * region.velocity + half_force);
+    SurfaceFields<Real>& surface = *level_.grid.block(place.block).surface;
     surface.density[place.cell] = static_cast<Real>(drho);
   }
   classify_filled(touched);
   for (const BlockIndex b : touched)
-    if (grid_.block(b).surface) note_densities(grid_, b, parameters_.parity);
+    if (level_.grid.block(b).surface) note_densities(level_.grid, b, level_.parity());
   reflect();  // what is on its way into a wall at the start comes back: without it the mass would change
   open_ledger();
 }
@@ -124,24 +149,24 @@ void Fluid<Real>::classify_filled(std::vector<BlockIndex>& touched) {
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   std::vector<CellPlace> full;
   for (const BlockIndex b : touched) {
-    const Block<Real>& block = grid_.block(b);
+    const Block<Real>& block = level_.grid.block(b);
     for (int n = 0; n < kBlockCells; ++n) {
       const auto at = static_cast<std::size_t>(n);
       if (block.type[at] != CellType::interface || block.at_rim[at] || block.surface->fill_level[n] < Real(0.999999))
         continue;
       bool closed = true;
       for (int i = 1; i < D3Q19::q; ++i) {
-        const CellType t = grid_.type(grid_.neighbour({b, n}, i));
+        const CellType t = level_.grid.type(level_.grid.neighbour({b, n}, i));
         closed = closed && t != CellType::gas && t != CellType::sink;
       }
       if (closed) full.push_back({b, n});
     }
   }
   for (const CellPlace& p : full) {
-    grid_.block(p.block).type[static_cast<std::size_t>(p.cell)] = CellType::liquid;
-    grid_.block(p.block).surface->mass[p.cell] = 0;
+    level_.grid.block(p.block).type[static_cast<std::size_t>(p.cell)] = CellType::liquid;
+    level_.grid.block(p.block).surface->mass[p.cell] = 0;
   }
-  for (const BlockIndex b : touched) grid_.relist(b);
+  for (const BlockIndex b : touched) level_.grid.relist(b);
 }
 
 /// Stress after a collision that a velocity field keeps up: (1 - 1/tau) S with S = -2/3 tau D (Chapman-Enskog) and D
@@ -150,38 +175,40 @@ template <class Real>
 Mat3 Fluid<Real>::flow_stress(const std::function<Vec3(const Vec3&)>& velocity_lu, const Vec3& centre) const {
   Mat3 gradient;
   for (int a = 0; a < 3; ++a) {
-    const Vec3 half = 0.5 * units_.cell_size * Vec3::Unit(a);
+    const Vec3 half = 0.5 * level_.units.cell_size * Vec3::Unit(a);
     gradient.col(a) = velocity_lu(centre + half) - velocity_lu(centre - half);
   }
   const Mat3 strain = 0.5 * (gradient + gradient.transpose());
-  return -2.0 / 3.0 * (parameters_.tau - 1) * (strain - strain.trace() / 3 * Mat3::Identity());
+  return -2.0 / 3.0 * (level_.parameters.tau - 1) * (strain - strain.trace() / 3 * Mat3::Identity());
 }
 
 template <class Real>
 void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& velocity_lu,
                                   const std::function<double(const Vec3&)>& drho, Start start) {
-  const Vec3i first = grid_.domain().first(), last = first + grid_.domain().cells() - Vec3i::Ones();
+  const Vec3i first = level_.grid.domain().first(), last = first + level_.grid.domain().cells() - Vec3i::Ones();
   const Vec3i low = block_of(first), high = block_of(last);
   std::vector<CellPlace> wet;
   std::vector<BlockIndex> touched;
+  require_box(low, high);
   for (int x = low.x(); x <= high.x(); ++x)
     for (int y = low.y(); y <= high.y(); ++y)
       for (int z = low.z(); z <= high.z(); ++z) {
-        const BlockIndex b = grid_.require_block({x, y, z});
+        const BlockIndex b = level_.grid.topology().find({x, y, z});
         touched.push_back(b);
         for (int n = 0; n < kBlockCells; ++n) {
-          CellType& type = grid_.block(b).type[static_cast<std::size_t>(n)];
+          CellType& type = level_.grid.block(b).type[static_cast<std::size_t>(n)];
           if (type != CellType::gas) continue;
           type = CellType::liquid;
           wet.push_back({b, n});
         }
       }
+  require_neighbours(wet);
   for (const CellPlace& p : wet) {
-    const Vec3 centre = grid_.centre(p.block, p.cell);
+    const Vec3 centre = level_.grid.centre(p.block, p.cell);
     initialize(p, drho(centre), velocity_lu(centre),
                start == Start::with_stress ? flow_stress(velocity_lu, centre) : Mat3(Mat3::Zero()));
   }
-  for (const BlockIndex b : touched) grid_.relist(b);
+  for (const BlockIndex b : touched) level_.grid.relist(b);
   reflect();
   open_ledger();
 }
@@ -189,6 +216,8 @@ void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>& veloci
 #define LAHAR_INSTANTIATE(Real)                                                                       \
   template void Fluid<Real>::initialize(CellPlace, double, const Vec3&, const Mat3&);                 \
   template void Fluid<Real>::classify_filled(std::vector<BlockIndex>&);                               \
+  template void Fluid<Real>::require_box(const Vec3i&, const Vec3i&);                                 \
+  template void Fluid<Real>::require_neighbours(const std::vector<CellPlace>&);                       \
   template Mat3 Fluid<Real>::flow_stress(const std::function<Vec3(const Vec3&)>&, const Vec3&) const; \
   template void Fluid<Real>::fill(const std::vector<LiquidRegion>&);                                  \
   template void Fluid<Real>::fill_everything(const std::function<Vec3(const Vec3&)>&,                 \

@@ -1,6 +1,6 @@
 // What the fluid hands to a checkpoint and takes from it.
 //
-// Blocks keep their indices: sums go over them in that order. Populations are stored as they lie, all cells, since in
+// Blocks keep their indices, since others hold them. Populations are stored as they lie, all cells, since in
 // Esoteric Pull a cell's numbers lie with its neighbours too, also in dry ones. Walls, rims and links come from the
 // domain again; lists of interface cells and counts from the types.
 #include <algorithm>
@@ -48,20 +48,19 @@ std::vector<BlockIndex> transfer_chosen(Archive& archive, const char* name, cons
 template <class Real>
 void FluidGrid<Real>::transfer(Archive& archive) {
   archive.part("topology", topology_);
-  if (archive.loading())
-    for (const BlockIndex b : active()) make_block(b);
+  if (archive.loading()) make_blocks(owned());
   archive.value("births", births_);
-  archive.pieces<std::uint64_t>("birth", active().size(), 1, [&](std::size_t k, std::uint64_t* birth) {
+  archive.pieces<std::uint64_t>("birth", owned().size(), 1, [&](std::size_t k, std::uint64_t* birth) {
     if (archive.loading())
-      block(active()[k]).birth = *birth;
+      block(owned()[k]).birth = *birth;
     else
-      *birth = block(active()[k]).birth;
+      *birth = block(owned()[k]).birth;
   });
   transfer_types(archive);
   constexpr std::size_t size = std::size_t{D3Q19::q} * kBlockCells;
-  archive.pieces<Real>("populations", active().size(), size, [&](std::size_t k, Real* buffer) {
+  archive.pieces<Real>("populations", owned().size(), size, [&](std::size_t k, Real* buffer) {
     for (int i = 0; i < D3Q19::q; ++i) {
-      Real* const own = block(active()[k]).f(i);
+      Real* const own = block(owned()[k]).f(i);
       Real* const stored = buffer + i * kBlockCells;
       if (archive.loading())
         std::copy_n(stored, kBlockCells, own);
@@ -78,8 +77,8 @@ void FluidGrid<Real>::transfer(Archive& archive) {
 template <class Real>
 void FluidGrid<Real>::transfer_types(Archive& archive) {
   const auto fixed = [](CellType t) { return t == CellType::wall || t == CellType::sink; };
-  archive.pieces<CellType>("type", active().size(), kBlockCells, [&](std::size_t k, CellType* stored) {
-    auto& own = block(active()[k]).type;
+  archive.pieces<CellType>("type", owned().size(), kBlockCells, [&](std::size_t k, CellType* stored) {
+    auto& own = block(owned()[k]).type;
     if (!archive.loading()) return std::copy(own.begin(), own.end(), stored), void();
     for (std::size_t n = 0; n < kBlockCells; ++n) {
       if (stored[n] > CellType::sink || ((fixed(own[n]) || fixed(stored[n])) && own[n] != stored[n]))
@@ -92,10 +91,10 @@ void FluidGrid<Real>::transfer_types(Archive& archive) {
 template <class Real>
 void FluidGrid<Real>::transfer_surfaces(Archive& archive) {
   const auto blocks =
-      transfer_chosen(archive, "has_surface", active(), [&](BlockIndex b) { return block(b).surface != nullptr; });
+      transfer_chosen(archive, "has_surface", owned(), [&](BlockIndex b) { return block(b).surface != nullptr; });
   if (archive.loading()) {
     for (const BlockIndex b : blocks) require_surface(b);
-    for (const BlockIndex b : active()) {
+    for (const BlockIndex b : owned()) {
       if (holds_interface(block(b).type) != (block(b).surface != nullptr))
         archive.refuse("has_surface", "does not fit the types of the cells");
       relist(b);
@@ -109,7 +108,7 @@ void FluidGrid<Real>::transfer_surfaces(Archive& archive) {
 template <class Real>
 void FluidGrid<Real>::transfer_bodies(Archive& archive) {
   const auto blocks =
-      transfer_chosen(archive, "has_body", active(), [&](BlockIndex b) { return block(b).body != nullptr; });
+      transfer_chosen(archive, "has_body", owned(), [&](BlockIndex b) { return block(b).body != nullptr; });
   if (archive.loading())
     for (const BlockIndex b : blocks) require_body(b);
   const auto field = [&](const char* name, Real(BodyFields<Real>::*member)[kBlockCells]) {
@@ -144,7 +143,7 @@ void FluidGrid<Real>::transfer_wall_links(Archive& archive) {
   std::vector<double> gains;
   std::vector<std::uint32_t> mirrored;
   std::size_t size = 0;
-  for (const BlockIndex b : active()) {
+  for (const BlockIndex b : owned()) {
     const WallLinks& walls = block(b).walls;
     size += walls.cells.size();
     if (archive.loading()) continue;
@@ -158,7 +157,7 @@ void FluidGrid<Real>::transfer_wall_links(Archive& archive) {
   if (!archive.loading()) return;
   auto gain = gains.begin();
   const std::uint32_t* of_cells = mirrored.data();
-  for (const BlockIndex b : active()) {
+  for (const BlockIndex b : owned()) {
     WallLinks& walls = block(b).walls;
     const auto last = gain + static_cast<std::ptrdiff_t>(walls.cells.size());
     walls.gains.assign(gain, last);
@@ -171,13 +170,13 @@ void FluidGrid<Real>::transfer_wall_links(Archive& archive) {
 /// A checkpoint that holds a number that is none would be of no use, and would take the place of a good one.
 template <class Real>
 void Fluid<Real>::check_finite() const {
-  for (const BlockIndex b : grid_.active()) {
-    const Block<Real>& block = grid_.block(b);
+  for (const BlockIndex b : level_.grid.owned()) {
+    const Block<Real>& block = level_.grid.block(b);
     Real defect = 0;  // 0 unless a number is infinite or none
     for (int i = 0; i < D3Q19::q; ++i)
       for (int n = 0; n < kBlockCells; ++n) defect += block.f(i)[n] - block.f(i)[n];
     if (defect == 0) continue;
-    const Vec3 p = grid_.centre(b, 0);
+    const Vec3 p = level_.grid.centre(b, 0);
     char where[96];
     std::snprintf(where, sizeof where, "fluid block at (%.4g, %.4g, %.4g) m", p.x(), p.y(), p.z());
     throw NumericalFailure(where, steps(), "not a number");
@@ -188,7 +187,7 @@ void Fluid<Real>::check_finite() const {
 template <class Real>
 void Fluid<Real>::transfer_time(Archive& archive) {
   archive.part("clock", clock_);
-  double time_step = units_.time_step;
+  double time_step = level_.units.time_step;
   archive.value("time_step", time_step);
   archive.value("seepage_constant", options_.seepage_constant);
   if (archive.loading()) take_time_step(time_step);
@@ -202,7 +201,7 @@ template <class Real>
 void Fluid<Real>::transfer(Archive& archive) {
   if (!archive.loading()) check_finite();
   transfer_time(archive);
-  archive.value("odd_step", parameters_.parity.odd);
+  archive.value("odd_step", level_.parameters.parity.odd);
   archive.value("initial_mass", initial_mass_);
   archive.value("cell_updates", cell_updates_);
   archive.part("survey", survey_);
@@ -210,11 +209,8 @@ void Fluid<Real>::transfer(Archive& archive) {
   archive.part("account", account_);
   archive.part("conversion", conversion_);
   for (std::size_t k = 0; k < inflows_.size(); ++k) archive.part("inflow_" + std::to_string(k), inflows_[k]);
-  std::size_t measured = wall_loads_.size();
-  archive.value("measured_walls", measured);
-  wall_loads_.resize(std::min(measured, grid_.domain().walls().all().size()));
-  for (std::size_t k = 0; k < wall_loads_.size(); ++k) archive.part("wall_load_" + std::to_string(k), wall_loads_[k]);
-  archive.part("grid", grid_);
+  walls_.transfer(archive, level_.grid.domain());
+  archive.part("grid", level_.grid);
 }
 
 // The classes are instantiated elsewhere, without what is defined here.

@@ -116,7 +116,7 @@ TEST(CoupledStep, FieldWriterActsInEveryStep) {
     if (writes)
       step.set_field_writer([&](lbm::Fluid<double>& f, SolidFields<double>& owner) {
         ++calls;
-        for (const lbm::BlockIndex b : f.grid().active()) {
+        for (const lbm::BlockIndex b : f.grid().owned()) {
           auto& fields = owner.write_over(f.grid(), b);
           std::fill_n(fields.exchange_weight, lbm::kBlockCells, 1.0);
           std::fill_n(fields.drag, lbm::kBlockCells, 0.1);

@@ -15,7 +15,7 @@ class SolidFieldsTest : public testing::Test {
     fluid_.fill_everything([](const Vec3&) { return Vec3(0.01, 0, 0); }, [](const Vec3&) { return 0.0; });
   }
   lbm::FluidGrid<double>& grid() { return fluid_.grid(); }
-  [[nodiscard]] lbm::BlockIndex block(std::size_t k) { return grid().active()[k]; }
+  [[nodiscard]] lbm::BlockIndex block(std::size_t k) { return grid().owned()[k]; }
   void write(lbm::BlockIndex b, Writer writer) {
     lbm::BodyFields<double>& f = fields_.reach(grid(), b);
     f.drag[7] = f.solid_fraction[7] = 1, f.covered[0] = 1;

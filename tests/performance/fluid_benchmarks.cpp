@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/parallel.h"
 #include "lbm/step/fluid.h"
 #include "tests/performance/benchmark.h"
 
@@ -93,6 +94,26 @@ Figure dam_break(const Session& session) {
   return {"fluid.dam_break", mlups, "MLUPS", mlups / plain, "fluid.plain", 0.40};
 }
 
+/// Time of the conversion of cells in the same dam break: of one thread over that of all. Both go on from the same
+/// state in turn, so that they convert like cells.
+Figure conversion_speedup(const Session& session) {
+  Fluid<float> fluid(dam_options(0.008, {1.6, 0.6, 0.8}));
+  fluid.fill({{Vec3::Zero(), Vec3(0.5, 0.6, 0.6)}});
+  while (fluid.steps() * fluid.options().time_step < 0.5) fluid.step();
+  const auto seconds = [&](int threads) {
+    const ThreadLimit limit(threads);
+    const double before = fluid.timers().seconds().at("fluid.conversion");
+    for (int s = 0; s < 8; ++s) fluid.step();
+    return fluid.timers().seconds().at("fluid.conversion") - before;
+  };
+  const int threads = thread_count();
+  double one = 0, all = 0;
+  for (int r = 0; r < 12 * session.repeats; ++r) one += seconds(1), all += seconds(threads);
+  return {
+      "fluid.conversion_speedup", 1e3 * all / (96 * session.repeats), "ms/step", one / all, "the same on one thread",
+      threads > 1 ? 1.7 : 0.9};
+}
+
 struct Cost {
   double seconds;
   double bytes;
@@ -147,6 +168,7 @@ std::vector<Benchmark> fluid_benchmarks() {
       {"fluid.plain_les", {}, [](Session& s) { return bulk<float>("fluid.plain_les", 0.1, 0.55, s); }},
       {"fluid.thin_layer", {}, [](Session& s) { return thin_layer(s); }},
       {"fluid.dam_break", {"fluid.plain"}, [](Session& s) { return dam_break(s); }},
+      {"fluid.conversion_speedup", {}, [](Session& s) { return conversion_speedup(s); }},
       {"fluid.sparse", {}, [](Session& s) { return sparse(s, false); }},
       {"fluid.sparse_memory", {}, [](Session& s) { return sparse(s, true); }},
       {"fluid.features_off", {}, [](Session& s) { return features_off(s); }},

@@ -60,7 +60,7 @@ std::vector<Row> run(const Context& context) {
         rows.push_back(at_most_row(name + "wet cells left", static_cast<double>(fluid.wet_cells()), 0));
         rows.push_back(at_most_row(name + "liquid left, of all", std::abs(fluid.liquid_mass()) / start, 1e-9));
         for (int s = 0; s < 100; ++s) fluid.step();  // of nothing
-        rows.push_back(at_most_row(name + "blocks left", static_cast<double>(fluid.grid().active().size()), 0));
+        rows.push_back(at_most_row(name + "blocks left", static_cast<double>(fluid.grid().owned().size()), 0));
       } else if (!context.quick) {
         rows.push_back(at_most_row(name + "liquid left over what a draining film leaves",
                                    fluid.liquid_mass() / draining_film(fluid.options(), steps), 2));

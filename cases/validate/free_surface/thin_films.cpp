@@ -20,7 +20,7 @@ Scraps scraps_of(const lbm::Fluid<Real>& fluid) {
   Scraps s;
   double all = 0;
   const auto& grid = fluid.grid();
-  for (const lbm::BlockIndex b : grid.active()) {
+  for (const lbm::BlockIndex b : grid.owned()) {
     const auto& block = grid.block(b);
     for (int n = 0; n < lbm::kBlockCells; ++n) {
       const lbm::CellType type = block.type[static_cast<std::size_t>(n)];

@@ -65,7 +65,7 @@ lbm::FluidOptions splash_options(bool quick) {
 template <class Real>
 std::size_t interface_cells(const lbm::Fluid<Real>& fluid) {
   std::size_t count = 0;
-  for (const lbm::BlockIndex b : fluid.grid().active())
+  for (const lbm::BlockIndex b : fluid.grid().owned())
     if (const auto* surface = fluid.grid().block(b).surface) count += static_cast<std::size_t>(surface->count);
   return count;
 }

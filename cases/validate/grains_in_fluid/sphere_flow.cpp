@@ -39,7 +39,7 @@ dem::Solids held_spheres(const std::vector<Vec3>& centres, double radius) {
 
 template <class Real>
 void write_fringe(const Fringe& fringe, lbm::FluidGrid<Real>& grid, coupling::SolidFields<Real>& fields) {
-  for (const lbm::BlockIndex b : grid.active()) {
+  for (const lbm::BlockIndex b : grid.owned()) {
     const int x = grid.lowest_cell(b).x();
     if (x + lbm::kBlockWidth <= fringe.first || x >= fringe.last) continue;
     auto& f = fields.write_over(grid, b);

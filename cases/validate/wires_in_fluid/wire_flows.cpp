@@ -64,7 +64,7 @@ double volume_of(const dem::Solids& solids) {
 template <class Real>
 double mapped_volume(lbm::Fluid<Real>& fluid) {
   double volume = 0;
-  for (const lbm::BlockIndex b : fluid.grid().active())
+  for (const lbm::BlockIndex b : fluid.grid().owned())
     if (const auto* body = fluid.grid().block(b).body)
       for (const Real eps : body->solid_fraction) volume += static_cast<double>(eps);
   return volume;

@@ -30,7 +30,7 @@ class DisplacedVolumeTest : public testing::Test {
   /// Of all interface cells, in cells.
   [[nodiscard]] double surface_mass() {
     double sum = 0;
-    for (const lbm::BlockIndex b : fluid_.grid().active())
+    for (const lbm::BlockIndex b : fluid_.grid().owned())
       if (const auto* surface = fluid_.grid().block(b).surface)
         for (int k = 0; k < surface->count; ++k) sum += surface->mass[surface->cells[static_cast<std::size_t>(k)]];
     return sum;

@@ -73,7 +73,7 @@ template <class Real>
 double highest_covered(const lbm::Fluid<Real>& fluid) {
   const auto& grid = fluid.grid();
   double top = 0;
-  for (const lbm::BlockIndex b : grid.active())
+  for (const lbm::BlockIndex b : grid.owned())
     for (int n = 0; n < lbm::kBlockCells; ++n)
       if (lbm::is_wet(grid.block(b).type[static_cast<std::size_t>(n)]) && lbm::is_covered(grid.block(b), n))
         top = std::max(top, grid.centre(b, n).z());
@@ -211,7 +211,7 @@ class Mapping {
   [[nodiscard]] std::vector<Real> state() const {
     std::vector<Real> all;
     const auto add = [&](const Real* field) { all.insert(all.end(), field, field + lbm::kBlockCells); };
-    for (const lbm::BlockIndex b : fluid_.grid().active()) {
+    for (const lbm::BlockIndex b : fluid_.grid().owned()) {
       const lbm::Block<Real>& block = fluid_.grid().block(b);
       for (int i = 0; i < lbm::D3Q19::q; ++i) add(block.f(i));
       if (block.surface) add(block.surface->mass);

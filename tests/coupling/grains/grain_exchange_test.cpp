@@ -103,7 +103,7 @@ TEST(GrainExchange, APointForceConservesMomentum) {
   EXPECT_LT((water - lost).norm(), 1e-9 * start.norm());
   EXPECT_LT(step.audit().relative(), 1e-12);
   const auto& grid = step.fluid()->grid();
-  for (const lbm::BlockIndex b : grid.active()) {
+  for (const lbm::BlockIndex b : grid.owned()) {
     EXPECT_EQ(grid.block(b).impulse, nullptr);  // used up
     const lbm::BodyFields<double>* const body = grid.block(b).body;
     if (!body) continue;

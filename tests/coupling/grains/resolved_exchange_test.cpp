@@ -42,7 +42,7 @@ TEST(ResolvedExchange, CoversTheCellsWithTheirCentreInside) {
     const auto& grid = held.fluid.grid();
     const lbm::CoverageWeightLaw& law = held.fluid.coverage_weight_law();
     int covered = 0;
-    for (const lbm::BlockIndex b : grid.active())
+    for (const lbm::BlockIndex b : grid.owned())
       for (int n = 0; n < lbm::kBlockCells; ++n) {
         const bool inside = by_wall && (grid.centre(b, n) - held.place).norm() < 4;
         EXPECT_EQ(lbm::is_covered(grid.block(b), n), inside);

@@ -27,7 +27,7 @@ void fill_all(lbm::Fluid<Real>& fluid) {
 template <class Real, class Visit>
 void for_body_cells(lbm::Fluid<Real>& fluid, const Visit& visit) {
   auto& grid = fluid.grid();
-  for (const lbm::BlockIndex b : grid.active())
+  for (const lbm::BlockIndex b : grid.owned())
     if (grid.block(b).body)
       for (int n = 0; n < lbm::kBlockCells; ++n) visit(grid.centre(b, n), *grid.block(b).body, n);
 }

@@ -21,7 +21,7 @@ struct Count {
 template <class Real>
 void expect_reflected(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, const std::uint8_t* links, int i,
                       Parity parity, Count& count) {
-  const auto way = way_of(grid, place, i, parity);
+  const auto way = link_populations(grid, place, i, parity);
   const MirrorLink link = is_mirror(wall) ? mirror_link(i, normal_axis(wall)) : MirrorLink{};
   const bool aside =
       link.into != 0 && link.along != 0 && std::find(links, links + wall.links, link.into) != links + wall.links;
@@ -30,7 +30,7 @@ void expect_reflected(FluidGrid<Real>& grid, CellPlace place, const WallCell& wa
     EXPECT_EQ(*way.back, *way.sent) << i;
     ++count.straight;
   } else if (is_wet(grid.type(beside))) {
-    EXPECT_EQ(*way.back, *way_of(grid, beside, link.mirrored, parity).sent) << i;
+    EXPECT_EQ(*way.back, *link_populations(grid, beside, link.mirrored, parity).sent) << i;
     ++count.mirrored;
   } else {
     const auto m = outgoing_moments(grid, place, parity);
@@ -57,7 +57,7 @@ TEST(RowReflection, GivesEveryLinkWhatItsRuleSays) {
   for (int look = 0; look < 4; ++look) {
     for (int s = 0; s < 75; ++s) fluid.step();
     auto& grid = fluid.grid();
-    for (const BlockIndex b : grid.active()) {
+    for (const BlockIndex b : grid.owned()) {
       const Block<double>& block = grid.block(b);
       for (const WallCell& wall : block.walls.cells) {
         if (!is_wet(block.type[wall.cell])) continue;

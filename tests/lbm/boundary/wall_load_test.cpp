@@ -14,7 +14,7 @@ namespace {
 /// Momentum of all liquid cells between two steps, N s.
 Vec3 momentum_of(Fluid<double>& fluid) {
   Vec3 sum = Vec3::Zero();
-  for (const BlockIndex b : fluid.grid().active())
+  for (const BlockIndex b : fluid.grid().owned())
     for (int n = 0; n < kBlockCells; ++n) {
       if (!is_wet(fluid.grid().block(b).type[static_cast<std::size_t>(n)])) continue;
       const auto m = outgoing_moments(fluid.grid(), {b, n}, fluid.parity());

@@ -17,7 +17,7 @@ TEST(CellConversion, LiquidNeverTouchesGas) {
     fluid.step();
     if (s % 50 != 0) continue;
     const auto& grid = fluid.grid();
-    for (const BlockIndex b : grid.active())
+    for (const BlockIndex b : grid.owned())
       for (int n = 0; n < kBlockCells; ++n) {
         if (grid.type({b, n}) != CellType::liquid) continue;
         for (int i = 1; i < D3Q19::q; ++i) {
@@ -33,7 +33,7 @@ TEST(CellConversion, ListsAgreeWithTypes) {
   Fluid<float> fluid(tank_options(Vec3(0.4, 0.16, 0.4), 0.02, 3.0, 0.1));
   fluid.fill({{Vec3::Zero(), Vec3(0.15, 0.16, 0.3)}});
   for (int s = 0; s < 300; ++s) fluid.step();
-  for (const BlockIndex b : fluid.grid().active()) {
+  for (const BlockIndex b : fluid.grid().owned()) {
     const auto& block = fluid.grid().block(b);
     int wet = 0, interfaces = 0;
     for (const CellType t : block.type) {

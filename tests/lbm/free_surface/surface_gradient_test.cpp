@@ -13,7 +13,7 @@ struct Filled {
   Fluid<double> fluid;
   Filled() : fluid(options()) {
     fluid.fill({{Vec3::Zero(), Vec3(16, 16, 10)}});
-    for (const BlockIndex b : std::vector<BlockIndex>(fluid.grid().active())) fluid.grid().require_surface(b);
+    for (const BlockIndex b : std::vector<BlockIndex>(fluid.grid().owned())) fluid.grid().require_surface(b);
   }
   static FluidOptions options() {
     FluidOptions o = tank_options(Vec3(16, 16, 16), 1, 1, 1);
@@ -25,7 +25,7 @@ struct Filled {
 template <class Field>
 void set_density(Fluid<double>& fluid, const Field& drho) {
   auto& grid = fluid.grid();
-  for (const BlockIndex b : grid.active())
+  for (const BlockIndex b : grid.owned())
     for (int n = 0; n < kBlockCells; ++n)
       if (grid.block(b).surface) grid.block(b).surface->density[n] = drho(grid.centre(b, n));
 }
@@ -45,7 +45,7 @@ TEST(SurfaceGradient, IsExactForLinearPressure) {
   auto& grid = fluid.grid();
   set_density(fluid, [](const Vec3& p) { return 3 * Vec3(1e-3, 2e-3, -5e-3).dot(p); });
   int cells = 0;
-  for (const BlockIndex b : grid.active())
+  for (const BlockIndex b : grid.owned())
     for (int n = 0; n < kBlockCells; ++n) {
       if (grid.block(b).type[static_cast<std::size_t>(n)] != CellType::interface) continue;
       double a[3];

@@ -16,13 +16,13 @@ TEST(ImpulseFields, ActOnce) {
   Fluid<double> fluid(lattice_options({16, 8, 8}, 0.1));
   fluid.fill_everything([](const Vec3&) { return Vec3::Zero().eval(); }, [](const Vec3&) { return 0.0; });
   auto& grid = fluid.grid();
-  ASSERT_EQ(grid.active().size(), 2U);
-  const BlockIndex b = grid.active()[1];
+  ASSERT_EQ(grid.owned().size(), 2U);
+  const BlockIndex b = grid.owned()[1];
   ImpulseFields<double>& impulse = grid.require_impulse(b);
   EXPECT_EQ(impulse.y[100], 0);
   EXPECT_EQ(&grid.require_impulse(b), &impulse);
   impulse.x[3] = 1e-3, impulse.y[100] = -2e-3, impulse.z[511] = 5e-4;
-  EXPECT_EQ(grid.block(grid.active()[0]).impulse, nullptr);
+  EXPECT_EQ(grid.block(grid.owned()[0]).impulse, nullptr);
   for (int s = 0; s < 3; ++s) {
     fluid.step();
     EXPECT_EQ(grid.block(b).impulse, nullptr);

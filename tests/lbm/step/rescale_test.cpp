@@ -42,7 +42,7 @@ SweepParameters parameters(double tau = kTau) {
   return p;
 }
 
-CellPlace middle(Fluid<double>& fluid) { return {fluid.grid().active().front(), cell_index(4, 4, 4)}; }
+CellPlace middle(Fluid<double>& fluid) { return {fluid.grid().owned().front(), cell_index(4, 4, 4)}; }
 
 /// Density, velocity, and the stress of the same physical strain rate: S = -2/3 rho tau D, D_xz = shear / 2.
 TEST(Rescale, KeepsPressureVelocityAndStrainRate) {
@@ -111,7 +111,7 @@ TEST(Rescale, WallsKeepTheirSpeed) {
 TEST(Rescale, HeldForcesActOverTheNewStep) {
   Fluid<double> fluid(lattice_options(Vec3i::Constant(8), 0.1));
   fluid.fill_everything([](const Vec3&) { return Vec3::Zero().eval(); }, no_pressure);
-  const BlockIndex b = fluid.grid().active().front();
+  const BlockIndex b = fluid.grid().owned().front();
   for (double& impulse : fluid.grid().require_impulse(b).x) impulse = 1e-4;
   fluid.set_time_step(0.5);
   fluid.step();

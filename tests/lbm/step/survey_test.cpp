@@ -33,7 +33,7 @@ TEST(Survey, FindsWhatAPlainLoopFinds) {
   double speed = 0, compression = 0;
   std::size_t wet = 0;
   CellPlace place;
-  for (const BlockIndex b : fluid.grid().active())
+  for (const BlockIndex b : fluid.grid().owned())
     for (int n = 0; n < kBlockCells; ++n) {
       const auto m = outgoing_moments(fluid.grid(), {b, n}, fluid.parity());
       compression = std::max(compression, std::abs(m.drho));
@@ -54,7 +54,7 @@ TEST(Survey, FindsWhatAPlainLoopFinds) {
 TEST(Survey, SeesWhatIsNotANumber) {
   Fluid<double> fluid(box());
   stir(fluid);
-  const BlockIndex b = fluid.grid().active()[2];
+  const BlockIndex b = fluid.grid().owned()[2];
   fluid.grid().block(b).f(0)[100] = std::numeric_limits<double>::quiet_NaN();
   fluid.step();
   EXPECT_EQ(fluid.survey().speed, kNotFinite);

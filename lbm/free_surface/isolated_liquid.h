@@ -1,0 +1,23 @@
+#pragma once
+// Liquid that found no taker when its cell converted, or a debt that nobody could pay, waits in a pool and is paid to
+// interface cells in small doses. What each block can take is laid out in Morton order along a line; the pool fills a
+// stretch of it, closed to a ring, that begins at another place in every round: multiples of the golden ratio, so that
+// all cells get the same in the long run without anybody remembering who was last (Weyl 1916).
+#include <cstdint>
+
+#include "lbm/free_surface/block_changes.h"
+
+namespace lahar::lbm {
+
+/// Pays from `pool`, lu, to the interface cells of `blocks` (in Morton order, with surface); returns what was paid, as
+/// the cells stored it. Their lists of interface cells must be up to date.
+template <class Real>
+double pay_isolated_liquid(FluidGrid<Real>& grid, const std::vector<BlockIndex>& blocks, double pool,
+                           std::uint64_t round);
+
+extern template double pay_isolated_liquid<float>(FluidGrid<float>&, const std::vector<BlockIndex>&, double,
+                                                  std::uint64_t);
+extern template double pay_isolated_liquid<double>(FluidGrid<double>&, const std::vector<BlockIndex>&, double,
+                                                   std::uint64_t);
+
+}  // namespace lahar::lbm

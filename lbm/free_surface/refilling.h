@@ -1,0 +1,24 @@
+#pragma once
+// What cells hold that become interface cells. Refilling by equilibrium, the most robust of the ways compared by
+// Schwarzmeier & Ruede 2022 (arXiv:2207.13962): a cell that was gas gets the equilibrium at the mean density and
+// velocity of its wet neighbours, without those that were gas too; one that a drop has moved into, at the drop's. A
+// liquid cell that becomes interface keeps its populations.
+#include "lbm/free_surface/block_changes.h"
+
+namespace lahar::lbm {
+
+/// Fills the new interface cells of a block, for several blocks at once: reads types and outgoing populations of
+/// neighbour cells, writes populations that belong to its own cells. All types are final, all blocks exist.
+template <class Real>
+void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex b, Parity parity);
+
+/// Mass, density, fill level and populations of one interface cell with some liquid, in the equilibrium of `moments`.
+template <class Real>
+void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments, Real liquid);
+
+extern template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity);
+extern template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity);
+extern template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, const CellMoments<float>&, float);
+extern template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, const CellMoments<double>&, double);
+
+}  // namespace lahar::lbm

@@ -1,0 +1,129 @@
+#include "lbm/grid/block_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lbm/boundary/row_reflection.h"
+
+namespace lahar::lbm {
+
+namespace {
+
+/// A link into the edge where a no-slip wall meets another one hits both of them there, and liquid may cross neither.
+/// The push of a moving wall over its diagonal links is the liquid that it carries along from cell to cell; over the
+/// link into the edge it would carry that through the other wall, u/6 a step in at one end and out at the other, which
+/// takes as much from the circulation that the wall drives: an error of first order in the cell (docs/decisions/0038).
+/// So such a link is the wall's that moves less along it; among walls at rest nothing changes.
+void give_corner_links(const Domain& domain, const Vec3i& place, std::array<int, D3Q19::q>& wall_of) {
+  const auto& walls = domain.walls().all();
+  const auto link = [](int x, int y, int z) {
+    for (std::size_t i = 0; i < D3Q19::q; ++i)
+      if (D3Q19::c[i][0] == x && D3Q19::c[i][1] == y && D3Q19::c[i][2] == z) return i;
+    return std::size_t{0};
+  };
+  for (std::size_t i = 1; i < D3Q19::q; ++i) {
+    const auto* c = D3Q19::c[i];
+    if (wall_of[i] < 0 || std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]) < 2) continue;
+    const Vec3 way(c[0], c[1], c[2]), hit = domain.centre(place) + 0.5 * domain.cell_size() * way;
+    const auto pace = [&](int wall) {
+      return std::abs(walls[static_cast<std::size_t>(wall)].surface_velocity(hit).dot(way));
+    };
+    const int sides[3] = {wall_of[link(c[0], 0, 0)], wall_of[link(0, c[1], 0)], wall_of[link(0, 0, c[2])]};
+    int meeting[2] = {-1, -1}, n = 0;
+    for (int a = 0; a < 3; ++a)
+      if (c[a] != 0) meeting[n++] = sides[a];
+    if (meeting[0] < 0 || meeting[1] < 0 || meeting[0] == meeting[1]) continue;
+    for (const int wall : meeting)
+      if (walls[static_cast<std::size_t>(wall)].slip != WallSlip::wall_model &&
+          walls[static_cast<std::size_t>(wall_of[i])].slip == WallSlip::no_slip && pace(wall) < pace(wall_of[i]))
+        wall_of[i] = wall;
+  }
+}
+
+WallHit wall_hit(const Domain& domain, const Wall& wall, const Vec3i& place, int i, double velocity_to_lu) {
+  const Vec3 from = domain.centre(place), c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+  const double share = domain.wall_share(from, from + domain.cell_size() * c);
+  const Vec3 velocity = wall.surface_velocity(from + share * domain.cell_size() * c) * velocity_to_lu;
+  return {static_cast<float>(share), static_cast<float>(c.dot(velocity))};
+}
+
+/// Lists the links of a cell into walls, wall by wall.
+void add_wall_links(WallLinks& block_links, const Domain& domain, double velocity_to_lu, int cell, const Vec3i& place,
+                    const TypesAround& types) {
+  const auto p = cell_position(cell);
+  std::array<int, D3Q19::q> wall_of{};
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const auto* c = D3Q19::c[i];
+    const bool solid =
+        types[static_cast<std::size_t>(100 * (p[0] + 1 + c[0]) + 10 * (p[1] + 1 + c[1]) + p[2] + 1 + c[2])] ==
+        CellType::wall;
+    wall_of[static_cast<std::size_t>(i)] =
+        solid ? domain.walls().nearest(domain.centre(place + Vec3i(c[0], c[1], c[2]))).wall : -1;
+  }
+  wall_of[0] = -1;
+  give_corner_links(domain, place, wall_of);
+  for (int wall = 0; wall < static_cast<int>(domain.walls().all().size()); ++wall) {
+    const auto links = std::count(wall_of.begin(), wall_of.end(), wall);
+    if (links == 0) continue;
+    const Wall& w = domain.walls().all()[static_cast<std::size_t>(wall)];
+    const Vec3 centre = domain.centre(place), normal = domain.walls().gradient(static_cast<std::size_t>(wall), centre);
+    const Vec3 velocity = w.surface_velocity(centre) * velocity_to_lu;
+    WallCell entry{
+        static_cast<std::uint16_t>(cell),
+        static_cast<std::uint16_t>(block_links.directions.size()),
+        static_cast<std::uint8_t>(links),
+        w.slip,
+        {},
+        {},
+        static_cast<float>(domain.walls().distance(static_cast<std::size_t>(wall), centre) / domain.cell_size()),
+        static_cast<float>(w.roughness / domain.cell_size()),
+        static_cast<std::int16_t>(wall)};
+    for (int a = 0; a < 3; ++a) {
+      entry.normal[static_cast<std::size_t>(a)] = static_cast<float>(normal[a]);
+      entry.wall_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);
+    }
+    Vec3 sum = Vec3::Zero();
+    for (int i = 1; i < D3Q19::q; ++i)
+      if (wall_of[static_cast<std::size_t>(i)] == wall)
+        sum += D3Q19::w(i) * Vec3(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+    entry.even = (sum - sum.dot(normal) * normal).norm() < 1e-6;
+    block_links.cells.push_back(entry);
+    for (int i = 1; i < D3Q19::q; ++i)
+      if (wall_of[static_cast<std::size_t>(i)] == wall) {
+        block_links.directions.push_back(static_cast<std::uint8_t>(i));
+        if (domain.placement() == WallPlacement::interpolated)
+          block_links.hits.push_back(wall_hit(domain, w, place, i, velocity_to_lu));
+      }
+  }
+}
+
+}  // namespace
+
+template <class Real>
+void cut_geometry(Block<Real>& fresh, const Domain& domain, const Vec3i& lowest, double velocity_to_lu) {
+  fresh.walls.clear();
+  TypesAround types;
+  for (int x = 0; x < 10; ++x)
+    for (int y = 0; y < 10; ++y)
+      for (int z = 0; z < 10; ++z)
+        types[static_cast<std::size_t>(100 * x + 10 * y + z)] = domain.classify(lowest + Vec3i(x - 1, y - 1, z - 1));
+  for (int n = 0; n < kBlockCells; ++n) {
+    const auto p = cell_position(n);
+    const auto at = [&](int i) {
+      return types[static_cast<std::size_t>(100 * (p[0] + 1 + D3Q19::c[i][0]) + 10 * (p[1] + 1 + D3Q19::c[i][1]) +
+                                            p[2] + 1 + D3Q19::c[i][2])];
+    };
+    const auto cell = static_cast<std::size_t>(n);
+    fresh.type[cell] = at(0);
+    fresh.at_rim[cell] = false;
+    if (at(0) != CellType::gas) continue;
+    for (int i = 1; i < D3Q19::q; ++i) fresh.at_rim[cell] = fresh.at_rim[cell] || at(i) == CellType::sink;
+    add_wall_links(fresh.walls, domain, velocity_to_lu, n, lowest + Vec3i(p[0], p[1], p[2]), types);
+  }
+  list_row_links(fresh.walls, types, domain.placement());
+}
+
+template void cut_geometry<float>(Block<float>&, const Domain&, const Vec3i&, double);
+template void cut_geometry<double>(Block<double>&, const Domain&, const Vec3i&, double);
+
+}  // namespace lahar::lbm

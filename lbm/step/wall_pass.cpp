@@ -1,0 +1,59 @@
+#include "lbm/step/wall_pass.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/parallel.h"
+#include "lbm/boundary/wall_reflection.h"
+
+namespace lahar::lbm {
+
+namespace {
+
+constexpr std::size_t kBlocksPerTask = 8;  // a group of the population layout
+
+}  // namespace
+
+template <class Real>
+void WallPass<Real>::run(FluidLevel<Real>& level, WallAccount& account) {
+  FluidGrid<Real>& grid = level.grid;
+  const auto& owned = grid.owned();
+  const SweepParameters& p = level.parameters;
+  const WallPhysics physics{(p.tau - 0.5) / 3, p.gravity, p.rheology.law == FlowLaw::newtonian};
+  const bool measured = !loads_.empty();
+  if (measured) block_loads_.resize(std::max(block_loads_.size(), owned.size()));
+  parallel_for(0, owned.size(), kBlocksPerTask, [&](std::size_t k) {
+    if (measured) block_loads_[k].clear();
+    if (grid.has_walls(owned[k]))
+      reflect_at_walls(grid, owned[k], level.parity(), physics, measured ? &block_loads_[k] : nullptr);
+  });
+  if (some_wall_moves_mass(grid.domain())) balance_walls(grid, account);
+  if (measured) book(level);
+}
+
+/// Adds the loads of the step in the order of the blocks, so that the sum does not depend on the threads.
+template <class Real>
+void WallPass<Real>::book(const FluidLevel<Real>& level) {
+  const LatticeUnits& units = level.units;
+  const double impulse = units.mass() * units.velocity_to_si(1.0);
+  for (std::size_t k = 0; k < level.grid.owned().size(); ++k)
+    for (const auto& [wall, load] : block_loads_[k].entries()) {
+      WallLoad& sum = loads_[static_cast<std::size_t>(wall)];
+      sum.impulse += impulse * load.impulse;
+      sum.angular_impulse +=
+          impulse * (units.cell_size * load.angular_impulse + level.grid.domain().origin().cross(load.impulse));
+    }
+}
+
+template <class Real>
+void WallPass<Real>::transfer(Archive& archive, const Domain& domain) {
+  std::size_t measured = loads_.size();
+  archive.value("measured_walls", measured);
+  loads_.resize(std::min(measured, domain.walls().all().size()));
+  for (std::size_t k = 0; k < loads_.size(); ++k) archive.part("wall_load_" + std::to_string(k), loads_[k]);
+}
+
+template class WallPass<float>;
+template class WallPass<double>;
+
+}  // namespace lahar::lbm

@@ -1,0 +1,35 @@
+#pragma once
+// The pass over the walls after a conversion: what is on its way into them comes back, mass that walls moved is
+// returned, and what they got is booked.
+#include <vector>
+
+#include "lbm/boundary/wall_balance.h"
+#include "lbm/boundary/wall_load.h"
+#include "lbm/step/fluid_level.h"
+
+namespace lahar::lbm {
+
+template <class Real>
+class WallPass {
+ public:
+  /// From now on books what the walls get.
+  void measure(const Domain& domain) { loads_.assign(domain.walls().all().size(), {}); }
+  /// `level` is that of the coming step.
+  void run(FluidLevel<Real>& level, WallAccount& account);
+  /// What each wall got since measure(), N s and N m s about the origin of the coordinates; empty if nothing is
+  /// measured.
+  [[nodiscard]] const std::vector<WallLoad>& loads() const { return loads_; }
+  /// State of a checkpoint.
+  void transfer(Archive& archive, const Domain& domain);
+
+ private:
+  void book(const FluidLevel<Real>& level);
+
+  std::vector<WallLoad> loads_;
+  std::vector<BlockWallLoads> block_loads_;  // of the last step, by place in the list of owned blocks
+};
+
+extern template class WallPass<float>;
+extern template class WallPass<double>;
+
+}  // namespace lahar::lbm
