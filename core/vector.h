@@ -1,5 +1,6 @@
 #pragma once
-// Vector and matrix aliases. Everything in SI units unless a name ends in `_lu`.
+// Vector and matrix aliases of Eigen. Everything in SI units unless a name ends in `_lu`. Kernels use triple.h and
+// simd.h.
 #include <Eigen/Dense>
 #include <cstddef>
 #include <vector>

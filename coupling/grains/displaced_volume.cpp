@@ -23,9 +23,9 @@ Real room_of(const Block<Real>& block, int cell) {
 /// Calls visit(cell, eps) for the cells of the rows of a block that a sphere covers.
 template <class Real, class Visit>
 [[gnu::always_inline]] inline void for_cells(const GridSphere<Real>& sphere, const Vec3i& lowest, const Visit& visit) {
-  for_covered_rows(sphere, lowest, [&](int row, const lbm::Row<Real>& cover) {
+  for_covered_rows(sphere, lowest, [&](int row, const Row<Real>& cover) {
     alignas(64) Real eps[kBlockWidth];
-    cover.copy_to(eps, stdx::vector_aligned);
+    store_aligned(eps, cover);
     for (int c = 0; c < kBlockWidth; ++c) visit(row + c, eps[c]);
   });
 }

@@ -12,9 +12,9 @@ namespace {
 /// Volume of a sphere in a block, in cells; by copy, so that it stays in registers.
 template <class Real>
 double volume_in(const GridSphere<Real> sphere, const Vec3i& lowest) {
-  lbm::Row<Real> lanes(0);
+  Row<Real> lanes(0);
   for_covered_rows(
-      sphere, lowest, [&](int, const lbm::Row<Real>& eps) __attribute__((always_inline)) { lanes += eps; });
+      sphere, lowest, [&](int, const Row<Real>& eps) __attribute__((always_inline)) { lanes += eps; });
   double sum = 0;
   for (std::size_t c = 0; c < kBlockWidth; ++c) sum += static_cast<double>(static_cast<Real>(lanes[c]));
   return sum;

@@ -13,20 +13,19 @@ namespace {
 /// Sums over the rows of a block, one for each of the 8 places in a row; arms from the body's centre.
 template <class Real>
 struct RowSums {
-  using Row = lbm::Row<Real>;
-  Row force[3]{Row(0), Row(0), Row(0)};
-  Row y_fx{0}, z_fx{0}, z_fy{0}, y_fz{0};  ///< moments by the arms along y and z
-  Row interior{0}, interior_arm{0};        ///< liquid in the body's place; times the squared arm across x
-  Row entrained{0}, entrained_arm{0};      ///< liquid that a step brings to the body's velocity; the same
+  Row<Real> force[3]{Row<Real>(0), Row<Real>(0), Row<Real>(0)};
+  Row<Real> y_fx{0}, z_fx{0}, z_fy{0}, y_fz{0};  ///< moments by the arms along y and z
+  Row<Real> interior{0}, interior_arm{0};        ///< liquid in the body's place; times the squared arm across x
+  Row<Real> entrained{0}, entrained_arm{0};      ///< liquid that a step brings to the body's velocity; the same
 
-  [[gnu::always_inline]] void add(const Row& share, const lbm::BodyFields<Real>& f, int row, Real ry, Real rz) {
-    const Row fx = share * Row(f.momentum_exchange_x + row, stdx::vector_aligned);
-    const Row fy = share * Row(f.momentum_exchange_y + row, stdx::vector_aligned);
-    const Row fz = share * Row(f.momentum_exchange_z + row, stdx::vector_aligned);
+  [[gnu::always_inline]] void add(const Row<Real>& share, const lbm::BodyFields<Real>& f, int row, Real ry, Real rz) {
+    const Row<Real> fx = share * load_aligned<Row<Real>>(f.momentum_exchange_x + row);
+    const Row<Real> fy = share * load_aligned<Row<Real>>(f.momentum_exchange_y + row);
+    const Row<Real> fz = share * load_aligned<Row<Real>>(f.momentum_exchange_z + row);
     force[0] += fx, force[1] += fy, force[2] += fz;
     y_fx += ry * fx, z_fx += rz * fx, z_fy += rz * fy, y_fz += ry * fz;
   }
-  [[gnu::always_inline]] void add_liquid(const Row& in_place, const Row& moved, Real ry, Real rz) {
+  [[gnu::always_inline]] void add_liquid(const Row<Real>& in_place, const Row<Real>& moved, Real ry, Real rz) {
     const Real square = ry * ry + rz * rz;
     interior += in_place, interior_arm += square * in_place;
     entrained += moved, entrained_arm += square * moved;
@@ -34,8 +33,8 @@ struct RowSums {
 
   /// `rx`: arms along x. Sets force, torque, interior and entrained, and these times 2/3 of the squared arm.
   template <class Load>
-  [[gnu::always_inline]] void reduce(const Row& rx, Load& load) const {
-    const auto sum = [](const Row& row) { return static_cast<double>(stdx::reduce(row)); };
+  [[gnu::always_inline]] void reduce(const Row<Real>& rx, Load& load) const {
+    const auto sum = [](const Row<Real>& row) { return static_cast<double>(sum_of_lanes(row)); };
     load.force = Vec3(sum(force[0]), sum(force[1]), sum(force[2]));
     load.torque = Vec3(sum(y_fz - z_fy), sum(z_fx - rx * force[2]), sum(rx * force[1] - y_fx));
     load.interior = sum(interior), load.interior_inertia = 2.0 / 3.0 * sum(interior_arm + rx * rx * interior);
@@ -54,13 +53,12 @@ struct BlockCover {
 /// B of every cell of a block, once for all bodies that cover it.
 template <class Real>
 void coverage_weights(const lbm::BodyFields<Real>& f, const lbm::CoverageWeightLaw& law, Real* weights) {
-  using Row = lbm::Row<Real>;
-  const auto row = [](double x) { return Row(static_cast<Real>(x)); };
-  const Row alpha = row(law.alpha), beta = row(law.beta), gamma = row(law.gamma), cap = row(law.cap),
-            largest = row(law.largest);
+  const auto row = [](double x) { return Row<Real>(static_cast<Real>(x)); };
+  const Row<Real> alpha = row(law.alpha), beta = row(law.beta), gamma = row(law.gamma), cap = row(law.cap),
+                  largest = row(law.largest);
   for (int n = 0; n < lbm::kBlockCells; n += kBlockWidth)
-    lbm::coverage_weight(Row(f.drag + n, stdx::vector_aligned), alpha, beta, gamma, cap, largest)
-        .copy_to(weights + n, stdx::vector_aligned);
+    store_aligned(weights + n,
+                  lbm::coverage_weight(load_aligned<Row<Real>>(f.drag + n), alpha, beta, gamma, cap, largest));
 }
 
 /// Sums of a sphere over a block. With `kByDistance` eps of the liquid stands in its place, else what a step brings to
@@ -68,7 +66,6 @@ void coverage_weights(const lbm::BodyFields<Real>& f, const lbm::CoverageWeightL
 template <class Real, bool kByDistance, bool kMixed, class Load>
 [[gnu::noinline]] void sum_rows(const GridSphere<Real> s, const Vec3i lowest, const BlockCover<Real> block,
                                 Load& load) {
-  using Row = lbm::Row<Real>;
   RowSums<Real> sums;
   for_rows_near(
       s, lowest, s.reach, [&](int y, int z) __attribute__((always_inline)) {
@@ -76,18 +73,18 @@ template <class Real, bool kByDistance, bool kMixed, class Load>
         const int row = lbm::cell_index(0, y, z);
         const Real ry = static_cast<Real>(lowest.y() + y) + Real(0.5) - s.centre[1];
         const Real rz = static_cast<Real>(lowest.z() + z) + Real(0.5) - s.centre[2];
-        const Row all(block.fields.exchange_weight + row, stdx::vector_aligned);
-        const Row share = cover.weight / stdx::max(all, Row(Real(1e-30)));
+        const Row<Real> all = load_aligned<Row<Real>>(block.fields.exchange_weight + row);
+        const Row<Real> share = cover.weight / max(all, Row<Real>(Real(1e-30)));
         sums.add(share, block.fields, row, ry, rz);
-        Row entrained = share * Row(block.weight + row, stdx::vector_aligned), interior = entrained;
+        Row<Real> entrained = share * load_aligned<Row<Real>>(block.weight + row), interior = entrained;
         if constexpr (kByDistance) interior = cover.fraction;
         if constexpr (kMixed) {
-          const Row liquid(block.wet + row, stdx::vector_aligned);
+          const Row<Real> liquid = load_aligned<Row<Real>>(block.wet + row);
           entrained *= liquid, interior *= liquid;
         }
         sums.add_liquid(interior, entrained, ry, rz);
       });
-  sums.reduce(static_cast<Real>(lowest.x()) + row_places<Real>() + Real(0.5) - s.centre[0], load);
+  sums.reduce(static_cast<Real>(lowest.x()) + lane_index<Row<Real>>() + Real(0.5) - s.centre[0], load);
 }
 
 template <class Real, bool kByDistance, class Load>

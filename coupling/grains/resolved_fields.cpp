@@ -11,9 +11,8 @@ namespace {
 /// exchange weight and the drag are the solid fraction itself.
 template <bool kByDistance, class Real>
 [[gnu::noinline]] void write_sphere(const GridSphere<Real> s, const Vec3i lowest, lbm::BodyFields<Real>& f) {
-  using Row = lbm::Row<Real>;
-  const Row rx = (static_cast<Real>(lowest.x()) + row_places<Real>()) + Real(0.5) - s.centre[0];
-  const Row along_y = multiply_add(Row(s.spin[2]), rx, Row(s.velocity[1])), minus_y(-s.spin[1]);
+  const Row<Real> rx = (static_cast<Real>(lowest.x()) + lane_index<Row<Real>>()) + Real(0.5) - s.centre[0];
+  const Row<Real> along_y = multiply_add(Row<Real>(s.spin[2]), rx, Row<Real>(s.velocity[1])), minus_y(-s.spin[1]);
   for_rows_near(
       s, lowest, s.reach, [&](int y, int z) __attribute__((always_inline)) {
         const RowCover<Real> cover = cover_row<kByDistance>(s, lowest.x(), lowest.y() + y, lowest.z() + z);
@@ -22,43 +21,39 @@ template <bool kByDistance, class Real>
         const Real u = multiply_add(-s.spin[2], ry, multiply_add(s.spin[1], rz, s.velocity[0]));
         const Real w = multiply_add(s.spin[0], ry, s.velocity[2]), turn = s.spin[0] * rz;
         const int row = lbm::cell_index(0, y, z);
-        const auto carry = [&](const Row& velocity) __attribute__((always_inline)) {
-          return [&cover, velocity ](const Row& momentum) __attribute__((always_inline)) {
+        const auto carry = [&](const Row<Real>& velocity) __attribute__((always_inline)) {
+          return [&cover, velocity ](const Row<Real>& momentum) __attribute__((always_inline)) {
             return multiply_add(cover.weight, velocity, momentum);
           };
         };
-        const Row fraction = Row(f.solid_fraction + row, stdx::vector_aligned) + cover.fraction;
-        fraction.copy_to(f.solid_fraction + row, stdx::vector_aligned);
+        const Row<Real> fraction = load_aligned<Row<Real>>(f.solid_fraction + row) + cover.fraction;
+        store_aligned(f.solid_fraction + row, fraction);
         if constexpr (kByDistance) {
           update_row(
-              f.exchange_weight + row, [&](const Row& sum)
+              f.exchange_weight + row, [&](const Row<Real>& sum)
                                            __attribute__((always_inline)) { return sum + cover.weight; });
           update_row(
-              f.drag + row, [&](const Row& sum) __attribute__((always_inline)) {
-                return joined_drag<Row>(sum, cover.weight, lbm::number<Row>(kGapDrag));
+              f.drag + row, [&](const Row<Real>& sum) __attribute__((always_inline)) {
+                return joined_drag<Row<Real>>(sum, cover.weight, number<Row<Real>>(kGapDrag));
               });
         } else {
-          fraction.copy_to(f.exchange_weight + row, stdx::vector_aligned);
-          fraction.copy_to(f.drag + row, stdx::vector_aligned);
+          store_aligned(f.exchange_weight + row, fraction);
+          store_aligned(f.drag + row, fraction);
         }
-        const Row velocity[3] = {Row(u), along_y - turn, multiply_add(minus_y, rx, Row(w))};
+        const Row<Real> velocity[3] = {Row<Real>(u), along_y - turn, multiply_add(minus_y, rx, Row<Real>(w))};
         update_row(f.weighted_velocity_x + row, carry(velocity[0]));
         update_row(f.weighted_velocity_y + row, carry(velocity[1]));
         update_row(f.weighted_velocity_z + row, carry(velocity[2]));
       });
 }
 
-/// One bit for each place of a row, summed as numbers.
+/// One bit for each place of a row.
 template <class Real>
 void mark_covered(lbm::BodyFields<Real>& f) {
-  using Row = lbm::Row<Real>;
-  const Row bits([](auto k) { return static_cast<Real>(1 << k); });
   for (std::size_t row = 0; row < f.covered.size(); ++row) {
-    const auto covered = Row(f.drag + lbm::kBlockWidth * row, stdx::vector_aligned) >= static_cast<Real>(kCoveredDrag);
-    if (stdx::none_of(covered)) continue;
-    Row sum(0);
-    stdx::where(covered, sum) = bits;
-    f.covered[row] = static_cast<std::uint8_t>(stdx::reduce(sum));
+    const auto drag = load_aligned<Row<Real>>(f.drag + lbm::kBlockWidth * row);
+    const auto covered = (drag >= static_cast<Real>(kCoveredDrag)).bits();
+    if (covered != 0) f.covered[row] = static_cast<std::uint8_t>(covered);
   }
 }
 

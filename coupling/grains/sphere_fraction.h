@@ -22,46 +22,40 @@ inline double mapping_radius(double r) {
   return x;
 }
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 warns of registers in its own AVX-512 header
-
 /// Distances of the cells of a row, (x0..x0+7, y, z), from the centre. A cell at the edge must be covered for all
-/// callers or for none: contraction of products and sums is spelled out (core/multiply_add.h).
+/// callers or for none: contraction of products and sums is spelled out (core/simd_math.h).
 template <class Real>
-[[gnu::always_inline]] inline lbm::Row<Real> distance_row(const GridSphere<Real>& s, int x0, int y, int z) {
+[[gnu::always_inline]] inline Row<Real> distance_row(const GridSphere<Real>& s, int x0, int y, int z) {
   const Real dy = static_cast<Real>(y) + Real(0.5) - s.centre[1], dz = static_cast<Real>(z) + Real(0.5) - s.centre[2];
-  const lbm::Row<Real> base(multiply_add(dy, dy, dz * dz));
-  const lbm::Row<Real> dx = (static_cast<Real>(x0) + Real(0.5) - s.centre[0]) + row_places<Real>();
-  return stdx::sqrt(multiply_add(dx, dx, base));
+  const Row<Real> base(multiply_add(dy, dy, dz * dz));
+  const Row<Real> dx = (static_cast<Real>(x0) + Real(0.5) - s.centre[0]) + lane_index<Row<Real>>();
+  return sqrt(multiply_add(dx, dx, base));
 }
-
-#pragma GCC diagnostic pop
 
 /// eps at given distances.
 template <class Real>
-[[gnu::always_inline]] inline lbm::Row<Real> fraction_at(const GridSphere<Real>& s, const lbm::Row<Real>& distance) {
-  using Row = lbm::Row<Real>;
-  const Row cover = (Real(0.5) + s.radius) - distance;
-  return s.factor * stdx::min(Row(1), stdx::max(Row(0), cover));
+[[gnu::always_inline]] inline Row<Real> fraction_at(const GridSphere<Real>& s, const Row<Real>& distance) {
+  const Row<Real> cover = (Real(0.5) + s.radius) - distance;
+  return s.factor * min(Row<Real>(1), max(Row<Real>(0), cover));
 }
 
 /// eps of the sphere in a row of 8 cells, and its weight in their exchange: eps too, or its drag.
 template <class Real>
 struct RowCover {
-  lbm::Row<Real> fraction, weight;
+  Row<Real> fraction, weight;
 };
 
 template <class Real>
-[[gnu::always_inline]] inline lbm::Row<Real> fraction_row(const GridSphere<Real>& s, int x0, int y, int z) {
+[[gnu::always_inline]] inline Row<Real> fraction_row(const GridSphere<Real>& s, int x0, int y, int z) {
   return fraction_at(s, distance_row(s, x0, y, z));
 }
 
 /// `kByDistance`: s.surface is given.
 template <bool kByDistance, class Real>
 [[gnu::always_inline]] inline RowCover<Real> cover_row(const GridSphere<Real>& s, int x0, int y, int z) {
-  const lbm::Row<Real> distance = distance_row(s, x0, y, z), eps = fraction_at(s, distance);
+  const Row<Real> distance = distance_row(s, x0, y, z), eps = fraction_at(s, distance);
   if constexpr (kByDistance)
-    return {eps, wall_drag<lbm::Row<Real>>(distance - s.surface)};
+    return {eps, wall_drag<Row<Real>>(distance - s.surface)};
   else
     return {eps, eps};
 }

@@ -1,6 +1,7 @@
 #pragma once
 // The rows of 8 cells of a block that a body can reach. All lengths in cells.
 #include "coupling/grains/sphere_fraction.h"
+#include "lbm/grid/block.h"
 
 namespace lahar::coupling {
 

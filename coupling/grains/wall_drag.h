@@ -13,8 +13,7 @@
 // body h is so large that the cell takes the body's velocity.
 #include <algorithm>
 
-#include "core/multiply_add.h"
-#include "lbm/collision/number.h"
+#include "core/simd_math.h"
 
 namespace lahar::coupling {
 
@@ -32,21 +31,18 @@ inline constexpr double kCoveredDrag = 1e6;
 inline constexpr double kGapDrag = 4;
 
 /// The drag of two bodies together; gap is kGapDrag, or 0 for a plain sum. For numbers and rows of them
-/// (coupling/rows.h); products and sums are spelled out.
+/// (core/simd.h); products and sums are spelled out.
 template <class V>
 [[gnu::always_inline]] inline V joined_drag(const V& one, const V& other, const V& gap) {
-  using std::min;
-  return min(multiply_add(V(gap * one), other, V(one + other)), lbm::number<V>(kInteriorDrag));
+  return min(multiply_add(V(gap * one), other, V(one + other)), number<V>(kInteriorDrag));
 }
 
 /// h at distance q from the surface, negative inside: there the quotient is above kInteriorDrag.
 template <class V>
 [[gnu::always_inline]] inline V wall_drag(const V& q) {
-  using std::max;
-  using std::min;
-  const V along = max(V(0), V(V(1) - q)), across = max(V(0), V(lbm::number<V>(kWallDragReach) - q));
-  const V near = along * along, far = V(lbm::number<V>(0.70710678118654752) * across) * across, sum = near + far;
-  return min(V(sum / max(V(V(2) * q), lbm::number<V>(1e-12))), lbm::number<V>(kInteriorDrag));
+  const V along = max(V(0), V(V(1) - q)), across = max(V(0), V(number<V>(kWallDragReach) - q));
+  const V near = along * along, far = V(number<V>(0.70710678118654752) * across) * across, sum = near + far;
+  return min(V(sum / max(V(V(2) * q), number<V>(1e-12))), number<V>(kInteriorDrag));
 }
 
 }  // namespace lahar::coupling

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/multiply_add.h"
+#include "core/simd_math.h"
 #include "coupling/grains/wall_drag.h"
 #include "coupling/rows.h"
 #include "coupling/wires/capsule_fraction.h"
@@ -65,52 +65,47 @@ Real reach_of(const GridCylinder<Real>& p) {
   return std::max(covered_reach(p), p.surface + Real(kWallDragReach));
 }
 
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wuninitialized"  // GCC 12 warns of registers in its own AVX-512 header
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-
 /// What a piece covers of a row of 8 cells.
 template <class Real>
 struct CylinderRow {
-  lbm::Row<Real> fraction;  ///< eps
-  lbm::Row<Real> weight;    ///< in their exchange: eps too, or its drag
-  lbm::Row<Real> share;     ///< s
+  Row<Real> fraction;  ///< eps
+  Row<Real> weight;    ///< in their exchange: eps too, or its drag
+  Row<Real> share;     ///< s
 };
 
 /// The row (x0..x0+7, y, z). `kByDistance`: surface is given. Products and sums are spelled out, so that a cell at a
 /// plane belongs to the same piece wherever this is inlined.
 template <bool kByDistance, class Real>
 [[gnu::always_inline]] inline CylinderRow<Real> cylinder_row(const GridCylinder<Real>& p, int x0, int y, int z) {
-  using Row = lbm::Row<Real>;
   const Real cy = static_cast<Real>(y) + Real(0.5), cz = static_cast<Real>(z) + Real(0.5);
-  const Row cx = (static_cast<Real>(x0) + Real(0.5)) + row_places<Real>();
+  const Row<Real> cx = (static_cast<Real>(x0) + Real(0.5)) + lane_index<Row<Real>>();
   const auto over = [&](const Real(&n)[3], const Real(&place)[3]) __attribute__((always_inline)) {
     const Real rest = multiply_add(n[1], Real(cy - place[1]), Real(n[2] * (cz - place[2])));
-    return multiply_add(Row(n[0]), Row(cx - place[0]), Row(rest));
+    return multiply_add(Row<Real>(n[0]), Row<Real>(cx - place[0]), Row<Real>(rest));
   };
-  const Row t = over(p.along, p.start);
-  const Row qx = multiply_add(Row(-p.along[0]), t, Row(cx - p.start[0]));
-  const Row qy = multiply_add(Row(-p.along[1]), t, Row(cy - p.start[1]));
-  const Row qz = multiply_add(Row(-p.along[2]), t, Row(cz - p.start[2]));
-  const Row distance = stdx::sqrt(multiply_add(qx, qx, multiply_add(qy, qy, Row(qz * qz))));
-  const Row none(Real(0)), one(Real(1));
-  Row fraction = stdx::min(one, stdx::max(none, Row((Real(0.5) + p.radius) - distance)));
-  Row depth = distance - (kByDistance ? p.surface : Real(0)), owned = one;
+  const Row<Real> t = over(p.along, p.start);
+  const Row<Real> qx = multiply_add(Row<Real>(-p.along[0]), t, Row<Real>(cx - p.start[0]));
+  const Row<Real> qy = multiply_add(Row<Real>(-p.along[1]), t, Row<Real>(cy - p.start[1]));
+  const Row<Real> qz = multiply_add(Row<Real>(-p.along[2]), t, Row<Real>(cz - p.start[2]));
+  const Row<Real> distance = sqrt(multiply_add(qx, qx, multiply_add(qy, qy, Row<Real>(qz * qz))));
+  const Row<Real> none(Real(0)), one(Real(1));
+  Row<Real> fraction = min(one, max(none, Row<Real>((Real(0.5) + p.radius) - distance)));
+  Row<Real> depth = distance - (kByDistance ? p.surface : Real(0)), owned = one;
   for (const WireCut<Real>& cut : p.cuts) {
-    const Row f = over(cut.normal, cut.place);
+    const Row<Real> f = over(cut.normal, cut.place);
     if (cut.side > 0) {
-      stdx::where(f < none, owned) = none;
+      owned = select(f < none, none, owned);
     } else if (cut.side < 0) {
-      stdx::where(f >= none, owned) = none;
+      owned = select(f >= none, none, owned);
     } else {
-      fraction *= stdx::min(one, stdx::max(none, Row(Real(0.5) - f)));
-      depth = stdx::max(depth, f);
+      fraction *= min(one, max(none, Row<Real>(Real(0.5) - f)));
+      depth = max(depth, f);
     }
   }
   fraction *= owned;
-  const Row share = stdx::min(one, stdx::max(none, Row(t / p.length)));
+  const Row<Real> share = min(one, max(none, Row<Real>(t / p.length)));
   if constexpr (kByDistance)
-    return {fraction, wall_drag<Row>(depth) * owned, share};
+    return {fraction, wall_drag<Row<Real>>(depth) * owned, share};
   else
     return {fraction, fraction, share};
 }
@@ -118,30 +113,28 @@ template <bool kByDistance, class Real>
 /// Velocities in a row of 8 cells; ry, rz and rx are arms from the bead.
 template <class Real>
 struct MotionRow {
-  lbm::Row<Real> x, y, z;
+  Row<Real> x, y, z;
 };
 
 template <class Real>
-[[gnu::always_inline]] inline MotionRow<Real> motion_row(const GridMotion<Real>& m, const lbm::Row<Real>& rx, Real ry,
+[[gnu::always_inline]] inline MotionRow<Real> motion_row(const GridMotion<Real>& m, const Row<Real>& rx, Real ry,
                                                          Real rz) {
-  using Row = lbm::Row<Real>;
   const Real u = multiply_add(Real(-m.spin[2]), ry, multiply_add(m.spin[1], rz, m.velocity[0]));
   const Real v = multiply_add(Real(-m.spin[0]), rz, m.velocity[1]);
   const Real w = multiply_add(m.spin[0], ry, m.velocity[2]);
-  return {Row(u), multiply_add(Row(m.spin[2]), rx, Row(v)), multiply_add(Row(-m.spin[1]), rx, Row(w))};
+  return {Row<Real>(u), multiply_add(Row<Real>(m.spin[2]), rx, Row<Real>(v)),
+          multiply_add(Row<Real>(-m.spin[1]), rx, Row<Real>(w))};
 }
 
 /// N_i a + N_j b.
 template <class Real>
 [[gnu::always_inline]] inline MotionRow<Real> blend(const MotionRow<Real>& a, const MotionRow<Real>& b,
-                                                    const lbm::Row<Real>& share) {
-  const auto mix = [&](const lbm::Row<Real>& first, const lbm::Row<Real>& second) __attribute__((always_inline)) {
-    return multiply_add(share, lbm::Row<Real>(second - first), first);
+                                                    const Row<Real>& share) {
+  const auto mix = [&](const Row<Real>& first, const Row<Real>& second) __attribute__((always_inline)) {
+    return multiply_add(share, Row<Real>(second - first), first);
   };
   return {mix(a.x, b.x), mix(a.y, b.y), mix(a.z, b.z)};
 }
-
-#pragma GCC diagnostic pop
 
 /// The box that a piece reaches: the cylinder of radius `reach`, drawn out beyond its ends as far as the planes there
 /// cut it, or by `reach` less the radius at a free end.

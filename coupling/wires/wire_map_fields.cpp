@@ -8,7 +8,6 @@ using lbm::Block;
 using lbm::BlockIndex;
 using lbm::CellType;
 using lbm::kBlockWidth;
-using lbm::Row;
 
 namespace {
 
@@ -18,7 +17,7 @@ template <bool kByDistance, class Real>
   for_cylinder_rows<kByDistance>(
       piece, lowest,
       reach_of(piece), [&](int row, const CylinderRow<Real>& cover, int y, int z) __attribute__((always_inline)) {
-        if (stdx::all_of(cover.weight <= Row<Real>(0))) return;
+        if (all(cover.weight <= Row<Real>(0))) return;
         MotionRow<Real> motion[2];
         for (int e = 0; e < 2; ++e) {
           const auto arm = ArmRow<Real>::from(e == 0 ? piece.start : piece.end, lowest.x(), y, z);
@@ -28,11 +27,10 @@ template <bool kByDistance, class Real>
         add_to_row(f.solid_fraction + row, cover.fraction);
         add_to_row(f.exchange_weight + row, cover.weight);
         if constexpr (kByDistance) {
-          const Row<Real> sum(f.drag + row, stdx::vector_aligned);
-          Row<Real> joined = joined_drag<Row<Real>>(sum, cover.weight, lbm::number<Row<Real>>(kGapDrag));
-          stdx::where(sum < static_cast<Real>(kCoveredDrag), joined) =
-              stdx::min(joined, lbm::number<Row<Real>>(kWireDrag));
-          joined.copy_to(f.drag + row, stdx::vector_aligned);
+          const Row<Real> sum = load_aligned<Row<Real>>(f.drag + row);
+          Row<Real> joined = joined_drag<Row<Real>>(sum, cover.weight, number<Row<Real>>(kGapDrag));
+          joined = select(sum < static_cast<Real>(kCoveredDrag), min(joined, number<Row<Real>>(kWireDrag)), joined);
+          store_aligned(f.drag + row, joined);
         } else {
           add_to_row(f.drag + row, cover.weight);
         }
@@ -48,8 +46,8 @@ struct BeadSums {
   Row<Real> all{0}, second{0};
   [[gnu::always_inline]] void add(const Row<Real>& eps, const Row<Real>& share) { all += eps, second += eps * share; }
   void reduce(double& first_bead, double& second_bead) const {
-    second_bead = static_cast<double>(stdx::reduce(second));
-    first_bead = static_cast<double>(stdx::reduce(all)) - second_bead;
+    second_bead = static_cast<double>(sum_of_lanes(second));
+    first_bead = static_cast<double>(sum_of_lanes(all)) - second_bead;
   }
 };
 

@@ -6,13 +6,11 @@
 
 namespace lahar::coupling {
 
-using lbm::Row;
-
 namespace {
 
 template <class Real>
 double sum_of(const Row<Real>& row) {
-  return static_cast<double>(stdx::reduce(row));
+  return static_cast<double>(sum_of_lanes(row));
 }
 
 /// What the cells do to one bead, one sum for each of the 8 places in a row; arms from the bead.
@@ -66,15 +64,15 @@ template <bool kByDistance, class Real, class Load>
   const auto law = [&](double x) { return R(static_cast<Real>(x)); };
   for_cylinder_rows<kByDistance>(
       piece, lowest, reach_of(piece), [&](int row, const CylinderRow<Real>& cover, int y, int z) {
-        if (stdx::all_of(cover.weight <= R(0))) return;
-        const R part = cover.weight / stdx::max(R(f.exchange_weight + row, stdx::vector_aligned), R(Real(1e-30)));
-        const MotionRow<Real> exchange{part * R(f.momentum_exchange_x + row, stdx::vector_aligned),
-                                       part * R(f.momentum_exchange_y + row, stdx::vector_aligned),
-                                       part * R(f.momentum_exchange_z + row, stdx::vector_aligned)};
+        if (all(cover.weight <= R(0))) return;
+        const R part = cover.weight / max(load_aligned<R>(f.exchange_weight + row), R(Real(1e-30)));
+        const MotionRow<Real> exchange{part * load_aligned<R>(f.momentum_exchange_x + row),
+                                       part * load_aligned<R>(f.momentum_exchange_y + row),
+                                       part * load_aligned<R>(f.momentum_exchange_z + row)};
         taken[0] += exchange.x, taken[1] += exchange.y, taken[2] += exchange.z;
         const R liquid = around.wet ? around.wet->row(row) : R(1);
         const R weight =
-            lbm::coverage_weight<R>(R(f.drag + row, stdx::vector_aligned), law(around.law.alpha), law(around.law.beta),
+            lbm::coverage_weight<R>(load_aligned<R>(f.drag + row), law(around.law.alpha), law(around.law.beta),
                                     law(around.law.gamma), law(around.law.cap), law(around.law.largest));
         const R entrained = part * weight * liquid, wet = cover.fraction * liquid;
         const R interior = kByDistance ? wet : entrained;

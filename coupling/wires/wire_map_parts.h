@@ -9,10 +9,10 @@ namespace lahar::coupling {
 /// Arms of the cells of a row from a place.
 template <class Real>
 struct ArmRow {
-  lbm::Row<Real> x;
+  Row<Real> x;
   Real y, z;
   [[gnu::always_inline]] static ArmRow from(const Real (&place)[3], int x0, int y, int z) {
-    return {(static_cast<Real>(x0) + Real(0.5) - place[0]) + row_places<Real>(),
+    return {(static_cast<Real>(x0) + Real(0.5) - place[0]) + lane_index<Row<Real>>(),
             static_cast<Real>(y) + Real(0.5) - place[1], static_cast<Real>(z) + Real(0.5) - place[2]};
   }
 };

@@ -1,7 +1,7 @@
 #include "dem/bonds/bond_energy.h"
 
+#include "core/triple.h"
 #include "dem/bonds/lane_sum.h"
-#include "dem/triple.h"
 
 namespace lahar::dem {
 

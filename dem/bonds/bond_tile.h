@@ -7,10 +7,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/triple.h"
 #include "dem/bonds/bond_layout.h"
 #include "dem/bonds/bonds.h"
 #include "dem/particles.h"
-#include "dem/triple.h"
 
 // The rounds of the loop that follows do not depend on each other, whatever the compiler can prove.
 #if defined(__GNUC__) && !defined(__clang__)

@@ -10,7 +10,7 @@
 // order in time, and a rigid rotation of any axis and size leaves forces as they were.
 #include <algorithm>
 
-#include "dem/triple.h"
+#include "core/triple.h"
 
 namespace lahar::dem {
 

@@ -1,15 +1,15 @@
 #pragma once
-// What contact evaluation reads of a particle: three lines of eight numbers, arranged so that what a contact needs of
-// its two spheres is the difference or the sum of their lines. A fourth line takes what the particle gets.
+// What contact evaluation reads of a particle: three rows of eight numbers, arranged so that what a contact needs of
+// its two spheres is the difference or the sum of their rows. A fourth row takes what the particle gets.
 #include <cstdint>
 
+#include "core/row_field.h"
 #include "dem/contact/contact_detection.h"
-#include "dem/lanes.h"
 #include "dem/particles.h"
 
 namespace lahar::dem {
 
-/// The lines of the particles that have a place among the parties of contacts (SI units; spin in rad/s):
+/// The rows of the particles that have a place among the parties of contacts (SI units; spin in rad/s):
 /// 0: position, velocity at mid-step, velocity at the end of the step (x, y)
 /// 1: velocity at the end (z), spin at mid-step, spin at the end, radius
 /// 2: radius x spin at mid-step, radius x spin at the end, inverse mass, radius
@@ -23,14 +23,14 @@ class ContactBodies {
   /// number, so that they never touch.
   void pack(const Particles& particles, const ContactParties& parties, double dt, const MeanMotion* mean = nullptr);
   /// Numbers from one place to the next.
-  static constexpr std::size_t kStride = 4 * kLine;
-  [[nodiscard]] const double* data() const { return lines_[0]; }
-  /// The line for the sums of a place.
-  [[nodiscard]] double* sum(std::size_t place) { return lines_[4 * place + 3]; }
-  [[nodiscard]] double* sums() { return lines_[3]; }
+  static constexpr std::size_t kStride = 4 * kRow;
+  [[nodiscard]] const double* data() const { return rows_[0]; }
+  /// The row for the sums of a place.
+  [[nodiscard]] double* sum(std::size_t place) { return rows_[4 * place + 3]; }
+  [[nodiscard]] double* sums() { return rows_[3]; }
 
  private:
-  LineField lines_;
+  RowField rows_;
 };
 
 }  // namespace lahar::dem

@@ -9,15 +9,15 @@ namespace lahar::dem {
 
 ContactMaterials::ContactMaterials(const Materials& materials) : count_(materials.size()) {
   require(2 * count_ * count_ <= std::numeric_limits<std::uint16_t>::max(), "too many materials");
-  lines_.resize(2 * count_ * count_);
+  rows_.resize(2 * count_ * count_);
   for (const bool frictionless : {false, true})
     for (int a = 0; a < static_cast<int>(count_); ++a)
       for (int b = 0; b < static_cast<int>(count_); ++b) {
         const MaterialPair& p = materials.pair(a, b);
         const double rubbing = frictionless ? 0.0 : 1.0;
-        store_line(lines_[index(a, b, frictionless)],
-                   Line{p.effective_modulus, p.effective_shear_modulus, rubbing * p.friction,
-                        damping_ratio(p.restitution), rubbing * p.rolling_friction});
+        store_aligned(rows_[index(a, b, frictionless)],
+                      Row<double>{p.effective_modulus, p.effective_shear_modulus, rubbing * p.friction,
+                                  damping_ratio(p.restitution), rubbing * p.rolling_friction, 0, 0, 0});
         rolls_ = rolls_ || p.rolling_friction > 0;
       }
 }

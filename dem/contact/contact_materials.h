@@ -1,8 +1,8 @@
 #pragma once
-// What contact evaluation needs to know of pairs of materials, one line of eight numbers a pair.
+// What contact evaluation needs to know of pairs of materials, one row of eight numbers a pair.
 #include <cstdint>
 
-#include "dem/lanes.h"
+#include "core/row_field.h"
 #include "dem/material.h"
 
 namespace lahar::dem {
@@ -18,14 +18,14 @@ class ContactMaterials {
     return static_cast<std::uint16_t>(pair + (frictionless ? count_ * count_ : 0));
   }
   /// Effective modulus and shear modulus (Pa), friction, damping ratio, rolling friction.
-  [[nodiscard]] const double* operator[](std::uint16_t pair) const { return lines_[pair]; }
-  static constexpr std::size_t kRollingFriction = 4;  ///< its place in the line
+  [[nodiscard]] const double* operator[](std::uint16_t pair) const { return rows_[pair]; }
+  static constexpr std::size_t kRollingFriction = 4;  ///< its place in the row
   /// Whether some pair resists rolling.
   [[nodiscard]] bool rolls() const { return rolls_; }
 
  private:
   std::size_t count_;
-  LineField lines_;
+  RowField rows_;
   bool rolls_ = false;
 };
 

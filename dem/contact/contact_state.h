@@ -1,10 +1,10 @@
 #pragma once
 // What a contact law sees and what it answers. Geometry and loops live elsewhere: a law is a pure function of these.
-// Everything is a template over the number type: a double, or a line of eight of them (lanes.h).
+// Everything is a template over the number type: a double, or a row of eight of them (core/simd.h).
 #include <concepts>
 
-#include "dem/lanes.h"
-#include "dem/triple.h"
+#include "core/simd.h"
+#include "core/triple.h"
 
 namespace lahar::dem {
 
@@ -14,18 +14,18 @@ namespace lahar::dem {
 /// the velocity at its end, so both are given: mixing them up turns springs into (negative) dampers of order dt.
 template <class V>
 struct ContactStateOf {
-  V overlap{};                                 ///< m, > 0 in contact
-  V closing_speed{};                           ///< m/s at the end of the step if all forces stayed; > 0: overlap grows
-  TripleOf<V> normal_ij{V{} + 1.0, V{}, V{}};  ///< unit, from i to j
-  TripleOf<V> tangential_velocity{};           ///< m/s at mid-step, surface of i relative to j, normal to normal_ij
-  TripleOf<V> tangential_velocity_end{};       ///< the same at the end of the step
-  V twist_rate{};                              ///< rad/s, mean spin of the two bodies about normal_ij
-  V effective_radius{};                        ///< m, 1/R* = 1/Ri + 1/Rj
-  V effective_mass{};                          ///< kg, 1/m* = 1/mi + 1/mj
-  V effective_modulus{};                       ///< Pa, E*
-  V effective_shear_modulus{};                 ///< Pa, G*
-  V friction{};                                ///< Coulomb coefficient
-  V damping_ratio{};                           ///< of critical, see damping.h
+  V overlap{};                            ///< m, > 0 in contact
+  V closing_speed{};                      ///< m/s at the end of the step if all forces stayed; > 0: overlap grows
+  TripleOf<V> normal_ij{V(1), V{}, V{}};  ///< unit, from i to j
+  TripleOf<V> tangential_velocity{};      ///< m/s at mid-step, surface of i relative to j, normal to normal_ij
+  TripleOf<V> tangential_velocity_end{};  ///< the same at the end of the step
+  V twist_rate{};                         ///< rad/s, mean spin of the two bodies about normal_ij
+  V effective_radius{};                   ///< m, 1/R* = 1/Ri + 1/Rj
+  V effective_mass{};                     ///< kg, 1/m* = 1/mi + 1/mj
+  V effective_modulus{};                  ///< Pa, E*
+  V effective_shear_modulus{};            ///< Pa, G*
+  V friction{};                           ///< Coulomb coefficient
+  V damping_ratio{};                      ///< of critical, see damping.h
 };
 using ContactState = ContactStateOf<double>;
 
@@ -59,6 +59,6 @@ concept ContactLawOf = requires(const L& law, const ContactStateOf<V>& state, Co
 
 /// A contact law: of one contact, and of eight side by side.
 template <class L>
-concept ContactLaw = ContactLawOf<L, double> && ContactLawOf<L, Line>;
+concept ContactLaw = ContactLawOf<L, double> && ContactLawOf<L, Row<double>>;
 
 }  // namespace lahar::dem

@@ -1,7 +1,7 @@
 #pragma once
 // The normal part that all laws share: an elastic force and a damper, never attractive.
+#include "core/simd_math.h"
 #include "dem/contact/contact_state.h"
-#include "dem/fast_math.h"
 
 namespace lahar::dem {
 
@@ -15,10 +15,10 @@ namespace lahar::dem {
 template <class V>
 [[gnu::always_inline]] inline void set_normal_force(const ContactStateOf<V>& s, const V& elastic, const V& damping,
                                                     double dt, ContactHistoryOf<V>& history, ContactForceOf<V>& f) {
-  const V per_force = choose(s.effective_mass > 0, 0.5 * dt / s.effective_mass, V{});  // change of the closing speed
+  const V per_force = select(s.effective_mass > 0, 0.5 * dt / s.effective_mass, V{});  // change of the closing speed
   const V without = s.closing_speed + per_force * history.normal_force;
   const V closing = (without - per_force * elastic) / (1 + per_force * damping);
-  f.normal = larger(elastic + damping * closing, V{});
+  f.normal = max(elastic + damping * closing, V{});
   f.damping_work = (f.normal - elastic) * (without - per_force * f.normal) * dt;
   history.normal_force = f.normal;
 }

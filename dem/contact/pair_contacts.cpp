@@ -11,30 +11,30 @@
 namespace lahar::dem {
 
 struct PairContacts::Eight {
-  const std::uint32_t *owner, *partner;  // where their lines begin
+  const std::uint32_t *owner, *partner;  // where their rows begin
   const std::uint16_t* material;
   double *x, *y, *z, *stiffness, *normal_force;  // history
   std::uint8_t* touching;
   Triple* rolling;           // nullptr unless remembered
-  double* on_partner;        // lines
+  double* on_partner;        // rows
   ContactTally* of_rolling;  // nullptr where indices are ids, or nothing rolls
 };
 
 /// From the centres to where the forces act, m: the radii less half the overlap.
 struct PairContacts::Arms {
-  Line i, j;
+  Row<double> i, j;
 };
 
 /// The last slots of a chunk, less than eight, in a place of their own: the next ones belong to other threads.
 struct PairContacts::Tail {
   template <class T>
-  using Numbers = std::array<T, kLine>;
+  using Numbers = std::array<T, kRow>;
   Numbers<std::uint32_t> owner, partner;
   Numbers<std::uint16_t> material;
   Numbers<double> x{}, y{}, z{}, stiffness{}, normal_force{};
   Numbers<std::uint8_t> touching{};
   Numbers<Triple> rolling{};
-  alignas(64) std::array<double, kLine * kLine> on_partner;
+  alignas(64) std::array<double, kRow * kRow> on_partner;
 
   /// Idle lanes hold what never touches.
   Tail(const Eight& at, std::size_t count, std::uint32_t nobody) {
@@ -58,7 +58,7 @@ struct PairContacts::Tail {
     move(at.stiffness, stiffness.data()), move(at.normal_force, normal_force.data());
     move(at.touching, touching.data());
     if (at.rolling != nullptr) move(at.rolling, rolling.data());
-    if (!in) std::copy_n(on_partner.data(), kLine * count, at.on_partner);
+    if (!in) std::copy_n(on_partner.data(), kRow * count, at.on_partner);
   }
 };
 
@@ -89,11 +89,13 @@ void PairContacts::note_slots(const Particles& p, const ContactDetection& contac
 
 namespace {
 
-/// Differences or sums of the lines of eight pairs of spheres, turned: one line per number.
-[[gnu::always_inline]] inline std::array<Line, kLine> together(const double* lines, const std::uint32_t* owner,
-                                                               const std::uint32_t* partner, const Line& sign) {
-  std::array<Line, kLine> a;
-  for (std::size_t l = 0; l < kLine; ++l) a[l] = load_line(lines + owner[l]) + sign * load_line(lines + partner[l]);
+/// Differences or sums of the rows of eight pairs of spheres, turned: one row per number.
+[[gnu::always_inline]] inline std::array<Row<double>, kRow> together(const double* rows, const std::uint32_t* owner,
+                                                                     const std::uint32_t* partner,
+                                                                     const Row<double>& sign) {
+  std::array<Row<double>, kRow> a;
+  for (std::size_t l = 0; l < kRow; ++l)
+    a[l] = load_aligned<Row<double>>(rows + owner[l]) + sign * load_aligned<Row<double>>(rows + partner[l]);
   transpose(a);
   return a;
 }
@@ -103,10 +105,10 @@ namespace {
 /// Fetches what eight contacts need of their spheres.
 [[gnu::always_inline]] inline void PairContacts::gather(EightContacts& c, Arms& arms, const Eight& at,
                                                         const ContactMaterials& materials) const {
-  const double* lines = bodies_.data();
-  const auto a = together(lines, at.owner, at.partner, Line{-1, -1, -1, -1, -1, -1, -1, -1});
-  const auto b = together(lines + kLine, at.owner, at.partner, Line{-1, 1, 1, 1, 1, 1, 1, 1});
-  const auto d = together(lines + 2 * kLine, at.owner, at.partner, Line{1, 1, 1, 1, 1, 1, 1, -1});
+  const double* rows = bodies_.data();
+  const auto a = together(rows, at.owner, at.partner, Row<double>(-1));
+  const auto b = together(rows + kRow, at.owner, at.partner, Row<double>{-1, 1, 1, 1, 1, 1, 1, 1});
+  const auto d = together(rows + 2 * kRow, at.owner, at.partner, Row<double>{1, 1, 1, 1, 1, 1, 1, -1});
   c.slip = {a[3], a[4], a[5]};
   c.slip_end = {a[6], a[7], b[0]};
   c.spin = {b[1], b[2], b[3]};
@@ -114,46 +116,46 @@ namespace {
   c.rim = {d[0], d[1], d[2]};
   c.rim_end = {d[3], d[4], d[5]};
   c.inverse_mass = d[6];
-  const Line radius_i = 0.5 * (b[7] + d[7]), radius_j = 0.5 * (b[7] - d[7]);
+  const Row<double> radius_i = 0.5 * (b[7] + d[7]), radius_j = 0.5 * (b[7] - d[7]);
   c.effective_radius = radius_i * radius_j / b[7];
   c.set_spheres({a[0], a[1], a[2]}, b[7]);
   arms = {radius_i - 0.5 * c.overlap, radius_j - 0.5 * c.overlap};
 
   if (one_material_) {
     const double* m = materials[at.material[0]];
-    c.modulus = Line{} + m[0], c.shear_modulus = Line{} + m[1];
-    c.friction = Line{} + m[2], c.damping_ratio = Line{} + m[3];
+    c.modulus = Row<double>(m[0]), c.shear_modulus = Row<double>(m[1]);
+    c.friction = Row<double>(m[2]), c.damping_ratio = Row<double>(m[3]);
     return;
   }
-  std::array<Line, kLine> m;
-  for (std::size_t l = 0; l < kLine; ++l) m[l] = load_line(materials[at.material[l]]);
+  std::array<Row<double>, kRow> m;
+  for (std::size_t l = 0; l < kRow; ++l) m[l] = load_aligned<Row<double>>(materials[at.material[l]]);
   transpose(m);
   c.modulus = m[0], c.shear_modulus = m[1], c.friction = m[2], c.damping_ratio = m[3];
 }
 
 /// Rolling resistance, after the law.
-void PairContacts::roll(const EightContacts& c, const ContactHistoryOf<Line>& history, const Line& stiffness_before,
-                        const Eight& at, const ContactMaterials& materials, double dt,
-                        std::array<Line, kLine>& on_owner, std::array<Line, kLine>& on_partner,
+void PairContacts::roll(const EightContacts& c, const ContactHistoryOf<Row<double>>& history,
+                        const Row<double>& stiffness_before, const Eight& at, const ContactMaterials& materials,
+                        double dt, std::array<Row<double>, kRow>& on_owner, std::array<Row<double>, kRow>& on_partner,
                         ContactTally& tally) const {
-  for (std::size_t l = 0; l < kLine; ++l) {
+  for (std::size_t l = 0; l < kRow; ++l) {
     RollingState state;
     state.rolling_friction = materials[at.material[l]][ContactMaterials::kRollingFriction];
-    if (state.rolling_friction == 0 || (c.touches[l] == 0 && at.touching[l] == 0)) continue;
+    if (state.rolling_friction == 0 || (!c.touches[l] && at.touching[l] == 0)) continue;
     const double *i = bodies_.data() + at.owner[l], *j = bodies_.data() + at.partner[l];  // see contact_bodies.h
-    const double *wi = i + kLine + 1, *wj = j + kLine + 1;
+    const double *wi = i + kRow + 1, *wj = j + kRow + 1;
     state.spin = {wi[0] - wj[0], wi[1] - wj[1], wi[2] - wj[2]};
     state.spin_end = {wi[3] - wj[3], wi[4] - wj[4], wi[5] - wj[5]};
-    const double inverse_inertia = inverse_rolling_inertia(i[2 * kLine + 6], i[2 * kLine + 7]) +
-                                   inverse_rolling_inertia(j[2 * kLine + 6], j[2 * kLine + 7]);
+    const double inverse_inertia = inverse_rolling_inertia(i[2 * kRow + 6], i[2 * kRow + 7]) +
+                                   inverse_rolling_inertia(j[2 * kRow + 6], j[2 * kRow + 7]);
     state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
     ContactTally booked;
     const Triple torque = roll_lane(c, history, l, state, stiffness_before[l], dt, at.rolling[l], booked);
     tally += booked;
     if (at.of_rolling != nullptr) at.of_rolling[l] = booked;
-    const Line line{0, 0, 0, torque.x, torque.y, torque.z, 0, 0};
-    on_owner[l] += line;
-    on_partner[l] -= line;
+    const Row<double> row{0, 0, 0, torque.x, torque.y, torque.z, 0, 0};
+    on_owner[l] += row;
+    on_partner[l] -= row;
   }
 }
 
@@ -165,39 +167,38 @@ template <ContactLaw L>
   EightContacts c;
   Arms arms;
   gather(c, arms, at, materials);
-  const Line stiffness_before = load_eight(at.stiffness);
-  ContactHistoryOf<Line> h{
-      {load_eight(at.x), load_eight(at.y), load_eight(at.z)}, stiffness_before, load_eight(at.normal_force)};
+  const Row<double> stiffness_before = load<Row<double>>(at.stiffness);
+  ContactHistoryOf<Row<double>> h{{load<Row<double>>(at.x), load<Row<double>>(at.y), load<Row<double>>(at.z)},
+                                  stiffness_before,
+                                  load<Row<double>>(at.normal_force)};
   const EightAnswers f = dem::evaluate(c, h, law, dt);
-  store_eight(at.x, h.tangential_displacement.x);
-  store_eight(at.y, h.tangential_displacement.y);
-  store_eight(at.z, h.tangential_displacement.z);
-  store_eight(at.stiffness, h.tangential_stiffness);
-  store_eight(at.normal_force, h.normal_force);
+  store(at.x, h.tangential_displacement.x);
+  store(at.y, h.tangential_displacement.y);
+  store(at.z, h.tangential_displacement.z);
+  store(at.stiffness, h.tangential_stiffness);
+  store(at.normal_force, h.normal_force);
 
-  const Lines3 torque_i = arms.i * f.twist, torque_j = arms.j * f.twist;
-  std::array<Line, kLine> on_owner{f.force.x,  f.force.y,  f.force.z, torque_i.x,
-                                   torque_i.y, torque_i.z, f.damping, f.friction};
-  std::array<Line, kLine> on_partner{-f.force.x, -f.force.y, -f.force.z,       torque_j.x,
-                                     torque_j.y, torque_j.z, f.elastic_normal, f.elastic_tangential};
+  const Rows3 torque_i = arms.i * f.twist, torque_j = arms.j * f.twist;
+  std::array<Row<double>, kRow> on_owner{f.force.x,  f.force.y,  f.force.z, torque_i.x,
+                                         torque_i.y, torque_i.z, f.damping, f.friction};
+  std::array<Row<double>, kRow> on_partner{-f.force.x, -f.force.y, -f.force.z,       torque_j.x,
+                                           torque_j.y, torque_j.z, f.elastic_normal, f.elastic_tangential};
   transpose(on_owner);
   transpose(on_partner);
   if (at.rolling != nullptr) roll(c, h, stiffness_before, at, materials, dt, on_owner, on_partner, tally);
-  using Bytes = std::uint8_t __attribute__((vector_size(kLine)));
-  const Bytes touching = __builtin_convertvector(c.touches, Bytes) & 1;
-  __builtin_memcpy(at.touching, &touching, kLine);
+  store(at.touching, c.touches);
   double* sums = bodies_.sums();
-  for (std::size_t l = 0; l < kLine; ++l) {
-    store_line(sums + at.owner[l], load_line(sums + at.owner[l]) + on_owner[l]);
-    store_line(at.on_partner + kLine * l, on_partner[l]);
+  for (std::size_t l = 0; l < kRow; ++l) {
+    store_aligned(sums + at.owner[l], load_aligned<Row<double>>(sums + at.owner[l]) + on_owner[l]);
+    store_aligned(at.on_partner + kRow * l, on_partner[l]);
   }
 }
 
-/// Prefetches the lines of the partners in eight slots, which lie apart, while others are evaluated.
+/// Prefetches the rows of the partners in eight slots, which lie apart, while others are evaluated.
 [[gnu::always_inline]] inline void PairContacts::prefetch_partners(std::size_t slot) const {
-  for (std::size_t l = 0; l < kLine; ++l) {
-    const double* const lines = bodies_.data() + partner_at_[slot + l];
-    for (std::size_t line = 0; line < 3; ++line) __builtin_prefetch(lines + line * kLine);
+  for (std::size_t l = 0; l < kRow; ++l) {
+    const double* const rows = bodies_.data() + partner_at_[slot + l];
+    for (std::size_t row = 0; row < 3; ++row) __builtin_prefetch(rows + row * kRow);
   }
 }
 
@@ -208,10 +209,11 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
   SlotHistories& h = slots.history;
   const ContactParties& t = contacts.parties();
   const std::size_t particles = slots.offset.size() - 1, first = chunk * kContactChunk;
-  for (std::size_t p = t.first_place[chunk]; p < t.first_place[chunk + 1]; ++p) store_line(bodies_.sum(p), Line{});
+  for (std::size_t p = t.first_place[chunk]; p < t.first_place[chunk + 1]; ++p)
+    store_aligned(bodies_.sum(p), Row<double>{});
   const std::size_t end = slots.offset[std::min(first + kContactChunk, particles)];
   if (!of_rolling_.empty()) std::fill(&of_rolling_[slots.offset[first]], of_rolling_.data() + end, ContactTally{});
-  for (std::size_t k = slots.offset[first]; k < end; k += kLine) {
+  for (std::size_t k = slots.offset[first]; k < end; k += kRow) {
     const Eight at{&owner_at_[k],
                    &partner_at_[k],
                    &material_[k],
@@ -224,9 +226,9 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
                    slots.rolls ? &slots.rolling[k] : nullptr,
                    on_partner_[k],
                    of_rolling_.empty() ? nullptr : &of_rolling_[k]};
-    const std::size_t count = std::min(kLine, end - k);
-    if (k + 3 * kLine <= end) prefetch_partners(k + 2 * kLine);
-    if (count == kLine) {
+    const std::size_t count = std::min(kRow, end - k);
+    if (k + 3 * kRow <= end) prefetch_partners(k + 2 * kRow);
+    if (count == kRow) {
       evaluate_eight(law, at, materials, dt, tally);
       continue;
     }
@@ -234,14 +236,14 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
     evaluate_eight(law, tail.eight(slots.rolls, at.of_rolling), materials, dt, tally);
     tail.copy(at, count, false);
   }
-  Line energies{};  // of all slots, by their owners; partners bring other ones in the same places
+  Row<double> energies{};  // of all slots, by their owners; partners bring other ones in the same places
   for (std::size_t p = t.first_place[chunk]; p < t.first_place[chunk + 1]; ++p) {
     double* at = bodies_.sum(p);
-    const Line sum = load_line(at);
+    const Row<double> sum = load_aligned<Row<double>>(at);
     energies += sum;
     if (!id_of_place_.empty())
       energies_[id_of_place_[p]].damping = sum[6], energies_[id_of_place_[p]].friction = sum[7];
-    store_line(at, sum * Line{1, 1, 1, 1, 1, 1, 0, 0});
+    store_aligned(at, sum * Row<double>{1, 1, 1, 1, 1, 1, 0, 0});
   }
   tally.damping += energies[6];
   tally.friction += energies[7];
@@ -257,29 +259,29 @@ void PairContacts::add_partners(Particles& particles, const ContactDetection& co
   const ContactParties& t = contacts.parties();
   for (std::size_t n = t.first_partner[chunk]; n < t.first_partner[chunk + 1]; ++n) {
     double* sum = bodies_.sum(t.as_partner[n].place);
-    store_line(sum, load_line(sum) + load_line(on_partner_[t.as_partner[n].slot]));
+    store_aligned(sum, load_aligned<Row<double>>(sum) + load_aligned<Row<double>>(on_partner_[t.as_partner[n].slot]));
   }
-  Line energies{};
+  Row<double> energies{};
   const std::size_t end = t.first_place[chunk + 1];
   const auto each = [&](const auto& add) {
     add(0, particles.force.x), add(1, particles.force.y), add(2, particles.force.z);
     add(3, particles.torque.x), add(4, particles.torque.y), add(5, particles.torque.z);
   };
-  for (std::size_t p = t.first_place[chunk]; p < end; p += kLine) {
-    const std::size_t count = std::min(kLine, end - p);
+  for (std::size_t p = t.first_place[chunk]; p < end; p += kRow) {
+    const std::size_t count = std::min(kRow, end - p);
     const ParticleIndex* index = &t.particle[p];
-    std::array<Line, kLine> sum{};
+    std::array<Row<double>, kRow> sum{};
     for (std::size_t l = 0; l < count; ++l) {
-      sum[l] = load_line(bodies_.sum(p + l));
+      sum[l] = load_aligned<Row<double>>(bodies_.sum(p + l));
       energies += sum[l];
       if (id_of_place_.empty()) continue;
       Energies& own = energies_[id_of_place_[p + l]];
       own.elastic_normal = sum[l][6], own.elastic_tangential = sum[l][7];
     }
-    if (count == kLine && index[kLine - 1] - index[0] == kLine - 1) {
+    if (count == kRow && index[kRow - 1] - index[0] == kRow - 1) {
       transpose(sum);
       each([&](std::size_t number, std::vector<double>& to) {
-        store_eight(&to[*index], load_eight(&to[*index]) + sum[number]);
+        store(&to[*index], load<Row<double>>(&to[*index]) + sum[number]);
       });
     } else {
       each([&](std::size_t number, std::vector<double>& to) {

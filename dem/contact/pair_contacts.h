@@ -55,14 +55,15 @@ class PairContacts {
   void evaluate_eight(const L& law, const Eight& at, const ContactMaterials& materials, double dt, ContactTally& tally);
   void gather(EightContacts& contacts, Arms& arms, const Eight& at, const ContactMaterials& materials) const;
   void prefetch_partners(std::size_t slot) const;
-  void roll(const EightContacts& contacts, const ContactHistoryOf<Line>& history, const Line& stiffness_before,
-            const Eight& at, const ContactMaterials& materials, double dt, std::array<Line, kLine>& on_owner,
-            std::array<Line, kLine>& on_partner, ContactTally& tally) const;
+  void roll(const EightContacts& contacts, const ContactHistoryOf<Row<double>>& history,
+            const Row<double>& stiffness_before, const Eight& at, const ContactMaterials& materials, double dt,
+            std::array<Row<double>, kRow>& on_owner, std::array<Row<double>, kRow>& on_partner,
+            ContactTally& tally) const;
 
   ContactBodies bodies_;
   std::vector<std::uint16_t> material_;               // per slot, into ContactMaterials
-  LineField on_partner_;                              // per slot: force, torque, elastic energies (normal, tangential)
-  std::vector<std::uint32_t> owner_at_, partner_at_;  // per slot: where the lines of its two particles begin
+  RowField on_partner_;                               // per slot: force, torque, elastic energies (normal, tangential)
+  std::vector<std::uint32_t> owner_at_, partner_at_;  // per slot: where the rows of its two particles begin
   bool one_material_ = false;                         // the same in all slots
   // Only where indices are not ids:
   struct Energies {

@@ -2,16 +2,16 @@
 
 namespace lahar::dem {
 
-Triple roll_lane(const EightContacts& contacts, const ContactHistoryOf<Line>& history, std::size_t lane,
+Triple roll_lane(const EightContacts& contacts, const ContactHistoryOf<Row<double>>& history, std::size_t lane,
                  RollingState state, double stiffness_before, double dt, Triple& angle, ContactTally& tally) {
   state.effective_radius = contacts.effective_radius[lane];
   state.last_shear_stiffness = stiffness_before;
-  if (contacts.touches[lane] == 0) {
+  if (!contacts.touches[lane]) {
     tally.rolling += left_by_rolling(state, angle, dt);
     angle = Triple{};
     return Triple{};
   }
-  const Lines3 &n = contacts.normal, &spin = contacts.spin;
+  const Rows3 &n = contacts.normal, &spin = contacts.spin;
   state.normal_ij = {n.x[lane], n.y[lane], n.z[lane]};
   state.twist_rate = 0.5 * dot(Triple{spin.x[lane], spin.y[lane], spin.z[lane]}, state.normal_ij);
   state.normal_force = history.normal_force[lane];

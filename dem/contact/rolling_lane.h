@@ -14,8 +14,8 @@ inline double inverse_rolling_inertia(double inverse_mass, double radius) {
 /// The torque on i, N m. `history`: after the law; `stiffness_before` is that of the tangential spring in the step
 /// before. `state` brings the spins, the inertia and the coefficient. Advances `angle` (rad) and books what rolling
 /// holds and loses.
-[[nodiscard]] Triple roll_lane(const EightContacts& contacts, const ContactHistoryOf<Line>& history, std::size_t lane,
-                               RollingState state, double stiffness_before, double dt, Triple& angle,
+[[nodiscard]] Triple roll_lane(const EightContacts& contacts, const ContactHistoryOf<Row<double>>& history,
+                               std::size_t lane, RollingState state, double stiffness_before, double dt, Triple& angle,
                                ContactTally& tally);
 
 }  // namespace lahar::dem

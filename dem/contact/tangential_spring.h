@@ -2,8 +2,8 @@
 // The tangential part that all laws share: a spring with memory and a damper, both inside Coulomb's cone.
 #include <limits>
 
+#include "core/simd_math.h"
 #include "dem/contact/contact_state.h"
-#include "dem/fast_math.h"
 
 namespace lahar::dem {
 
@@ -22,7 +22,7 @@ template <class V>
 /// The part of a force that Coulomb's limit lets through.
 template <class V>
 [[gnu::always_inline]] inline V share_within(const V& limit, const TripleOf<V>& force) {
-  return smaller(V(limit * inverse_root(dot(force, force))), V{} + 1.0);
+  return min(V(limit * inverse_root(dot(force, force))), V(1));
 }
 
 }  // namespace detail
@@ -44,7 +44,7 @@ template <class V>
 
   const TripleOf<V> old = detail::turned_with_contact(history.tangential_displacement, s, dt);
   const TripleOf<V> old_force = history.tangential_stiffness * old;
-  const V kept = smaller(V(history.tangential_stiffness / larger(stiffness, V{} + tiny)), V{} + 1.0);
+  const V kept = min(V(history.tangential_stiffness / max(stiffness, V(tiny))), V(1));
   const TripleOf<V> step = dt * s.tangential_velocity;
   const TripleOf<V> trial = kept * old + step;
   const TripleOf<V> d = detail::share_within(limit, stiffness * trial) * trial;
@@ -57,7 +57,7 @@ template <class V>
   f.elastic_tangential = 0.5 * dot(spring, d);
   f.damping_work += dt * dot(force - spring, s.tangential_velocity_end);
   f.friction_work +=
-      larger(V(0.5 * dot(spring + old_force, step) - f.elastic_tangential + 0.5 * dot(old_force, old)), V{});
+      max(V(0.5 * dot(spring + old_force, step) - f.elastic_tangential + 0.5 * dot(old_force, old)), V{});
   history.tangential_displacement = d;
   history.tangential_stiffness = stiffness;
 }

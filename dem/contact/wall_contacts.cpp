@@ -12,8 +12,10 @@ namespace {
 Triple triple(const Vec3Field& f, std::size_t i) { return {f.x[i], f.y[i], f.z[i]}; }
 Triple triple(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Vec3 vec(const Triple& t) { return {t.x, t.y, t.z}; }
-Triple lane_of(const Lines3& t, std::size_t lane) { return {t.x[lane], t.y[lane], t.z[lane]}; }
-void set(Lines3& to, std::size_t lane, const Triple& t) { to.x[lane] = t.x, to.y[lane] = t.y, to.z[lane] = t.z; }
+Triple lane_of(const Rows3& t, std::size_t lane) { return {t.x[lane], t.y[lane], t.z[lane]}; }
+void set(Rows3& to, std::size_t lane, const Triple& t) {
+  to.x.set(lane, t.x), to.y.set(lane, t.y), to.z.set(lane, t.z);
+}
 
 /// The range of wall slots of a chunk of particles.
 std::pair<std::uint32_t, std::uint32_t> slots_of_chunk(const ContactSlots& slots, std::size_t chunk) {
@@ -48,14 +50,14 @@ struct WallContacts::Work {
 /// Up to eight contacts. Idle lanes hold what was there before, which is harmless: they do not touch.
 struct WallContacts::Batch {
   EightContacts contacts;
-  ContactHistoryOf<Line> history;
+  ContactHistoryOf<Row<double>> history;
   std::size_t count = 0;
-  std::array<std::uint32_t, kLine> slot{};
-  std::array<std::uint16_t, kLine> material{};
+  std::array<std::uint32_t, kRow> slot{};
+  std::array<std::uint16_t, kRow> material{};
 
   Batch() {  // harmless numbers in lanes that were never used
-    contacts.normal.x = contacts.inverse_mass = contacts.effective_radius = Line{} + 1.0;
-    contacts.modulus = contacts.shear_modulus = Line{} + 1.0;
+    contacts.normal.x = contacts.inverse_mass = contacts.effective_radius = Row<double>(1);
+    contacts.modulus = contacts.shear_modulus = Row<double>(1);
   }
   void add(const Work& work, std::uint32_t k, double distance);
 };
@@ -75,8 +77,8 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
       triple(p.angular_velocity, i) + (0.5 * work.dt * 2.5 * inverse_mass / (r * r)) * triple(p.torque, i);
   const Triple wall_velocity = triple(wall.velocity);
   EightContacts& c = contacts;
-  c.touches[lane] = distance < r ? -1 : 0;
-  c.overlap[lane] = std::max(0.0, r - distance);
+  c.touches.set(lane, distance < r);
+  c.overlap.set(lane, std::max(0.0, r - distance));
   set(c.normal, lane, -1.0 * triple(gradient_of(work.walls, w, p.position[i])));
   set(c.slip, lane, v - wall_velocity);
   set(c.slip_end, lane, v_end - wall_velocity);
@@ -84,20 +86,21 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
   set(c.spin_end, lane, spin_end);
   set(c.rim, lane, r * spin);  // a wall adds nothing: its spin is zero
   set(c.rim_end, lane, r * spin_end);
-  c.inverse_mass[lane] = inverse_mass;
-  c.effective_radius[lane] = r;
+  c.inverse_mass.set(lane, inverse_mass);
+  c.effective_radius.set(lane, r);
   const double* m = work.materials[material[lane]];
-  c.modulus[lane] = m[0], c.shear_modulus[lane] = m[1], c.friction[lane] = m[2], c.damping_ratio[lane] = m[3];
+  c.modulus.set(lane, m[0]), c.shear_modulus.set(lane, m[1]);
+  c.friction.set(lane, m[2]), c.damping_ratio.set(lane, m[3]);
   const ContactHistory h = work.slots.history[k];
   set(history.tangential_displacement, lane, h.tangential_displacement);
-  history.tangential_stiffness[lane] = h.tangential_stiffness;
-  history.normal_force[lane] = h.normal_force;
+  history.tangential_stiffness.set(lane, h.tangential_stiffness);
+  history.normal_force.set(lane, h.normal_force);
 }
 
 template <ContactLaw L>
 [[gnu::flatten]] void WallContacts::evaluate_batch(const L& law, const Work& work, Batch& batch, ContactTally& tally) {
-  const Line stiffness_before = batch.history.tangential_stiffness;
-  for (std::size_t l = batch.count; l < kLine; ++l) batch.contacts.touches[l] = 0;
+  const Row<double> stiffness_before = batch.history.tangential_stiffness;
+  for (std::size_t l = batch.count; l < kRow; ++l) batch.contacts.touches.set(l, false);
   const EightAnswers f = dem::evaluate(batch.contacts, batch.history, law, work.dt);
   for (std::size_t l = 0; l < batch.count; ++l) {
     const std::uint32_t k = batch.slot[l], i = work.slots.owner[k];
@@ -106,7 +109,7 @@ template <ContactLaw L>
     tally.damping += f.damping[l];
     tally.friction += f.friction[l];
     ContactTally rolled;
-    const ContactHistoryOf<Line>& h = batch.history;
+    const ContactHistoryOf<Row<double>>& h = batch.history;
     work.slots.history.set(k, {lane_of(h.tangential_displacement, l), h.tangential_stiffness[l], h.normal_force[l]});
     Answer& answer = answers_[k];
     answer.force = lane_of(f.force, l);
@@ -130,7 +133,7 @@ template <ContactLaw L>
       booked.law.damping = f.damping[l], booked.law.friction = f.friction[l];
       booked.rolling = rolled;
     }
-    const bool touches = batch.contacts.touches[l] != 0;
+    const bool touches = batch.contacts.touches[l];
     work.slots.touching[k] = touches ? 1 : 0;
     if (touches) answer.power = dot(answer.force, triple(work.walls.all()[work.slots.partner[k]].velocity));
   }
@@ -152,7 +155,7 @@ void WallContacts::evaluate_with(const L& law, const Work& work, std::size_t chu
         listed ? distance_to(work.walls, work.slots.partner[k], work.particles.position[i]) : radius;
     if (distance >= radius && work.slots.touching[k] == 0) continue;
     batch.add(work, k, distance);
-    if (batch.count == kLine) evaluate_batch(law, work, batch, tally);
+    if (batch.count == kRow) evaluate_batch(law, work, batch, tally);
   }
   if (batch.count > 0) evaluate_batch(law, work, batch, tally);
   for (std::uint32_t k = first; k < last; ++k)

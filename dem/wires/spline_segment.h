@@ -9,8 +9,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/triple.h"
 #include "core/vector.h"
-#include "dem/triple.h"
 #include "dem/wires/wire_chains.h"
 
 namespace lahar::dem {

@@ -1,16 +1,14 @@
 #pragma once
-// What one cell's collision is given and what it tells. Templates over V: a number or a SIMD vector of cells.
+// What one cell's collision is given and what it tells. Templates over V: a number or a pack of cells
+// (core/simd.h).
 // Populations are stored shifted, f_i - w_i, which keeps float rounding small (Skordos 1993).
 #include <algorithm>
 #include <cmath>
-#include <experimental/simd>
 
-#include "lbm/collision/number.h"
+#include "core/simd_math.h"
 #include "lbm/grid/velocity_set.h"
 
 namespace lahar::lbm {
-
-namespace stdx = std::experimental;
 
 /// Density and velocity of a cell's incoming populations.
 template <class V>
@@ -67,15 +65,13 @@ template <class V>
 
 template <class V>
 [[gnu::always_inline]] inline Departure<V> velocity_after(const Moments<V>& m, const CellForcing<V>& force) {
-  using std::sqrt;
   Departure<V> d;
   for (int a = 0; a < 3; ++a)
     d.v[a] = (V(1) - force.coverage_weight) * (m.u[a] + force.acceleration[a]) +
              force.coverage_weight * force.solid_velocity[a] + force.impulse[a];
   d.square = d.v[0] * d.v[0] + d.v[1] * d.v[1] + d.v[2] * d.v[2];
-  if (stdx::none_of(too_fast(d))) [[likely]]
+  if (none(too_fast(d))) [[likely]]
     return d;
-  using std::max;
   const V limit = number<V>(kLargestSpeed);
   d.share = limit / max(limit, V(sqrt(d.square)));
   for (V& component : d.v) component *= d.share;

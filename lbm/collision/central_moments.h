@@ -85,7 +85,6 @@ struct CentralMoments {
   template <class Viscosity, class V>
   [[gnu::always_inline]] static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,
                                                      const Viscosity& viscosity) {
-    using std::min;
     Symmetric<V> s = stress(f, m);
     const V omega = min(rate_of(viscosity, s, m.inverse_density), force.largest_rate);
     const Departure<V> after = velocity_after(m, force);

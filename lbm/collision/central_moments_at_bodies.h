@@ -34,7 +34,6 @@ struct ThirdMoments {
 template <class V>
 [[gnu::always_inline]] inline ThirdMoments<V> third_moments(const V (&f)[D3Q19::q], const Moments<V>& m,
                                                             const Symmetric<V>& s) {
-  using std::sqrt;
   V g[D3Q19::q];
   from_central_moments(m.drho, m.u, s, g);
   const V half = number<V>(0.5), limit = number<V>(kLargestThird) * (V(1) + m.drho);
@@ -55,7 +54,6 @@ struct CentralMomentsAtBodies {
   template <class Viscosity, class V>
   [[gnu::always_inline]] static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,
                                                      const Viscosity& viscosity) {
-    using std::min;
     const Symmetric<V> s = stress(f, m);
     const ThirdMoments<V> third = third_moments(f, m, s);
     const V rate = min(rate_of(viscosity, s, m.inverse_density), force.largest_rate);

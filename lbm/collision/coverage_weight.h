@@ -9,7 +9,7 @@
 //                                 half-way through the step, (u + u')/2, the exchange is then k times the slip exactly
 #include <algorithm>
 
-#include "lbm/collision/number.h"
+#include "core/simd_math.h"
 
 namespace lahar::lbm {
 
@@ -65,7 +65,6 @@ inline CoverageWeightLaw coverage_weight_law(BodyWeighting weighting, double tau
 template <class V>
 [[gnu::always_inline]] inline V coverage_weight(const V& drag, const V& alpha, const V& beta, const V& gamma,
                                                 const V& cap, const V& largest) {
-  using std::min;
   const V g = min(drag, cap);
   return min(largest, V(alpha * g / (gamma + beta * g)));
 }

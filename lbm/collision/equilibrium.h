@@ -1,6 +1,6 @@
 #pragma once
 // Second-order equilibrium, shifted by the weights: f_i^eq - w_i (Qian, d'Humieres & Lallemand 1992).
-#include "lbm/collision/number.h"
+#include "core/simd_math.h"
 #include "lbm/grid/velocity_set.h"
 
 namespace lahar::lbm {

@@ -11,7 +11,6 @@ namespace lahar::lbm {
 template <class V>
 [[gnu::always_inline]] inline V smagorinsky_rate(const Symmetric<V>& p, const V& inverse_density, const V& tau0,
                                                  const V& factor) {
-  using std::sqrt;
   return V(2) / (tau0 + sqrt(tau0 * tau0 + factor * sqrt(square(p)) * inverse_density));
 }
 

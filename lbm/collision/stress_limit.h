@@ -35,8 +35,6 @@ inline double stress_limit(const RheologyParameters& p) {
 /// Share of a stress S (the deviator of the second central moments) that may be handed on.
 template <class V>
 [[gnu::always_inline]] inline V limited_stress_share(const Symmetric<V>& s, const V& inverse_density, const V& limit) {
-  using std::max;
-  using std::sqrt;
   return limit / max(limit, V(sqrt(square(s)) * inverse_density));
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <experimental/simd>
 
 #include "lbm/free_surface/touching.h"
 #include "lbm/grid/row_types.h"
@@ -78,19 +77,19 @@ class BlockJudge {
     using V = Row<Real>;
     const int n = kBlockWidth * row;
     const auto real = [](double x) { return V(static_cast<Real>(x)); };
-    const V mass(surface_.mass + n, stdx::element_aligned), before(surface_.fill_level + n, stdx::element_aligned);
-    const V rho = V(1) + V(surface_.density + n, stdx::element_aligned);
+    const V mass = load<V>(surface_.mass + n), before = load<V>(surface_.fill_level + n);
+    const V rho = V(1) + load<V>(surface_.density + n);
     V fill = mass / rho;
-    where(fill < V(0), fill) = V(0);
-    where(fill > V(1), fill) = V(1);
+    fill = select(fill < V(0), V(0), fill);
+    fill = select(fill > V(1), V(1), fill);
     const auto draining = fill <= before;
     const auto empty = mass<real(-kThreshold), full = mass> real(1 + kThreshold) * rho;
     const auto thin = draining && mass<real(kThinFill), thick = mass> real(1 - kThinFill) * rho;
     const unsigned interface = interface_cells(block_, row);
     alignas(64) Real levels[kBlockWidth];
-    fill.copy_to(levels, stdx::vector_aligned);
-    const unsigned drains = bits(draining);
-    unsigned judged = interface & bits(empty || full || thin || thick);
+    store_aligned(levels, fill);
+    const unsigned drains = draining.bits();
+    unsigned judged = interface & (empty || full || thin || thick).bits();
     if (moving_) judged |= interface & alone(row);
     for (unsigned cells = interface; cells != 0; cells &= cells - 1) {
       const int k = std::countr_zero(cells);
@@ -127,13 +126,6 @@ class BlockJudge {
     if (v == Verdict::fill) flagged_.filled.add(cell);
     if (v == Verdict::empty) flagged_.emptied.add(cell);
     if (moving_ && v == Verdict::stay && surface_.alone[cell]) flag_drop(grid_, place, parity_, round_, flagged_.drops);
-  }
-
-  template <class Mask>
-  static unsigned bits(const Mask& mask) {
-    unsigned found = 0;
-    for (std::size_t k = 0; k < Mask::size(); ++k) found |= static_cast<unsigned>(mask[k]) << k;
-    return found;
   }
 
   unsigned alone(int row) const {

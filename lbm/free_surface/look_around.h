@@ -1,6 +1,5 @@
 #pragma once
 // Fills what the interface cells of a block see (surroundings.h), a row of cells at a time.
-#include <experimental/simd>
 
 #include "lbm/free_surface/surroundings.h"
 #include "lbm/grid/fluid_grid.h"
@@ -13,27 +12,24 @@ namespace lahar::lbm {
 /// missing block reads as rest at density 1.
 template <int CX, int CY, int CZ, class Real>
 [[gnu::always_inline]] inline Row<Real> row_ahead(const std::array<Block<Real>*, 27>& around, int velocity, int first) {
-  using Numbers = typename RowsOf<Real, 1>::type;
   const auto p = cell_position(first);
   const int y = p[1] + CY, z = p[2] + CZ, there = cell_index(0, y & 7, z & 7);
   const auto slot = static_cast<std::size_t>(neighbour_slot(0, y >> 3, z >> 3));
-  const auto load = [&](const Block<Real>* block) __attribute__((always_inline)) {
-    Numbers v;
-    std::memcpy(&v, block ? block->f(velocity) + there : kRest<Real>, sizeof(v));
-    return v;
+  const auto numbers = [&](const Block<Real>* block) __attribute__((always_inline)) {
+    return load<Row<Real>>(block ? block->f(velocity) + there : kRest<Real>);
   };
-  Numbers v = load(around[slot]);
-  if constexpr (CX == 1) v = __builtin_shufflevector(v, load(around[slot + 9]), 1, 2, 3, 4, 5, 6, 7, 8);
-  return Row<Real>(reinterpret_cast<const Real*>(&v), stdx::vector_aligned);
+  const Row<Real> near = numbers(around[slot]);
+  if constexpr (CX == 1) return shuffle<1, 2, 3, 4, 5, 6, 7, 8>(near, numbers(around[slot + 9]));
+  return near;
 }
 
 /// rho - 1 after the last collision in the row that starts with cell `first` of a block with these neighbours.
 template <class Real>
 Row<Real> outgoing_density(const std::array<Block<Real>*, 27>& around, int first, Parity parity) {
-  Row<Real> drho(around[13]->f(0) + first, stdx::element_aligned);
+  Row<Real> drho = load<Row<Real>>(around[13]->f(0) + first);
   for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
     drho += row_ahead<CX, CY, CZ>(around, parity.home(D3Q19::forward(P)), first) +
-            Row<Real>(around[13]->f(parity.away(D3Q19::forward(P))) + first, stdx::element_aligned);
+            load<Row<Real>>(around[13]->f(parity.away(D3Q19::forward(P))) + first);
   });
   return drho;
 }
@@ -57,7 +53,7 @@ class LookAround {
 
  private:
   /// A row and two cells to either side, in a vector of sixteen.
-  using Sixteen = typename RowsOf<Real, 2>::type;
+  using Sixteen = Pack<Real, 2 * kBlockWidth>;
 
   /// A block that is looked into.
   struct View {
@@ -116,58 +112,46 @@ class LookAround {
     const Types seen{types[0] >> 48 | types[1] << 16, types[1] >> 48 | types[2] << 16};
     const int place = Surroundings<Real>::at(-2, y, z);
     const auto put = [&](Real * field, const Sixteen& values) __attribute__((always_inline)) {
-      std::memcpy(field + place, &values, sizeof(values));
+      store(field + place, values);
     };
-    const Sixteen zero = {}, one = zero + 1, half = zero + Real(0.5);
+    const Sixteen zero(0), one(1), half(Real(0.5));
     if (seen.all(CellType::gas)) {
       put(s.full, zero), put(s.half, zero), put(s.empty, one), put(s.wet, zero), put(s.density, zero);
       return;
     }
     alignas(64) Real buffer[3][kBlockWidth];
-    const Sixteen density = join(densities(views[0], first, buffer[0]), densities(views[1], first, buffer[1]),
-                                 densities(views[2], first, buffer[2]));
+    const Sixteen density = row_and_sides(densities(views[0], first, buffer[0]), densities(views[1], first, buffer[1]),
+                                          densities(views[2], first, buffer[2]));
     if (seen.all(CellType::liquid)) {
       put(s.full, one), put(s.half, zero), put(s.empty, zero), put(s.wet, one), put(s.density, density);
       return;
     }
-    const auto wet = chosen(seen.wet()), interface = chosen(seen.interface()), empty = chosen(seen.empty());
-    const Sixteen fill = join(views[0].fill_level + first, views[1].fill_level + first, views[2].fill_level + first);
-    put(s.full, interface ? half * fill : (wet ? one : zero));
-    put(s.half, interface ? half : zero);
-    put(s.empty, empty ? one : zero);
-    put(s.wet, wet ? one : zero);
-    put(s.density, wet ? density : zero);
+    using Lanes = typename Sixteen::mask_type;
+    const auto wet = Lanes::from_bits(seen.wet()), interface = Lanes::from_bits(seen.interface()),
+               empty = Lanes::from_bits(seen.empty());
+    const Sixteen fill =
+        row_and_sides(views[0].fill_level + first, views[1].fill_level + first, views[2].fill_level + first);
+    put(s.full, select(interface, half * fill, select(wet, one, zero)));
+    put(s.half, select(interface, half, zero));
+    put(s.empty, select(empty, one, zero));
+    put(s.wet, select(wet, one, zero));
+    put(s.density, select(wet, density, zero));
   }
 
   /// The sweep keeps no density of blocks without a surface: it is computed into `buffer` where cells are wet.
   [[gnu::always_inline]] const Real* densities(const View& v, int first, Real* buffer) const {
     if (v.plain == kNoBlock) return v.density + first;
     if (!(v.wet_rows >> (first / kBlockWidth) & 1)) return kRest<Real>;
-    outgoing_density(grid_.around(v.plain), first, parity_).copy_to(buffer, stdx::vector_aligned);
+    store_aligned(buffer, outgoing_density(grid_.around(v.plain), first, parity_));
     return buffer;
   }
 
   /// The last two numbers of a row, a row, the first two of another, and four that are of no use.
-  [[gnu::always_inline]] static Sixteen join(const Real* left, const Real* here, const Real* right) {
-    using Eight = typename RowsOf<Real, 1>::type;
-    const auto load = [](const Real* p) __attribute__((always_inline)) {
-      Eight v;
-      std::memcpy(&v, p, sizeof(v));
-      return v;
-    };
-    const Eight a = load(left), b = load(here), c = load(right);
-    const Sixteen ab = __builtin_shufflevector(a, b, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0, 0, 0, 0, 0, 0);
-    const Sixteen cc = __builtin_shufflevector(c, c, 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7);
-    return __builtin_shufflevector(ab, cc, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 17, 18, 19, 20, 21);
-  }
-
-  /// Lanes by bits.
-  [[gnu::always_inline]] static auto chosen(unsigned bits) {
-    using Word = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
-    using Words [[gnu::vector_size(2 * kBlockWidth * sizeof(Word))]] = Word;
-    constexpr Words lanes = {1 << 0, 1 << 1, 1 << 2,  1 << 3,  1 << 4,  1 << 5,  1 << 6,  1 << 7,
-                             1 << 8, 1 << 9, 1 << 10, 1 << 11, 1 << 12, 1 << 13, 1 << 14, 1 << 15};
-    return (lanes & static_cast<Word>(bits)) != 0;
+  [[gnu::always_inline]] static Sixteen row_and_sides(const Real* left, const Real* here, const Real* right) {
+    const auto a = load<Row<Real>>(left), b = load<Row<Real>>(here), c = load<Row<Real>>(right);
+    const Sixteen ab = shuffle<6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0, 0, 0, 0, 0, 0>(a, b);
+    const Sixteen cc = shuffle<0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7>(c);
+    return shuffle<0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 17, 18, 19, 20, 21>(ab, cc);
   }
 
   /// The types of a row and two cells to either side, one to a byte; more in the upper half of the second word.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <experimental/simd>
 
 #include "lbm/collision/equilibrium.h"
 #include "lbm/collision/stress_limit.h"
@@ -47,10 +46,10 @@ class RowExchange {
 
   /// `shear` is null where the viscous stress does not count.
   void run(int row, const ShearRow<Real>* shear) {
-    load(row);
-    const V fill(block_.surface->fill_level + 8 * row, stdx::element_aligned);
+    load_pairs(row);
+    const V fill = load<V>(block_.surface->fill_level + 8 * row);
     const int place = Surroundings<Real>::at(0, row & 7, row >> 3);
-    const auto interface = V(near_.half + place, stdx::element_aligned) > V(0);
+    const auto interface = load<V>(near_.half + place) > V(0);
     V gain(0), empty(0), fullest(0);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
@@ -58,11 +57,11 @@ class RowExchange {
       gain += (full_ahead + see(near_.half, place + step) * fill) * (incoming_b_[P] - outgoing_a_[P]);
       gain += (full_behind + see(near_.half, place - step) * fill) * (incoming_a_[P] - outgoing_b_[P]);
       empty += see(near_.empty, place + step) + see(near_.empty, place - step);
-      fullest = stdx::max(fullest, stdx::max(full_ahead, full_behind));
+      fullest = max(fullest, max(full_ahead, full_behind));
     });
     note(row, interface, gain, empty, fullest);
     const auto open = interface && empty > V(0);
-    if (stdx::none_of(open)) return;
+    if (none(open)) return;
     const SurfacePressure pressure = surface_pressure(row, place, open);
     rebuild_from_gas(row, place, open, pressure);
     if (shear) add_shear(row, place, open && empty < V(kExposedSides), pressure, *shear);
@@ -78,14 +77,14 @@ class RowExchange {
     V depth, x, y, z;
   };
 
-  [[gnu::always_inline]] static V see(const Real* field, int place) { return V(field + place, stdx::element_aligned); }
+  [[gnu::always_inline]] static V see(const Real* field, int place) { return load<V>(field + place); }
 
   /// The four values of every pair (streaming.h) for the eight cells.
-  [[gnu::always_inline]] void load(int row) {
+  [[gnu::always_inline]] void load_pairs(int row) {
     const Rows rows = Rows::at(kBlockWidth * row, 1);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      incoming_a_[P] = V(home_[P] + rows.n, stdx::element_aligned);
-      outgoing_b_[P] = V(away_[P] + rows.n, stdx::element_aligned);
+      incoming_a_[P] = load<V>(home_[P] + rows.n);
+      outgoing_b_[P] = load<V>(away_[P] + rows.n);
       outgoing_a_[P] = home_ahead_.template pair<P>().template load<V>(rows);
       incoming_b_[P] = away_ahead_.template pair<P>().template load<V>(rows);
     });
@@ -96,7 +95,7 @@ class RowExchange {
   void rebuild_from_gas(int row, int place, const Mask& open, const SurfacePressure& s) {
     const Velocity u = outgoing_velocity(row);
     const Rows rows = Rows::at(kBlockWidth * row, 1);
-    const V gas = capillary_ ? V(gas_drho_ + V(capillary_ + 8 * row, stdx::element_aligned)) : gas_drho_;
+    const V gas = capillary_ ? V(gas_drho_ + load<V>(capillary_ + 8 * row)) : gas_drho_;
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
       const auto from_ahead = open && see(near_.empty, place + step) > V(0);
@@ -105,17 +104,16 @@ class RowExchange {
       const auto even = [&](const V& height) __attribute__((always_inline)) {
         return equilibrium_pair_sum(D3Q19::forward(P), V(gas + V(3) * height), u.x, u.y, u.z);
       };
-      if (stdx::any_of(from_ahead))
+      if (any(from_ahead))
         away_ahead_.template pair<P>().store_chosen(rows, even(s.depth + half_way) - outgoing_a_[P], from_ahead);
-      if (stdx::any_of(from_behind))
-        store_some(home_[P] + rows.n, V(even(s.depth - half_way) - outgoing_b_[P]), from_behind);
+      if (any(from_behind)) store_if(from_behind, home_[P] + rows.n, V(even(s.depth - half_way) - outgoing_b_[P]));
     });
   }
 
   /// What the shear stress adds to these populations in the cells `chosen`, so that it vanishes on the surface.
   template <class Mask>
   void add_shear(int row, int place, const Mask& chosen, const SurfacePressure& s, const ShearRow<Real>& shear) {
-    const auto from = [](const Real* p) __attribute__((always_inline)) { return V(p, stdx::element_aligned); };
+    const auto from = [](const Real* p) __attribute__((always_inline)) { return load<V>(p); };
     const Symmetric<V> stress{from(shear.stress[0]), from(shear.stress[1]), from(shear.stress[2]),
                               from(shear.stress[3]), from(shear.stress[4]), from(shear.stress[5])};
     const SurfaceTraction<V> t =
@@ -128,10 +126,10 @@ class RowExchange {
       const auto from_ahead = chosen && see(near_.empty, place + step) > V(0);
       const auto from_behind = chosen && see(near_.empty, place - step) > V(0);
       const auto& ahead = away_ahead_.template pair<P>();
-      if (stdx::any_of(from_ahead))
+      if (any(from_ahead))
         ahead.store_chosen(rows, V(ahead.template load<V>(rows) + t.template missing<CX, CY, CZ>(w, 1)), from_ahead);
-      if (stdx::any_of(from_behind))
-        store_some(home_[P] + rows.n, V(from(home_[P] + rows.n) + t.template missing<CX, CY, CZ>(w, -1)), from_behind);
+      if (any(from_behind))
+        store_if(from_behind, home_[P] + rows.n, V(from(home_[P] + rows.n) + t.template missing<CX, CY, CZ>(w, -1)));
     });
   }
 
@@ -140,20 +138,19 @@ class RowExchange {
     if (largest_gradient_ <= 0) return {V(0), V(0), V(0), V(0)};
     V a[3];
     pressure_gradient(near_, place, see, a);
-    const V size = stdx::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]), largest(largest_gradient_);
-    const V share = largest / stdx::max(size, largest);
+    const V size = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]), largest(largest_gradient_);
+    const V share = largest / max(size, largest);
     for (V& component : a) component *= share;
     // The level of now: that of the last conversion is a step old, and a pressure that lags feeds waves.
     const SurfaceFields<Real>& surface = *block_.surface;
-    const V mass(surface.mass + 8 * row, stdx::element_aligned),
-        density(surface.density + 8 * row, stdx::element_aligned);
-    const V fill = stdx::min(stdx::max(V(mass / (V(1) + density)), V(0)), V(1));
+    const V mass = load<V>(surface.mass + 8 * row), density = load<V>(surface.density + 8 * row);
+    const V fill = min(max(V(mass / (V(1) + density)), V(0)), V(1));
     return {depths_of_centres(a, fill, open), a[0], a[1], a[2]};
   }
 
   /// Velocity that the cells had after their last collision.
   [[gnu::always_inline]] Velocity outgoing_velocity(int row) const {
-    V rho = V(1) + V(block_.f(0) + 8 * row, stdx::element_aligned), jx(0), jy(0), jz(0);
+    V rho = V(1) + load<V>(block_.f(0) + 8 * row), jx(0), jy(0), jz(0);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       rho += outgoing_a_[P] + outgoing_b_[P];
       const V odd = outgoing_a_[P] - outgoing_b_[P];
@@ -169,15 +166,15 @@ class RowExchange {
   template <class Mask>
   [[gnu::always_inline]] void note(int row, const Mask& interface, const V& gain, const V& empty, const V& fullest) {
     SurfaceFields<Real>& s = *block_.surface;
-    V mass(s.mass + 8 * row, stdx::element_aligned);
-    stdx::where(interface, mass) += gain;
-    mass.copy_to(s.mass + 8 * row, stdx::element_aligned);
+    V mass = load<V>(s.mass + 8 * row);
+    mass = select(interface, mass + gain, mass);
+    store(s.mass + 8 * row, mass);
     const auto exposed = interface && empty >= V(kExposedSides);
     V rate(static_cast<Real>(kLargestRate));
-    stdx::where(exposed, rate) = V(static_cast<Real>(kLargestExposedRate));
-    rate.copy_to(s.largest_rate + 8 * row, stdx::element_aligned);
-    s.exposed += stdx::popcount(exposed);
-    (fullest < V(1)).copy_to(s.alone.data() + 8 * row, stdx::element_aligned);
+    rate = select(exposed, V(static_cast<Real>(kLargestExposedRate)), rate);
+    store(s.largest_rate + 8 * row, rate);
+    s.exposed += count(exposed);
+    store(s.alone.data() + 8 * row, fullest < V(1));
   }
 
   Block<Real>& block_;

@@ -3,7 +3,7 @@
 // gravity g - Du/Dt: it is g in water at rest and 0 in free fall, and it is normal to the surface.
 #include <utility>
 
-#include "lbm/collision/number.h"
+#include "core/simd_math.h"
 #include "lbm/free_surface/surroundings.h"
 #include "lbm/grid/velocity_set.h"
 

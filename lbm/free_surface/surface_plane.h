@@ -3,10 +3,9 @@
 // linear interface, Scardovelli & Zaleski 2000, J. Comput. Phys. 164, 228).
 #include <algorithm>
 #include <cmath>
-#include <experimental/simd>
 #include <utility>
 
-#include "core/multiply_add.h"
+#include "core/simd_math.h"
 
 namespace lahar::lbm {
 
@@ -61,7 +60,6 @@ Real depth_of_centre(const Real (&a)[3], Real fill) {
 template <class V, class Mask>
 [[gnu::always_inline]] inline V depths_of_centres(const V (&a)[3], const V& fill, const Mask& wanted) {
   using Real = typename V::value_type;
-  using std::experimental::abs, std::experimental::max, std::experimental::min, std::experimental::sqrt;
   const auto real = [](double x) { return V(static_cast<Real>(x)); };
   V m1 = abs(a[0]), m2 = abs(a[1]), m3 = abs(a[2]);
   const V sum = m1 + m2 + m3;
@@ -74,19 +72,19 @@ template <class V, class Mask>
   sort(m1, m2), sort(m2, m3), sort(m1, m2);
   const auto more = fill > real(0.5);
   V volume = fill, v1(0);
-  where(more, volume) = real(1) - fill;
-  where(m1 > real(0), v1) = m1 * m1 / max(real(6) * m2 * m3, real(1e-20));
+  volume = select(more, real(1) - fill, volume);
+  v1 = select(m1 > real(0), m1 * m1 / max(real(6) * m2 * m3, real(1e-20)), v1);
   const V m12 = m1 + m2, v2 = v1 + (m2 - m1) / (real(2) * m3), v3 = m12 / (real(2) * m3);
   const auto edge = volume >= v1 && volume < v2, face = volume >= v2 && m3 >= m12 && volume >= v3;
   V offset = multiply_add(m3, volume, V(m12 / real(2)));
-  where(edge, offset) = (m1 + sqrt(multiply_add(m1, m1, V(real(8) * m2 * m3 * (volume - v1))))) / real(2);
-  if (const auto others = inclined && !(edge || face); any_of(others))
+  offset = select(edge, (m1 + sqrt(multiply_add(m1, m1, V(real(8) * m2 * m3 * (volume - v1))))) / real(2), offset);
+  if (const auto others = inclined && !(edge || face); any(others))
     for (std::size_t k = 0; k < V::size(); ++k)
-      if (others[k]) offset[k] = plane_offset_of_half<Real>(m1[k], m2[k], m3[k], volume[k]);
+      if (others[k]) offset.set(k, plane_offset_of_half(m1[k], m2[k], m3[k], volume[k]));
   offset -= real(0.5);
-  where(more, offset) = -offset;
+  offset = select(more, -offset, offset);
   V depth(0);
-  where(inclined, depth) = sum * offset;
+  depth = select(inclined, sum * offset, depth);
   return depth;
 }
 

@@ -75,7 +75,7 @@ class ShearMeasure {
         stress_of_row(grid_.around(grid_.topology().neighbours(index_)[slot]), first, liquid, stress, rate);
       const auto put = [&](Real * field, const V& values) __attribute__((always_inline)) {
         if (bx == 0)
-          values.copy_to(field + place, stdx::element_aligned);
+          store(field + place, values);
         else
           field[place + (bx < 0 ? -1 : 8)] = values[bx < 0 ? 7 : 0];
       };
@@ -91,7 +91,7 @@ class ShearMeasure {
     if (block.body)
       for (int x = 0; x < kBlockWidth; ++x)
         if (block.body->exchange_weight[first + x] > 0) cells &= ~(1U << x);
-    liquid = V([cells](auto x) { return static_cast<Real>(cells >> x & 1U); });
+    liquid = select(V::mask_type::from_bits(cells), V(1), V(0));
     return cells != 0;
   }
 
@@ -100,9 +100,9 @@ class ShearMeasure {
                      V& rate) const {
     const Block<Real>& block = *around[13];
     V f[D3Q19::q];
-    f[0] = V(block.f(0) + first, stdx::element_aligned);
+    f[0] = load<V>(block.f(0) + first);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      f[2 * P + 1] = V(block.f(parity_.home(D3Q19::forward(P))) + first, stdx::element_aligned);
+      f[2 * P + 1] = load<V>(block.f(parity_.home(D3Q19::forward(P))) + first);
       f[2 * P + 2] = row_ahead<CX, CY, CZ>(around, parity_.away(D3Q19::forward(P)), first);
     });
     const Moments<V> m = moments(f);
@@ -112,10 +112,10 @@ class ShearMeasure {
       omega = viscosity_.rate();
     else
       omega = viscosity_.rate(s, m.inverse_density);
-    stdx::where(liquid > V(0), rate) = omega;
+    rate = select(liquid > V(0), omega, rate);
     const V share = (number<V>(0.5) * omega - V(1)) * limited_stress_share(s, m.inverse_density, limit_);
     const V* const parts[6] = {&s.xx, &s.yy, &s.zz, &s.xy, &s.xz, &s.yz};
-    for (int k = 0; k < 6; ++k) stdx::where(liquid > V(0), stress[k]) = share * *parts[k];
+    for (int k = 0; k < 6; ++k) stress[k] = select(liquid > V(0), share * *parts[k], stress[k]);
   }
 
   /// Means over the liquid neighbours of the cells of a row, with the weights of the lattice.
@@ -125,21 +125,21 @@ class ShearMeasure {
     const auto add = [&]<int I>() __attribute__((always_inline)) {
       constexpr const int* c = D3Q19::c[I];
       constexpr int step = StressAround<Real>::step(D3Q19::c[I][0], D3Q19::c[I][1], D3Q19::c[I][2]);
-      const V w = number<V>(D3Q19::w(I)), there = w * V(around_.liquid + place + step, stdx::element_aligned);
+      const V w = number<V>(D3Q19::w(I)), there = w * load<V>(around_.liquid + place + step);
       weights += there;
-      rate = stdx::min(rate, V(around_.rate + place + step, stdx::element_aligned));
+      rate = min(rate, load<V>(around_.rate + place + step));
       for (int k = 0; k < 3; ++k)
         if (c[k] != 0) way[k] += number<V>(c[k]) * there;
-      for (int k = 0; k < 6; ++k) sum[k] += w * V(around_.stress[k] + place + step, stdx::element_aligned);
+      for (int k = 0; k < 6; ++k) sum[k] += w * load<V>(around_.stress[k] + place + step);
     };
     [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
       (add.template operator()<static_cast<int>(I) + 1>(), ...);
     }
     (std::make_index_sequence<D3Q19::q - 1>{});
-    rate.copy_to(out.rate, stdx::element_aligned);
+    store(out.rate, rate);
     const V inverse = V(1) / weights;
-    for (int k = 0; k < 3; ++k) V(way[k] * inverse).copy_to(out.way[k], stdx::element_aligned);
-    for (int k = 0; k < 6; ++k) V(sum[k] * inverse).copy_to(out.stress[k], stdx::element_aligned);
+    for (int k = 0; k < 3; ++k) store(out.way[k], V(way[k] * inverse));
+    for (int k = 0; k < 6; ++k) store(out.stress[k], V(sum[k] * inverse));
   }
 
   const FluidGrid<Real>& grid_;

@@ -19,7 +19,6 @@
 // cells that is stable up to a ratio of 10 or more for tau from 0.5 to 1, 2.9 at tau = 2, 1.15 at 4, 0.32 at 18.5
 // (docs/decisions/0042).
 #include <algorithm>
-#include <experimental/simd>
 #include <vector>
 
 #include "lbm/collision/cell_state.h"
@@ -66,7 +65,7 @@ struct SurfaceTraction {
     const V down = cx * normal[0] + cy * normal[1] + cz * normal[2];
     const V along = cx * inside[0] + cy * inside[1] + cz * inside[2];
     const V lever = (depth + number<V>(0.5 * sign) * down) * inverse_depth;
-    const V bounded = stdx::min(stdx::max(lever, V(-largest)), V(stdx::min(largest, V(1))));
+    const V bounded = min(max(lever, V(-largest)), V(min(largest, V(1))));
     return number<V>(-18 * weight) * bounded * down * along;
   }
 };
@@ -78,8 +77,8 @@ template <class V>
 [[gnu::always_inline]] inline SurfaceTraction<V> surface_traction(const Symmetric<V>& s, const V (&way)[3],
                                                                   const V& rate, const V (&a)[3], const V& depth,
                                                                   const V& gravity) {
-  const V size = stdx::max(V(stdx::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2])), number<V>(1e-18));
-  const V inverse = V(1) / size, fade = stdx::min(V(number<V>(10) * size / gravity), V(1));
+  const V size = max(V(sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2])), number<V>(1e-18));
+  const V inverse = V(1) / size, fade = min(V(number<V>(10) * size / gravity), V(1));
   SurfaceTraction<V> t;
   for (int k = 0; k < 3; ++k) t.normal[k] = a[k] * inverse;
   const V(&n)[3] = t.normal;
@@ -89,8 +88,8 @@ template <class V>
   for (int k = 0; k < 3; ++k) t.inside[k] = fade * (pull[k] - across * n[k]);
   t.depth = depth * inverse;
   const V there = t.depth + way[0] * n[0] + way[1] * n[1] + way[2] * n[2];
-  t.inverse_depth = V(1) / stdx::max(there, number<V>(0.5));
-  t.largest = stdx::min(number<V>(2), V(number<V>(4) * rate));
+  t.inverse_depth = V(1) / max(there, number<V>(0.5));
+  t.largest = min(number<V>(2), V(number<V>(4) * rate));
   return t;
 }
 

@@ -17,8 +17,7 @@ namespace lahar::lbm {
 
 /// q of a cell.
 template <class V>
-V loading(const Symmetric<V>& s, const V& inverse_density) {
-  using std::sqrt;
+V loading(const Symmetric<V>& s, const V& inverse_density) noexcept {
   return sqrt(number<V>(4.5) * square(s)) * inverse_density;
 }
 
@@ -39,7 +38,6 @@ struct Bingham {
   }
 
   V rate(const Symmetric<V>& s, const V& inverse_density) const {
-    using std::max;
     const V q = max(loading(s, inverse_density), number<V>(kLeastLoading));
     return max(least_rate, V((V(1) - yield_loading / q) * plastic_rate));
   }

@@ -30,7 +30,6 @@ struct HerschelBulkley {
 
   /// g from e.
   V shear_rate(const V& excess) const {
-    using std::min;
     const V target = log2_of(excess), shift = log_consistency - target;
     V x = min(V(target + V(1)), V(-shift / exponent));
     for (int k = 0; k < newton_steps; ++k) {
@@ -44,7 +43,6 @@ struct HerschelBulkley {
   }
 
   V rate(const Symmetric<V>& s, const V& inverse_density) const {
-    using std::max;
     const V least = number<V>(kLeastLoading), q = max(loading(s, inverse_density), least);
     return max(least_rate, V(shear_rate(max(V(q - yield_loading), least)) / q));
   }

@@ -2,26 +2,15 @@
 // Loading and storing the populations of a block seen through an offset of one cell. Rows of 8 cells run along x: an
 // offset along x takes 7 cells from one row and 1 from the next block's. Where the rows lie is found once per block; a
 // row is then two loads and a shuffle, or a shuffle and two masked stores.
-#include <cstring>
-#include <experimental/simd>
 #include <tuple>
 #include <utility>
 
+#include "core/simd.h"
 #include "lbm/step/streaming.h"
 
 namespace lahar::lbm {
 
-namespace stdx = std::experimental;
-
-/// The 8 numbers of a row.
-template <class Real>
-using Row = stdx::simd<Real, stdx::simd_abi::deduce_t<Real, kBlockWidth>>;
-
-/// Rows for the compiler's own shuffles, which the library lacks.
-template <class Real, int kRows>
-struct RowsOf {
-  using type [[gnu::vector_size(kRows * kBlockWidth * sizeof(Real))]] = Real;
-};
+static_assert(kRow == kBlockWidth);
 
 /// One row of cells along x, or two, and where they lie in their block.
 struct Rows {
@@ -40,22 +29,14 @@ struct Rows {
 template <class Real>
 alignas(64) inline constexpr Real kRest[kBlockCells] = {};
 
-/// Writes the chosen lanes and touches no others, which may be in use by another thread.
-template <class Real, class V, class Mask>
-[[gnu::always_inline]] inline void store_some(Real* p, const V& values, const Mask& chosen) {
-  if constexpr (stdx::native_simd<float>::size() >= kBlockWidth)
-    stdx::where(chosen, values).copy_to(p, stdx::element_aligned);
-  else  // narrow vectors store with masks around the cache
-    for (std::size_t k = 0; k < V::size(); ++k)
-      if (chosen[k]) p[k] = values[k];
-}
-
 /// The numbers of one velocity in the blocks that a block seen through the offset (CX, CY, CZ) reaches into, loaded and
 /// stored by one row of cells or two.
 template <int CX, int CY, int CZ, class Real>
 class ShiftedVelocity {
  public:
   static_assert(CX == 0 || CX == 1, "forward velocities");
+  using One = Row<Real>;
+  using Two = Pack<Real, 2 * kBlockWidth>;
 
   /// A missing block reads as rest at density 1; what is sent there goes to the 512 numbers at `nowhere`, which may be
   /// null if nothing is stored. The pointers are shifted so that the cell n + (CX, CY, CZ) lies at n, whichever block
@@ -77,36 +58,28 @@ class ShiftedVelocity {
   [[gnu::always_inline]] V load(const Rows& rows) const {
     const auto& from = from_[beyond_z(rows)];
     if constexpr (V::size() == kBlockWidth) {
-      return value<V>(row(from[beyond_y(rows)], rows.n));
+      return row(from[beyond_y(rows)], rows.n);
     } else if constexpr (CY == 0) {
-      const auto near = vector<Two>(from[0][0] + rows.n);
-      if constexpr (CX == 0) return value<V>(near);
-      return value<V>(__builtin_shufflevector(near, vector<Two>(from[0][1] + rows.n), 1, 2, 3, 4, 5, 6, 7, 16, 9, 10,
-                                              11, 12, 13, 14, 15, 24));
+      const auto near = lahar::load<Two>(from[0][0] + rows.n);
+      if constexpr (CX == 0) return near;
+      return shuffle<1, 2, 3, 4, 5, 6, 7, 16, 9, 10, 11, 12, 13, 14, 15, 24>(near,
+                                                                             lahar::load<Two>(from[0][1] + rows.n));
     } else {
-      const auto first = row(from[CY < 0 && beyond_y(rows)], rows.n);
-      const auto second = row(from[CY > 0 && beyond_y(rows)], rows.n + kBlockWidth);
-      return value<V>(__builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
+      return join(row(from[CY < 0 && beyond_y(rows)], rows.n),
+                  row(from[CY > 0 && beyond_y(rows)], rows.n + kBlockWidth));
     }
   }
 
   /// Stores the chosen cells of one row.
-  template <class Mask>
-  [[gnu::always_inline]] void store_chosen(const Rows& rows, const Row<Real>& values, const Mask& chosen) const {
+  [[gnu::always_inline]] void store_chosen(const Rows& rows, const One& values,
+                                           const typename One::mask_type& chosen) const {
     const auto& to = to_[beyond_z(rows)][beyond_y(rows)];
     if constexpr (CX == 0) {
-      store_some(to[0] + rows.n, values, chosen);
+      store_if(chosen, to[0] + rows.n, values);
     } else {
-      Row<Real> flags(0);
-      stdx::where(chosen, flags) = Row<Real>(1);
-      const auto turn = [](const Row<Real>& v) __attribute__((always_inline)) {
-        const auto own = vector<One>(v);
-        return value<Row<Real>>(__builtin_shufflevector(own, own, 7, 0, 1, 2, 3, 4, 5, 6));
-      };
-      const Row<Real> lane([](auto k) { return static_cast<Real>(k); }), turned = turn(values);
-      const auto wanted = turn(flags) > Row<Real>(0);
-      store_some(to[0] + rows.n, turned, wanted && lane != Row<Real>(0));
-      store_some(to[1] + rows.n, turned, wanted && lane == Row<Real>(0));
+      const One turned = turn(values);
+      store_if(One::mask_type::from_bits(chosen.bits() << 1 & kInNear<One>), to[0] + rows.n, turned);
+      store_if(One::mask_type::from_bits(chosen.bits() >> (kBlockWidth - 1)), to[1] + rows.n, turned);
     }
   }
 
@@ -115,26 +88,20 @@ class ShiftedVelocity {
   [[gnu::always_inline]] void store(const Rows& rows, const V& values) const {
     const auto& to = to_[beyond_z(rows)];
     if constexpr (V::size() == kBlockWidth) {
-      put_row(to[beyond_y(rows)], rows.n, vector<One>(values));
+      put_row(to[beyond_y(rows)], rows.n, values);
     } else if constexpr (CY == 0) {
-      const auto own = vector<Two>(values);
       if constexpr (CX == 0)
-        put(to[0][0] + rows.n, own);
+        lahar::store(to[0][0] + rows.n, values);
       else
-        put_ahead<V>(to[0][0] + rows.n, to[0][1] + rows.n,
-                     __builtin_shufflevector(own, own, 7, 0, 1, 2, 3, 4, 5, 6, 15, 8, 9, 10, 11, 12, 13, 14));
+        put_ahead(to[0][0] + rows.n, to[0][1] + rows.n,
+                  shuffle<7, 0, 1, 2, 3, 4, 5, 6, 15, 8, 9, 10, 11, 12, 13, 14>(values));
     } else {
-      const auto own = vector<Two>(values);
-      put_row(to[CY < 0 && beyond_y(rows)], rows.n, __builtin_shufflevector(own, own, 0, 1, 2, 3, 4, 5, 6, 7));
-      put_row(to[CY > 0 && beyond_y(rows)], rows.n + kBlockWidth,
-              __builtin_shufflevector(own, own, 8, 9, 10, 11, 12, 13, 14, 15));
+      put_row(to[CY < 0 && beyond_y(rows)], rows.n, half_of<0>(values));
+      put_row(to[CY > 0 && beyond_y(rows)], rows.n + kBlockWidth, half_of<1>(values));
     }
   }
 
  private:
-  using One = typename RowsOf<Real, 1>::type;
-  using Two = typename RowsOf<Real, 2>::type;
-
   /// By way of an integer: the pointer may lie outside of what it is used in.
   template <class Number>
   static Number* shifted(Number* p, int cells) {
@@ -150,49 +117,31 @@ class ShiftedVelocity {
   }
 
   [[gnu::always_inline]] static One row(const Real* const (&from)[2], int n) {
-    const auto near = vector<One>(from[0] + n);
+    const One near = lahar::load<One>(from[0] + n);
     if constexpr (CX == 0) return near;
-    return __builtin_shufflevector(near, vector<One>(from[1] + n), 1, 2, 3, 4, 5, 6, 7, 8);
+    return shuffle<1, 2, 3, 4, 5, 6, 7, 8>(near, lahar::load<One>(from[1] + n));
   }
+
+  [[gnu::always_inline]] static One turn(const One& values) { return shuffle<7, 0, 1, 2, 3, 4, 5, 6>(values); }
 
   [[gnu::always_inline]] static void put_row(Real* const (&to)[2], int n, const One& own) {
     if constexpr (CX == 0)
-      put(to[0] + n, own);
+      lahar::store(to[0] + n, own);
     else
-      put_ahead<Row<Real>>(to[0] + n, to[1] + n, __builtin_shufflevector(own, own, 7, 0, 1, 2, 3, 4, 5, 6));
+      put_ahead(to[0] + n, to[1] + n, turn(own));
   }
+
+  /// Lanes of turned rows that belong into the near block: all but the first of each row.
+  template <class V>
+  static constexpr unsigned kInNear = 0xFEFEU & V::mask_type::kAll;
 
   /// Rows turned by one cell: the first number of each belongs into the far block, the others into the near one. What
   /// is not written may be in use by another thread and must not be touched, not even with its own value.
-  template <class V, class Vector>
-  [[gnu::always_inline]] static void put_ahead(Real* near, Real* far, const Vector& turned) {
-    const V lane([](auto k) { return static_cast<Real>(k % kBlockWidth); }), values = value<V>(turned);
-    store_some(near, values, lane != V(0));
-    store_some(far, values, lane == V(0));
-  }
-
-  template <class Vector>
-  [[gnu::always_inline]] static Vector vector(const Real* p) {
-    Vector v;
-    std::memcpy(&v, p, sizeof(v));
-    return v;
-  }
-
-  template <class Vector, class Abi>
-  [[gnu::always_inline]] static Vector vector(const stdx::simd<Real, Abi>& values) {
-    Vector v;
-    values.copy_to(reinterpret_cast<Real*>(&v), stdx::vector_aligned);
-    return v;
-  }
-
-  template <class V, class Vector>
-  [[gnu::always_inline]] static V value(const Vector& v) {
-    return V(reinterpret_cast<const Real*>(&v), stdx::vector_aligned);
-  }
-
-  template <class Vector>
-  [[gnu::always_inline]] static void put(Real* p, const Vector& v) {
-    std::memcpy(p, &v, sizeof(v));
+  template <class V>
+  [[gnu::always_inline]] static void put_ahead(Real* near, Real* far, const V& turned) {
+    using Lanes = typename V::mask_type;
+    store_if(Lanes::from_bits(kInNear<V>), near, turned);
+    store_if(Lanes::from_bits(~kInNear<V> & Lanes::kAll), far, turned);
   }
 
   const Real* from_[2][2][2];

@@ -1,6 +1,5 @@
 #pragma once
 // The body of the sweep, instantiated per number type and collision operator (sweep_float.cpp, sweep_double.cpp).
-#include <experimental/simd>
 #include <limits>
 
 #include "core/check.h"
@@ -64,7 +63,7 @@ template <class Real, bool kMixed, bool kBody>
 class BlockKernel {
  public:
   /// A row or two.
-  using V = std::conditional_t<stdx::native_simd<Real>::size() == 2 * kBlockWidth, stdx::native_simd<Real>, Row<Real>>;
+  using V = std::conditional_t<kNativeLanes<Real> == 2 * kBlockWidth, Pack<Real, 2 * kBlockWidth>, Row<Real>>;
   static constexpr int width = static_cast<int>(V::size());
 
   template <class Operator, template <class> class Viscosity>
@@ -94,19 +93,20 @@ class BlockKernel {
     bool broken = false;
 
     [[gnu::always_inline]] void see(const Moments<V>& m, const Departure<V>& d) {
-      compression = stdx::max(compression, stdx::abs(m.drho));
-      fastest = stdx::max(fastest, d.square);
+      compression = max(compression, abs(m.drho));
+      fastest = max(fastest, d.square);
       const auto over = too_fast(d);
-      if (stdx::none_of(over)) [[likely]]
+      if (none(over)) [[likely]]
         return;
-      held_back += stdx::popcount(over);
-      broken = broken || stdx::any_of(!stdx::isfinite(d.square));
+      held_back += count(over);
+      broken = broken || any(!is_finite(d.square));
     }
 
     [[nodiscard]] SweepNote note(const Block<Real>& block) const {
-      const double square = broken ? std::numeric_limits<double>::infinity() : static_cast<double>(stdx::hmax(fastest));
+      const double square =
+          broken ? std::numeric_limits<double>::infinity() : static_cast<double>(greatest_lane(fastest));
       return {block.wet_cells, limited, block.surface ? block.surface->exposed : 0,
-              held_back,       square,  static_cast<double>(stdx::hmax(compression))};
+              held_back,       square,  static_cast<double>(greatest_lane(compression))};
     }
   };
 
@@ -124,33 +124,32 @@ class BlockKernel {
                                                    const AwayPopulations<Real>& away, const Real* wet, int n,
                                                    const Uniforms& uniform, Watch& watch) {
     V f[D3Q19::q];
-    f[0] = V(block.f(0) + n, stdx::vector_aligned);
-    for (int pair = 0; pair < D3Q19::pairs; ++pair) f[2 * pair + 1] = V(home[pair] + n, stdx::vector_aligned);
+    f[0] = load_aligned<V>(block.f(0) + n);
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) f[2 * pair + 1] = load_aligned<V>(home[pair] + n);
     const Rows rows = Rows::at(n, width / kBlockWidth);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       f[2 * P + 2] = away.template pair<P>().template load<V>(rows);
     });
     const auto dry = [&] {
       if constexpr (kMixed)
-        return V(wet + n, stdx::vector_aligned) == V(0);
+        return load_aligned<V>(wet + n) == V(0);
       else
-        return typename V::mask_type(false);
+        return V::mask_type::all(false);
     }();
     if constexpr (kMixed)
-      for (V& population : f) stdx::where(dry, population) = V(0);
+      for (V& population : f) population = select(dry, V(0), population);
     const Moments<V> m = moments(f);
     CellForcing<V> force;
     if constexpr (kMixed)
       if (block.surface) {
-        m.drho.copy_to(block.surface->density + n, stdx::vector_aligned);
-        if constexpr (Operator::bounds_stress)
-          force.largest_rate = V(block.surface->largest_rate + n, stdx::vector_aligned);
+        store_aligned(block.surface->density + n, m.drho);
+        if constexpr (Operator::bounds_stress) force.largest_rate = load_aligned<V>(block.surface->largest_rate + n);
       }
     if constexpr (Operator::bounds_stress) limit_stress(watch, f, uniform.stress_limit, m, force);
     add_forcing(block, n, uniform, m, force);
     if constexpr (kBody && kMixed) {
-      stdx::where(dry, force.coverage_weight) = V(0);
-      for (V& change : force.impulse) stdx::where(dry, change) = V(0);
+      force.coverage_weight = select(dry, V(0), force.coverage_weight);
+      for (V& change : force.impulse) change = select(dry, V(0), change);
     }
     Departure<V> after;
     bool bounces_back = false;
@@ -167,8 +166,8 @@ class BlockKernel {
     watch.see(m, after);
     if constexpr (kBody) record_exchange(block, n, m, force, uniform, after);
     // Dry cells store what came of rest: it goes to places that walls or the surface set before a wet cell reads them.
-    f[0].copy_to(block.f(0) + n, stdx::vector_aligned);
-    for (int pair = 0; pair < D3Q19::pairs; ++pair) f[2 * pair + 2].copy_to(home[pair] + n, stdx::vector_aligned);
+    store_aligned(block.f(0) + n, f[0]);
+    for (int pair = 0; pair < D3Q19::pairs; ++pair) store_aligned(home[pair] + n, f[2 * pair + 2]);
     for_each_pair([&]<int P, int CX, int CY, int CZ>()
                       __attribute__((always_inline)) { away.template pair<P>().store(rows, f[2 * P + 1]); });
   }
@@ -179,10 +178,10 @@ class BlockKernel {
     const Symmetric<V> s = stress(f, m);
     const V limit = largest * (V(1) + m.drho);
     const auto over = square(s) > limit * limit;
-    if (stdx::none_of(over)) [[likely]]
+    if (none(over)) [[likely]]
       return;
     force.stress_share = limited_stress_share(s, m.inverse_density, largest);
-    watch.limited += stdx::popcount(over);
+    watch.limited += count(over);
   }
 
   /// Gravity acts on all that the populations stand for, liquid and displaced liquid; the bodies' buoyancy is the
@@ -193,19 +192,19 @@ class BlockKernel {
     if constexpr (kBody) {
       const BodyFields<Real>& body = *block.body;
       const V tiny(Real(1e-12));
-      const V sum(body.exchange_weight + n, stdx::vector_aligned);
-      const V inverse = V(1) / stdx::max(sum, tiny);
-      force.coverage_weight = coverage_weight(V(body.drag + n, stdx::vector_aligned), uniform.alpha, uniform.beta,
+      const V sum = load_aligned<V>(body.exchange_weight + n);
+      const V inverse = V(1) / max(sum, tiny);
+      force.coverage_weight = coverage_weight(load_aligned<V>(body.drag + n), uniform.alpha, uniform.beta,
                                               uniform.gamma, uniform.cap, uniform.largest);
       force.nonequilibrium_loss = uniform.nonequilibrium_loss * force.coverage_weight;
-      stdx::where(sum > V(0), force.near_body) = V(1);
-      force.solid_velocity[0] = V(body.weighted_velocity_x + n, stdx::vector_aligned) * inverse;
-      force.solid_velocity[1] = V(body.weighted_velocity_y + n, stdx::vector_aligned) * inverse;
-      force.solid_velocity[2] = V(body.weighted_velocity_z + n, stdx::vector_aligned) * inverse;
+      force.near_body = select(sum > V(0), V(1), force.near_body);
+      force.solid_velocity[0] = load_aligned<V>(body.weighted_velocity_x + n) * inverse;
+      force.solid_velocity[1] = load_aligned<V>(body.weighted_velocity_y + n) * inverse;
+      force.solid_velocity[2] = load_aligned<V>(body.weighted_velocity_z + n) * inverse;
       const Real* const none = kNoImpulse<Real>.data();
       const ImpulseFields<Real>* const given = block.impulse;
       const Real* const impulse[3] = {given ? given->x : none, given ? given->y : none, given ? given->z : none};
-      for (int a = 0; a < 3; ++a) force.impulse[a] = V(impulse[a] + n, stdx::vector_aligned) * m.inverse_density;
+      for (int a = 0; a < 3; ++a) force.impulse[a] = load_aligned<V>(impulse[a] + n) * m.inverse_density;
     } else {
       force.coverage_weight = V(0);
       for (int a = 0; a < 3; ++a) force.solid_velocity[a] = force.impulse[a] = V(0);
@@ -229,8 +228,8 @@ class BlockKernel {
         const V slip = m.u[a] - force.solid_velocity[a];
         loss += slip, velocity_a -= force.coverage_weight * slip;
       }
-      (weight * loss).copy_to(out[a] + n, stdx::vector_aligned);
-      if (uniform.keep_velocity) velocity_a.copy_to(velocity[a] + n, stdx::vector_aligned);
+      store_aligned(out[a] + n, weight * loss);
+      if (uniform.keep_velocity) store_aligned(velocity[a] + n, velocity_a);
     }
   }
 };

@@ -26,7 +26,7 @@ class PointDrag final : public GrainExchange<double> {
     for (const std::uint32_t k : map.by_block().in(block)) {
       const GrainInBlock& pair = map.pairs()[k];
       for_covered_rows(map.sphere(pair.grain), pair.lowest,
-                       [&](int row, const lbm::Row<double>& eps) { add_to_row(f.solid_fraction + row, eps); });
+                       [&](int row, const Row<double>& eps) { add_to_row(f.solid_fraction + row, eps); });
     }
   }
   [[nodiscard]] bool samples_velocity() const override { return true; }

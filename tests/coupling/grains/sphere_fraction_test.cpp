@@ -20,7 +20,7 @@ double covered_volume(double radius, const Vec3& offset) {
   for (int x = 0; x < 40; x += 8)
     for (int y = 0; y < 40; ++y)
       for (int z = 0; z < 40; ++z) {
-        fraction_row(s, x, y, z).copy_to(row, stdx::element_aligned);
+        store(row, fraction_row(s, x, y, z));
         for (const double e : row) {
           EXPECT_GE(e, 0);
           EXPECT_LE(e, 1);
@@ -71,7 +71,7 @@ TEST(SphereFraction, RowsNearASphereHoldAllOfIt) {
     for (int y = 0; y < 8; ++y)
       for (int z = 0; z < 8; ++z) {
         float row[8];
-        fraction_row(s, 16, 16 + y, 16 + z).copy_to(row, stdx::element_aligned);
+        store(row, fraction_row(s, 16, 16 + y, 16 + z));
         const bool covered = *std::max_element(row, row + 8) > 0;
         EXPECT_TRUE(seen[y][z] || !covered) << k;
         taken += seen[y][z], needed += covered;

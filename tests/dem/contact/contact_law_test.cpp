@@ -181,31 +181,31 @@ TYPED_TEST(AnyContactLaw, vanishes_with_the_overlap) {
 }
 
 /// The law on eight contacts side by side is the law on each of them.
-TYPED_TEST(AnyContactLaw, lines_agree_with_numbers) {
-  ContactHistory history[kLine];
-  ContactHistoryOf<Line> lines;
+TYPED_TEST(AnyContactLaw, rows_agree_with_numbers) {
+  ContactHistory history[kRow];
+  ContactHistoryOf<Row<double>> rows;
   for (int n = 0; n < 200; ++n) {
-    ContactStateOf<Line> all;
-    ContactForce f[kLine];
-    for (std::size_t l = 0; l < kLine; ++l) {
+    ContactStateOf<Row<double>> all;
+    ContactForce f[kRow];
+    for (std::size_t l = 0; l < kRow; ++l) {
       const ContactState s = this->state();
       f[l] = this->law(s, history[l], 1e-6);
       for (auto [to, from] : {std::pair{&all.normal_ij, &s.normal_ij},
                               {&all.tangential_velocity, &s.tangential_velocity},
                               {&all.tangential_velocity_end, &s.tangential_velocity_end}})
-        to->x[l] = from->x, to->y[l] = from->y, to->z[l] = from->z;
-      all.overlap[l] = s.overlap, all.closing_speed[l] = s.closing_speed, all.twist_rate[l] = s.twist_rate;
-      all.effective_radius[l] = s.effective_radius, all.effective_mass[l] = s.effective_mass;
-      all.effective_modulus[l] = s.effective_modulus, all.effective_shear_modulus[l] = s.effective_shear_modulus;
-      all.friction[l] = s.friction, all.damping_ratio[l] = s.damping_ratio;
+        to->x.set(l, from->x), to->y.set(l, from->y), to->z.set(l, from->z);
+      all.overlap.set(l, s.overlap), all.closing_speed.set(l, s.closing_speed), all.twist_rate.set(l, s.twist_rate);
+      all.effective_radius.set(l, s.effective_radius), all.effective_mass.set(l, s.effective_mass);
+      all.effective_modulus.set(l, s.effective_modulus), all.effective_shear_modulus.set(l, s.effective_shear_modulus);
+      all.friction.set(l, s.friction), all.damping_ratio.set(l, s.damping_ratio);
     }
-    const ContactForceOf<Line> g = this->law(all, lines, 1e-6);
-    for (std::size_t l = 0; l < kLine; ++l) {
+    const ContactForceOf<Row<double>> g = this->law(all, rows, 1e-6);
+    for (std::size_t l = 0; l < kRow; ++l) {
       EXPECT_NEAR(g.normal[l], f[l].normal, 1e-10 * (1 + f[l].normal));
       EXPECT_NEAR(g.tangential.x[l], f[l].tangential.x, 1e-9 * (1 + f[l].normal));
       EXPECT_NEAR(g.tangential.z[l], f[l].tangential.z, 1e-9 * (1 + f[l].normal));
       EXPECT_NEAR(g.friction_work[l], f[l].friction_work, 1e-9 * (1e-6 + f[l].friction_work));
-      EXPECT_NEAR(lines.tangential_stiffness[l], history[l].tangential_stiffness,
+      EXPECT_NEAR(rows.tangential_stiffness[l], history[l].tangential_stiffness,
                   1e-10 * (1 + history[l].tangential_stiffness));
     }
   }

@@ -46,21 +46,21 @@ TEST(SurfacePlane, ScalesWithTheVectorAndNeedsNone) {
 
 /// Eight cells at once, in every range of volumes, as one by one; none in cells that are not asked for.
 TEST(SurfacePlane, ManyCellsAsOneByOne) {
-  using V = std::experimental::simd<double, std::experimental::simd_abi::deduce_t<double, 8>>;
+  using V = Row<double>;
   std::mt19937 random(2);
   std::uniform_real_distribution<double> any(-1, 1);
   for (int n = 0; n < 400; ++n) {
     V a[3], fill;
-    V::mask_type wanted(true);
-    wanted[static_cast<std::size_t>(n % 8)] = false;
+    auto wanted = V::mask_type::all(true);
+    wanted.set(static_cast<std::size_t>(n % 8), false);
     for (std::size_t k = 0; k < V::size(); ++k) {
-      for (V& component : a) component[k] = n % 4 == 0 && any(random) < 0 ? 0 : any(random);
-      fill[k] = n % 5 == 0 ? 0.01 * std::abs(any(random)) : 0.5 + 0.5 * any(random);
+      for (V& component : a) component.set(k, n % 4 == 0 && any(random) < 0 ? 0 : any(random));
+      fill.set(k, n % 5 == 0 ? 0.01 * std::abs(any(random)) : 0.5 + 0.5 * any(random));
     }
     const V depths = depths_of_centres(a, fill, wanted);
     for (std::size_t k = 0; k < V::size(); ++k) {
       const double one[3] = {a[0][k], a[1][k], a[2][k]};
-      EXPECT_NEAR(depths[k], wanted[k] ? depth_of_centre(one, double{fill[k]}) : 0.0, 1e-14) << n << " " << k;
+      EXPECT_NEAR(depths[k], wanted[k] ? depth_of_centre(one, fill[k]) : 0.0, 1e-14) << n << " " << k;
     }
   }
 }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <experimental/simd>
 #include <stdexcept>
 
 #include "lbm/rheology/herschel_bulkley.h"
@@ -52,11 +51,11 @@ TEST(Rheology, HerschelBulkleySolvesItsLaw) {
       expect_law<HerschelBulkley<double>>({FlowLaw::herschel_bulkley, 1e-5, consistency, n, 30.5}, 1e-7);
 }
 
-TEST(Rheology, VectorsGiveWhatNumbersGive) {
-  using V = std::experimental::native_simd<float>;
+TEST(Rheology, PacksGiveWhatNumbersGive) {
+  using V = Pack<float, 16>;
   const Parameters p{{FlowLaw::herschel_bulkley, 1e-5, 1e-3, 0.4, 30.5}};
   Symmetric<V> s{V(0), V(0), V(0), V(0), V(0), V(0)};
-  for (std::size_t k = 0; k < V::size(); ++k) s.xy[k] = 1e-6F * std::pow(2.5F, static_cast<float>(k));
+  for (std::size_t k = 0; k < V::size(); ++k) s.xy.set(k, 1e-6F * std::pow(2.5F, static_cast<float>(k)));
   const V rate = HerschelBulkley<V>::of(p).rate(s, V(1));
   for (std::size_t k = 0; k < V::size(); ++k) {
     const Symmetric<double> one{0, 0, 0, static_cast<double>(s.xy[k]), 0, 0};
