@@ -88,6 +88,10 @@ struct BlockChanges {
   }
 };
 
+/// What a block noted for its neighbours, as bits: asked before its changes are looked at, which are seldom in the
+/// cache.
+enum Noted : std::uint8_t { kFilled = 1, kEmptied = 2, kGifts = 4, kClaims = 8, kSpills = 16 };
+
 /// The changes of all blocks, and which blocks a change reaches.
 template <class Real>
 class LevelChanges {
@@ -97,10 +101,19 @@ class LevelChanges {
     if (blocks_.size() < grid.topology().capacity()) {
       blocks_.resize(grid.topology().capacity());
       near_.resize(blocks_.size(), 0);
+      noted_.resize(blocks_.size(), 0);
     }
   }
   [[nodiscard]] BlockChanges<Real>& of(BlockIndex b) { return blocks_[static_cast<std::size_t>(b)]; }
   [[nodiscard]] const BlockChanges<Real>& of(BlockIndex b) const { return blocks_[static_cast<std::size_t>(b)]; }
+
+  /// To be called by a phase that has noted something in its block.
+  void note(BlockIndex b) {
+    const BlockChanges<Real>& c = of(b);
+    noted_[static_cast<std::size_t>(b)] = static_cast<std::uint8_t>(
+        (c.flagged.filled.empty() ? 0 : kFilled) | (c.flagged.emptied.empty() ? 0 : kEmptied) |
+        (c.gifts.empty() ? 0 : kGifts) | (c.claims.empty() ? 0 : kClaims) | (c.spills.empty() ? 0 : kSpills));
+  }
 
   /// Marks the blocks that cells of a block are next to; one thread.
   void note_reach(const FluidGrid<Real>& grid, BlockIndex b, const CellSet& cells) {
@@ -121,8 +134,9 @@ class LevelChanges {
   /// Calls visit(cell) for the cells of a block that have a neighbour in a set of cells, `member(changes of a block)`,
   /// once for each such neighbour, in the order in which these lie in space: neighbour_slot of their block, then cell.
   template <class Member, class Visit>
-  void for_each_beside(const FluidGrid<Real>& grid, BlockIndex b, const Member& member, const Visit& visit) const {
-    for_each_near(grid, b, [&](const BlockChanges<Real>& changes, int slot) {
+  void for_each_beside(const FluidGrid<Real>& grid, BlockIndex b, Noted kind, const Member& member,
+                       const Visit& visit) const {
+    for_each_near(grid, b, kind, [&](const BlockChanges<Real>& changes, int slot) {
       if (const CellSet& set = member(changes); !set.empty())
         set.facing(26 - slot).for_each([&](int from) { for_each_neighbour_in(from, 26 - slot, visit); });
     });
@@ -131,8 +145,9 @@ class LevelChanges {
   /// Calls visit(cell, value) for these cells, with what a map of values, `member(changes of a block)`, has for the
   /// neighbour.
   template <class Member, class Visit>
-  void for_each_noted(const FluidGrid<Real>& grid, BlockIndex b, const Member& member, const Visit& visit) const {
-    for_each_near(grid, b, [&](const BlockChanges<Real>& changes, int slot) {
+  void for_each_noted(const FluidGrid<Real>& grid, BlockIndex b, Noted kind, const Member& member,
+                      const Visit& visit) const {
+    for_each_near(grid, b, kind, [&](const BlockChanges<Real>& changes, int slot) {
       const auto& map = member(changes);
       if (map.empty()) return;
       map.cells().facing(26 - slot).for_each([&](int from) {
@@ -146,23 +161,26 @@ class LevelChanges {
   void clear() {
     for (const BlockIndex b : reached_) {
       near_[static_cast<std::size_t>(b)] = 0;
+      noted_[static_cast<std::size_t>(b)] = 0;
       of(b).clear();
     }
     reached_.clear();
   }
 
  private:
-  /// Calls visit(changes, slot) for the blocks whose changes reach this one.
+  /// Calls visit(changes, slot) for the blocks that noted a kind of change and whose changes reach this one.
   template <class Visit>
-  void for_each_near(const FluidGrid<Real>& grid, BlockIndex b, const Visit& visit) const {
+  void for_each_near(const FluidGrid<Real>& grid, BlockIndex b, Noted kind, const Visit& visit) const {
     for (std::uint32_t slots = near_[static_cast<std::size_t>(b)]; slots != 0; slots &= slots - 1) {
       const int slot = std::countr_zero(slots);
-      visit(of(grid.topology().neighbours(b)[static_cast<std::size_t>(slot)]), slot);
+      const BlockIndex other = grid.topology().neighbours(b)[static_cast<std::size_t>(slot)];
+      if (noted_[static_cast<std::size_t>(other)] & kind) visit(of(other), slot);
     }
   }
 
   std::vector<BlockChanges<Real>> blocks_;  // by block index
   std::vector<std::uint32_t> near_;         // blocks with changes next to this one, bits by neighbour_slot
+  std::vector<std::uint8_t> noted_;         // bits of Noted
   std::vector<BlockIndex> reached_;
 };
 

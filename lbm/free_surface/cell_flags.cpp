@@ -40,8 +40,8 @@ Verdict judge_covered(const FluidGrid<Real>& grid, CellPlace place, bool at_rim)
   const auto& around = grid.around(place.block);
   int liquid = 0, gas = 0;
   for (int i = 1; i < D3Q19::q; ++i) {
-    const Block<Real>* block = around[kNeighbours.slot[i][place.cell]];
-    const CellType t = block ? block->type[static_cast<std::size_t>(kNeighbours.cell[i][place.cell])] : CellType::gas;
+    const Block<Real>* block = around[kNeighbours.slot(i, place.cell)];
+    const CellType t = block ? block->type[static_cast<std::size_t>(kNeighbours.cell(i, place.cell))] : CellType::gas;
     liquid += t == CellType::liquid, gas += t == CellType::gas || t == CellType::sink;
   }
   if (gas > liquid + kSharpBend) return Verdict::empty;

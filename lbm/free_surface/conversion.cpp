@@ -61,6 +61,7 @@ template <class Real>
 void CellConversion<Real>::flag(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SweepNote& note) {
   BlockChanges<Real>& own = changes_->of(b);
   own.left = flag_conversions(grid, b, parity, round_, std::sqrt(note.speed_square), own.flagged);
+  changes_->note(b);
 }
 
 template <class Real>
@@ -106,7 +107,8 @@ void CellConversion<Real>::find_reached(const FluidGrid<Real>& grid) {
 template <class Real>
 void CellConversion<Real>::keep_beside_filled(const FluidGrid<Real>& grid, BlockIndex b) {
   CellSet& emptied = changes_->of(b).flagged.emptied;
-  if (!emptied.empty()) changes_->for_each_beside(grid, b, filled_in<Real>, [&](int cell) { emptied.remove(cell); });
+  if (!emptied.empty())
+    changes_->for_each_beside(grid, b, kFilled, filled_in<Real>, [&](int cell) { emptied.remove(cell); });
 }
 
 /// Gas beside a filled cell becomes interface, as does liquid beside an emptied one.
@@ -119,8 +121,8 @@ void CellConversion<Real>::change_types(FluidGrid<Real>& grid, BlockIndex b) {
       if (block.type[static_cast<std::size_t>(cell)] == type) to.add(cell);
     };
   };
-  changes_->for_each_beside(grid, b, filled_in<Real>, note(own.opened, CellType::gas));
-  changes_->for_each_beside(grid, b, emptied_in<Real>, note(own.exposed, CellType::liquid));
+  changes_->for_each_beside(grid, b, kFilled, filled_in<Real>, note(own.opened, CellType::gas));
+  changes_->for_each_beside(grid, b, kEmptied, emptied_in<Real>, note(own.exposed, CellType::liquid));
   convert_flagged(block, own);
   const auto become_interface = [&](int cell) { block.type[static_cast<std::size_t>(cell)] = CellType::interface; };
   own.opened.for_each(become_interface);

@@ -37,6 +37,7 @@ void ExcessMass<Real>::offer(BlockIndex b) {
   BlockChanges<Real>& own = changes_.of(b);
   for (const Excess<Real>& e : own.excess) offer_excess(b, e);
   if (grid_.block(b).body) own.opened.for_each([&](int cell) { ask_for_covered(b, cell); });
+  changes_.note(b);
 }
 
 template <class Real>
@@ -83,7 +84,7 @@ void ExcessMass<Real>::pay(BlockIndex b) {
   Real shares[kBlockCells];
   CellSet asked;
   const auto claims = [](const BlockChanges<Real>& c) -> const auto& { return c.claims; };
-  changes_.for_each_noted(grid_, b, claims, [&](int cell, const Claim<Real>& claim) {
+  changes_.for_each_noted(grid_, b, kClaims, claims, [&](int cell, const Claim<Real>& claim) {
     if (block.type[static_cast<std::size_t>(cell)] != CellType::interface) return;
     if (claim.from_covered != is_covered(block, cell)) return;
     shares[cell] = (asked.has(cell) ? shares[cell] : Real(0)) + claim.share;
@@ -103,6 +104,7 @@ void ExcessMass<Real>::collect(BlockIndex b) {
     const Real rest = settle({b, cell}, claim);
     if (!claim.keeps && rest != 0) leave({b, cell}, -rest);
   });
+  changes_.note(b);
 }
 
 /// Returns what the neighbours could not pay. Where all paid what they were asked the rest is rounding, and none.
@@ -125,7 +127,7 @@ void ExcessMass<Real>::take(BlockIndex b) {
   Block<Real>& block = grid_.block(b);
   const auto type = [&](int cell) { return block.type[static_cast<std::size_t>(cell)]; };
   const auto gifts = [](const BlockChanges<Real>& c) -> const auto& { return c.gifts; };
-  changes_.for_each_noted(grid_, b, gifts, [&](int cell, const Gift<Real>& gift) {
+  changes_.for_each_noted(grid_, b, kGifts, gifts, [&](int cell, const Gift<Real>& gift) {
     if (type(cell) == CellType::interface && gift.to_covered == is_covered(block, cell))
       block.surface->mass[cell] += gift.part;
   });
@@ -137,7 +139,7 @@ void ExcessMass<Real>::take(BlockIndex b) {
     surface.fill_level[cell] = std::clamp(surface.mass[cell] / (Real(1) + surface.density[cell]), Real(0), Real(1));
   });
   const auto spills = [](const BlockChanges<Real>& c) -> const auto& { return c.spills; };
-  changes_.for_each_noted(grid_, b, spills, [&](int cell, Real part) {
+  changes_.for_each_noted(grid_, b, kSpills, spills, [&](int cell, Real part) {
     if (type(cell) == CellType::liquid) block.f(0)[cell] += part;
   });
 }

@@ -12,8 +12,8 @@ template <class Real, class Kind>
 bool touches(const FluidGrid<Real>& grid, CellPlace place, const Kind& kind) {
   const auto& around = grid.around(place.block);
   for (int i = 1; i < D3Q19::q; ++i) {
-    const Block<Real>* block = around[kNeighbours.slot[i][place.cell]];
-    if (kind(block ? block->type[kNeighbours.cell[i][place.cell]] : CellType::gas)) return true;
+    const Block<Real>* block = around[kNeighbours.slot(i, place.cell)];
+    if (kind(block ? block->type[kNeighbours.cell(i, place.cell)] : CellType::gas)) return true;
   }
   return false;
 }
@@ -28,8 +28,8 @@ template <class Real>
 bool touches_liquid(const FluidGrid<Real>& grid, CellPlace place) {
   const auto& around = grid.around(place.block);
   for (int i = 1; i < D3Q19::q; ++i) {
-    const Block<Real>* block = around[kNeighbours.slot[i][place.cell]];
-    const int cell = kNeighbours.cell[i][place.cell];
+    const Block<Real>* block = around[kNeighbours.slot(i, place.cell)];
+    const int cell = kNeighbours.cell(i, place.cell);
     if (block && block->type[static_cast<std::size_t>(cell)] == CellType::liquid && !is_covered(*block, cell))
       return true;
   }

@@ -24,6 +24,7 @@ void Voids<Real>::find(BlockIndex b) {
     const int cell = block.surface->cells[static_cast<std::size_t>(c)];
     if (!block.at_rim[static_cast<std::size_t>(cell)] && !touches_gas(grid_, {b, cell})) ask(b, cell);
   }
+  if (!changes_.of(b).claims.empty()) changes_.note(b);
 }
 
 template <class Real>
@@ -46,7 +47,7 @@ void Voids<Real>::pay(BlockIndex b) {
   Real shares[kBlockCells];
   CellSet asked;
   const auto claims = [](const BlockChanges<Real>& c) -> const auto& { return c.claims; };
-  changes_.for_each_noted(grid_, b, claims, [&](int cell, const Claim<Real>& claim) {
+  changes_.for_each_noted(grid_, b, kClaims, claims, [&](int cell, const Claim<Real>& claim) {
     if (block.type[static_cast<std::size_t>(cell)] != CellType::liquid) return;
     shares[cell] = (asked.has(cell) ? shares[cell] : Real(0)) + claim.share;
     asked.add(cell);

@@ -143,8 +143,8 @@ class CellMap {
 /// Calls visit(neighbour) for the neighbours of a cell that lie in the block at a slot, in the order of the velocities.
 template <class Visit>
 void for_each_neighbour_in(int cell, int slot, const Visit& visit) {
-  for (std::size_t i = 1; i < D3Q19::q; ++i)
-    if (kNeighbours.slot[i][cell] == slot) visit(int{kNeighbours.cell[i][cell]});
+  for (int i = 1; i < D3Q19::q; ++i)
+    if (static_cast<int>(kNeighbours.slot(i, cell)) == slot) visit(kNeighbours.cell(i, cell));
 }
 
 }  // namespace lahar::lbm

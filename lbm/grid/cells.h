@@ -31,10 +31,13 @@ constexpr std::array<int, 3> cell_position(int cell) { return {cell & 7, (cell >
 /// Index 0..26 of a neighbour block at offset (dx, dy, dz), each -1..1; 13 is the block itself.
 constexpr int neighbour_slot(int dx, int dy, int dz) { return 9 * (dx + 1) + 3 * (dy + 1) + dz + 1; }
 
-/// For every velocity and cell: the slot (0..26) of the block that holds cell + c_i, and the cell there.
+/// Where the cell at n + c_i lies: the slot (0..26) of its block, and the cell there. By cell, so that all links of one
+/// lie in one cache line or two: such cells are looked at one by one.
 struct NeighbourTable {
-  std::uint8_t slot[D3Q19::q][kBlockCells];
-  std::uint16_t cell[D3Q19::q][kBlockCells];
+  [[nodiscard]] constexpr std::size_t slot(int i, int n) const { return links[n][i] >> 9; }
+  [[nodiscard]] constexpr int cell(int i, int n) const { return links[n][i] & (kBlockCells - 1); }
+
+  alignas(64) std::uint16_t links[kBlockCells][D3Q19::q];  ///< slot << 9 | cell
 };
 
 constexpr NeighbourTable make_neighbour_table() {
@@ -48,8 +51,8 @@ constexpr NeighbourTable make_neighbour_table() {
         block[a] = v < 0 ? -1 : (v > 7 ? 1 : 0);
         local[a] = v & 7;
       }
-      t.slot[i][n] = static_cast<std::uint8_t>(neighbour_slot(block[0], block[1], block[2]));
-      t.cell[i][n] = static_cast<std::uint16_t>(cell_index(local[0], local[1], local[2]));
+      t.links[n][i] = static_cast<std::uint16_t>(neighbour_slot(block[0], block[1], block[2]) << 9 |
+                                                 cell_index(local[0], local[1], local[2]));
     }
   return t;
 }

@@ -56,14 +56,14 @@ class FluidGrid {
 
   /// The cell next to `place` along velocity i; block kNoBlock if it does not exist.
   [[nodiscard]] CellPlace neighbour(CellPlace place, int i) const {
-    return {topology_.neighbours(place.block)[kNeighbours.slot[i][place.cell]], kNeighbours.cell[i][place.cell]};
+    return {topology_.neighbours(place.block)[kNeighbours.slot(i, place.cell)], kNeighbours.cell(i, place.cell)};
   }
   [[nodiscard]] CellType type(CellPlace p) const {
     return p.block == kNoBlock ? CellType::gas : block(p.block).type[static_cast<std::size_t>(p.cell)];
   }
   /// The four values of pair (a, a+1) at a cell whose neighbours exist.
   [[nodiscard]] PairAccess<Real> access(CellPlace p, int a, Parity parity) {
-    return access_pair(block(p.block), *around(p.block)[kNeighbours.slot[a][p.cell]], p.cell, a, parity);
+    return access_pair(block(p.block), *around(p.block)[kNeighbours.slot(a, p.cell)], p.cell, a, parity);
   }
 
   /// Optional fields, given with sensible contents: fill level from the types; no body.

@@ -31,7 +31,7 @@ struct PairAccess {
 /// `ahead` is the block that holds cell + c_a.
 template <class Real>
 PairAccess<Real> access_pair(const Block<Real>& block, const Block<Real>& ahead, int cell, int a, Parity p) {
-  const int cell_ahead = kNeighbours.cell[a][cell];
+  const int cell_ahead = kNeighbours.cell(a, cell);
   return {block.f(p.home(a)) + cell, block.f(p.away(a)) + cell, ahead.f(p.home(a)) + cell_ahead,
           ahead.f(p.away(a)) + cell_ahead};
 }

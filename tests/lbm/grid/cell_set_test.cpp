@@ -63,7 +63,7 @@ TEST(CellSet, ReachesTheBlocksOfItsNeighbours) {
     const int cell = static_cast<int>(random() % kBlockCells);
     set.add(cell);
     std::uint32_t slots = 1U << 13;
-    for (int i = 1; i < D3Q19::q; ++i) slots |= 1U << kNeighbours.slot[i][cell];
+    for (int i = 1; i < D3Q19::q; ++i) slots |= 1U << kNeighbours.slot(i, cell);
     EXPECT_EQ(set.reach() & slots, slots);
     // No more than the sides say: with the corner blocks, which no velocity leads to.
     EXPECT_EQ(std::popcount(set.reach()), std::popcount(slots) == 7 ? 8 : std::popcount(slots));
