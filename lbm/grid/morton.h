@@ -1,6 +1,8 @@
 #pragma once
-// Morton order of blocks (Morton 1966): the bits of the three coordinates interleaved, x lowest. Blocks that are near
-// in this order are near in space, so that a run of it is a compact part of the domain.
+// Morton order of blocks (Morton 1966): tiles of 4 x 4 x 4 blocks by the interleaved bits of their coordinates, x lowest;
+// the blocks of a tile row by row, z fastest. Blocks that are near in this order are near in space, so that a run of it
+// is a compact part of the domain. Within tiles a sweep reads neighbours one after the other as well: with single blocks
+// in place of tiles it takes 1.16 times as long (docs/decisions/0046).
 #include <cstdint>
 
 #include "core/vector.h"
@@ -19,9 +21,11 @@ constexpr std::uint64_t spread_bits(std::uint64_t v) {
 
 /// Place of a block coordinate in the order; each coordinate in [-2^20, 2^20).
 inline std::uint64_t morton_key(const Vec3i& block) {
-  constexpr int offset = 1 << 20;
-  const auto bits = [](int v) { return spread_bits(static_cast<std::uint64_t>(v + offset)); };
-  return bits(block.x()) | bits(block.y()) << 1 | bits(block.z()) << 2;
+  constexpr int offset = 1 << 20, shift = 2, within = (1 << shift) - 1;
+  const auto place = [](int v) { return static_cast<std::uint64_t>(v + offset); };
+  const std::uint64_t x = place(block.x()), y = place(block.y()), z = place(block.z());
+  const std::uint64_t tile = spread_bits(x >> shift) | spread_bits(y >> shift) << 1 | spread_bits(z >> shift) << 2;
+  return tile << 3 * shift | (x & within) << 2 * shift | (y & within) << shift | (z & within);
 }
 
 }  // namespace lahar::lbm
