@@ -140,11 +140,32 @@ class CellMap {
   std::vector<T> values_;
 };
 
+/// Directions (bits by velocity) that lead from a cell into the block at a slot. What counts of the cell is at which
+/// sides of its block it lies: per axis 0 at the low side, 2 at the high one, else 1.
+constexpr std::array<std::array<std::uint32_t, 27>, 27> directions_into_blocks() {
+  std::array<std::array<std::uint32_t, 27>, 27> directions{};
+  for (std::size_t sides = 0; sides < 27; ++sides) {
+    const std::size_t side[3] = {sides / 9, sides / 3 % 3, sides % 3};
+    for (int i = 1; i < D3Q19::q; ++i) {
+      int d[3] = {0, 0, 0};
+      for (int a = 0; a < 3; ++a) {
+        const int c = D3Q19::c[i][a];
+        if ((c < 0 && side[a] == 0) || (c > 0 && side[a] == 2)) d[a] = c;
+      }
+      directions[sides][static_cast<std::size_t>(neighbour_slot(d[0], d[1], d[2]))] |= std::uint32_t{1} << i;
+    }
+  }
+  return directions;
+}
+inline constexpr auto kDirectionsInto = directions_into_blocks();
+
 /// Calls visit(neighbour) for the neighbours of a cell that lie in the block at a slot, in the order of the velocities.
 template <class Visit>
 void for_each_neighbour_in(int cell, int slot, const Visit& visit) {
-  for (int i = 1; i < D3Q19::q; ++i)
-    if (static_cast<int>(kNeighbours.slot(i, cell)) == slot) visit(kNeighbours.cell(i, cell));
+  constexpr std::size_t side[kBlockWidth] = {0, 1, 1, 1, 1, 1, 1, 2};
+  const std::size_t sides = 9 * side[cell & 7] + 3 * side[cell >> 3 & 7] + side[cell >> 6];
+  for (std::uint32_t i = kDirectionsInto[sides][static_cast<std::size_t>(slot)]; i != 0; i &= i - 1)
+    visit(kNeighbours.cell(std::countr_zero(i), cell));
 }
 
 }  // namespace lahar::lbm

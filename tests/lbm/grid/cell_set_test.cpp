@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <random>
+#include <vector>
 
 namespace lahar::lbm {
 namespace {
@@ -68,6 +69,18 @@ TEST(CellSet, ReachesTheBlocksOfItsNeighbours) {
     // No more than the sides say: with the corner blocks, which no velocity leads to.
     EXPECT_EQ(std::popcount(set.reach()), std::popcount(slots) == 7 ? 8 : std::popcount(slots));
   }
+}
+
+/// The table by sides names each link once, in the order of the velocities.
+TEST(CellSet, NeighboursInBlocksAreThoseOfTheLinks) {
+  for (int cell = 0; cell < kBlockCells; ++cell)
+    for (int slot = 0; slot < 27; ++slot) {
+      std::vector<int> expected, found;
+      for (int i = 1; i < D3Q19::q; ++i)
+        if (static_cast<int>(kNeighbours.slot(i, cell)) == slot) expected.push_back(kNeighbours.cell(i, cell));
+      for_each_neighbour_in(cell, slot, [&](int neighbour) { found.push_back(neighbour); });
+      ASSERT_EQ(found, expected) << cell << " " << slot;
+    }
 }
 
 }  // namespace
