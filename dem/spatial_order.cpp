@@ -7,20 +7,13 @@
 #include <utility>
 #include <vector>
 
+#include "core/morton.h"
+
 namespace lahar::dem {
 
 namespace {
 
 constexpr std::uint32_t kMostCells = (1U << 21) - 1;  // along an axis: three coordinates fill 63 bits
-
-/// The bits of a coordinate, two places apart.
-std::uint64_t spread_bits(std::uint64_t x) {
-  x = (x | x << 32) & 0x1f00000000ffffU;
-  x = (x | x << 16) & 0x1f0000ff0000ffU;
-  x = (x | x << 8) & 0x100f00f00f00f00fU;
-  x = (x | x << 4) & 0x10c30c30c30c30c3U;
-  return (x | x << 2) & 0x1249249249249249U;
-}
 
 struct Cells {
   Vec3 corner = Vec3::Constant(std::numeric_limits<double>::infinity());  // m, the lowest coordinates
@@ -33,12 +26,12 @@ struct Cells {
       size = std::max(size, 2 * p.radius[i]);
     }
   }
-  [[nodiscard]] std::uint64_t morton_code(const Vec3& x) const {
+  [[nodiscard]] std::uint64_t code_of(const Vec3& x) const {
     std::array<std::uint64_t, 3> cell{};
     for (Eigen::Index a = 0; a < 3; ++a)
       cell[static_cast<std::size_t>(a)] =
           static_cast<std::uint64_t>(std::clamp((x[a] - corner[a]) / size, 0.0, static_cast<double>(kMostCells)));
-    return spread_bits(cell[0]) | spread_bits(cell[1]) << 1 | spread_bits(cell[2]) << 2;
+    return morton_code(cell[0], cell[1], cell[2]);
   }
 };
 
@@ -58,7 +51,7 @@ Renumbering spatial_order(const Particles& p) {
       body = -1;
       continue;
     }
-    if (!goes_on) code = cells.morton_code(p.position[i]);
+    if (!goes_on) code = cells.code_of(p.position[i]);
     by_code[id] = {code, id};
   }
   std::sort(by_code.begin(), by_code.end());

@@ -52,7 +52,7 @@ void BarrierResponse::finish(const std::filesystem::path& folder) const {
   for (std::size_t c = 0; c < cable_sums_.size(); ++c) {
     ChartSeries line{std::string(barrier::name(barrier::all_components[c])), times_, cable_sums_[c]};
     std::replace(line.name.begin(), line.name.end(), '_', ' ');
-    if (c == 3) line.dash = Dash::dashed;  // the left cable, often pulled the same way, shows in between
+    if (c == 3) line.dash = Dash::dashed;  // the left cable, often pulled alike, shows in between
     chart.series.push_back(std::move(line));
   }
   chart.write_all(folder / "cable_forces.png");
