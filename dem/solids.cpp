@@ -208,13 +208,11 @@ void Solids::take_external_forces() {
 }
 
 void Solids::remove(ParticleIndex i) {
-  const double springs = normal_energy_of(i, particles_, materials_, walls_, contacts_, options_.contact_law);
-  const double slow_springs = normal_energy_of(i, particles_, materials_, walls_, slow_contacts_, options_.contact_law);
+  const double springs = normal_energy_of(i, particles_, materials_, walls_, contacts_, options_.contact_law) +
+                         normal_energy_of(i, particles_, materials_, walls_, slow_contacts_, options_.contact_law);
   const double wire_springs = wires_ && prepared_ ? wires_->normal_energy_of(i, particles_) : 0.0;
   if (wires_) wires_->release(wire_springs);
-  contact_forces_.release(springs);
-  slow_forces_.release(slow_springs);
-  removed_energy_ += motion_energy(particles_, i, options_.gravity) + springs + slow_springs + wire_springs;
+  removed_energy_ += motion_energy(particles_, i, options_.gravity) + springs + wire_springs;
   particles_.remove(i);
 }
 
@@ -226,8 +224,8 @@ void Solids::renumber(const Renumbering& change) {
   bond_forces_.find_ends(bonds_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);  // what broke is between beads: no slow pair
   if (wires_) wires_->renumber(change);
-  contact_forces_.renumber(contacts_.renumber(particles_, change));
-  slow_forces_.renumber(slow_contacts_.renumber(particles_, change));
+  contact_forces_.renumber(change, contacts_.renumber(particles_, change));
+  slow_forces_.renumber(change, slow_contacts_.renumber(particles_, change));
   change.move(slow_);
   for (ParticleIndex& i : slow_particles_) i = change.to(i);
   std::sort(slow_particles_.begin(), slow_particles_.end());
@@ -251,11 +249,18 @@ EnergyLedger Solids::ledger() const {
   ContactEnergy c = contact_forces_.energy();
   c += slow_forces_.energy();
   if (wires_) c += wires_->energy();
+  const auto add_now = [&](const ContactDetection& contacts, double dt) {
+    const EnergyNow now = energy_now(particles_, materials_, walls_, contacts, options_.contact_law, dt);
+    c.elastic_normal += now.normal, c.elastic_tangential += now.tangential;
+    ledger.contact_damping += now.damped_ahead;
+  };
+  add_now(contacts_, options_.time_step);
+  add_now(slow_contacts_, slow_step_);
   ledger.elastic_normal = c.elastic_normal;
   ledger.elastic_tangential = c.elastic_tangential;
   ledger.elastic_rolling = c.elastic_rolling;
   // What acts in a kick is booked for all of it, and half of the last one is still to come.
-  ledger.contact_damping = c.damping - 0.5 * c.damping_of_step;
+  ledger.contact_damping += c.damping - 0.5 * c.damping_of_step;
   ledger.friction = c.friction;
   ledger.rolling = c.rolling;
   ledger.bonds = bond_energy();

@@ -31,7 +31,7 @@ void Solids::find_slow() {
 }
 
 void Solids::long_step(int substeps) {
-  const double dt = substeps * options_.time_step;
+  const double dt = slow_step_ = substeps * options_.time_step;
   kick_slow(0.5 * dt);
   for (int n = 0; n < substeps; ++n) substep(n == 0, n + 1 == substeps);
   const double share = 1.0 / substeps;

@@ -92,15 +92,14 @@ void ContactSlots::transfer(Archive& archive, std::size_t particles, std::size_t
   std::vector<std::size_t> used;
   for (std::size_t k = 0; k < size(); ++k)
     if (touching[k]) used.push_back(k);
-  archive.pieces<double>("history", used.size(), 5, [&](std::size_t k, double* stored) {
-    const std::size_t slot = used[k];
-    double* const own[] = {&history.x[slot], &history.y[slot], &history.z[slot], &history.stiffness[slot],
-                           &history.normal_force[slot]};
-    for (std::size_t a = 0; a < 5; ++a) {
+  const auto numbers = history.all();
+  archive.pieces<double>("history", used.size(), numbers.size(), [&](std::size_t k, double* stored) {
+    for (std::size_t a = 0; a < numbers.size(); ++a) {
+      double& own = (*numbers[a])[used[k]];
       if (archive.loading())
-        *own[a] = stored[a];
+        own = stored[a];
       else
-        stored[a] = *own[a];
+        stored[a] = own;
     }
   });
   if (!rolls) return;
@@ -216,6 +215,7 @@ void Solids::transfer_by_id(Archive& archive) {
     Contacts slow_contacts{slow_contacts_, particles_, walls_.all().size(), share(Rate::slow)};
     archive.part("slow_contacts", slow_contacts);
     archive.part("slow_forces", slow_forces_);
+    archive.value("slow_step", slow_step_);
     archive.list("slow_force", slow_force_);
     archive.list("slow_torque", slow_torque_);
     if (slow_force_.size() != particles_.size() || slow_torque_.size() != particles_.size())

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <vector>
 
-#include "dem/contact/damping.h"
-
 namespace lahar::dem {
 
 namespace {
@@ -51,8 +49,6 @@ struct BeadStiffness {
 };
 
 }  // namespace
-
-double damped_share(double restitution) { return lowered_by(damping_ratio(restitution)); }
 
 double rayleigh_time_step(double radius, double density, const Material& material) {
   const double nu = material.poisson_ratio, shear_modulus = material.youngs_modulus / (2 * (1 + nu));

@@ -8,15 +8,11 @@ namespace lahar::dem {
 
 /// Time that a Rayleigh wave takes around a sphere, s: pi R sqrt(rho / G) / (0.1631 nu + 0.8766)
 /// (Thornton & Randall 1988; Li, Xu & Thornton 2005, Powder Technol. 160:219). Radius in m, density in kg/m^3. Contact
-/// needs a time step of 0.1 to 0.3 of it.
+/// needs a time step of 0.1 to 0.3 of it, however strong its dampers (contact/normal_damper.h).
 double rayleigh_time_step(double radius, double density, const Material& material);
 
 /// The smallest Rayleigh time of all particles that are not removed, s; infinity if there are none.
 double rayleigh_time_step(const Particles& particles, const Materials& materials);
-
-/// Share of the undamped limit that a contact of given restitution leaves: sqrt(1 + d^2) - d with the contact's damping
-/// ratio d (explicit damping; 1 for an elastic contact, 0.35 for a restitution of 0.1).
-double damped_share(double restitution);
 
 /// Duration of an elastic Hertz impact at `speed` (m/s), s: 2.87 (m*^2 / (R* E*^2 v))^(1/5) (Johnson 1985, Contact
 /// Mechanics, Eq. 11.24).

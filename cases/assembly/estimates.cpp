@@ -92,11 +92,7 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
                                       scene.solids.normal_stiffness);
     return dem::rayleigh_time_step(diameter / 2, density, materials[scene::material_index(scene, material)]);
   };
-  SolidsLimits limits{never, never, never, never, never, 1};
-  for (std::size_t a = 0; a < materials.size(); ++a)
-    for (std::size_t b = 0; b < materials.size(); ++b)
-      limits.damped_share = std::min(
-          limits.damped_share, dem::damped_share(materials.pair(static_cast<int>(a), static_cast<int>(b)).restitution));
+  SolidsLimits limits{never, never, never, never, never};
   for (const scene::GrainSize& s : scene::grain_sizes(scene))
     limits.grain_rayleigh = std::min(limits.grain_rayleigh, rayleigh(s.diameter, s.density, s.material));
   for (const scene::GrainSphere& s : scene.grains.spheres)
@@ -129,14 +125,12 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
 double solids_time_step(const scene::Scene& scene) {
   if (scene.solids.time_step > 0 && scene.has_solids()) return scene.solids.time_step;
   const SolidsLimits limits = solids_limits(scene);
-  return std::min(
-      scene.solids.contact_safety * limits.damped_share * std::min(limits.grain_rayleigh, limits.bead_rayleigh),
-      scene.solids.bond_safety * std::min({limits.ring_bond, limits.cable_bond, limits.post_bond}));
+  return std::min(scene.solids.contact_safety * std::min(limits.grain_rayleigh, limits.bead_rayleigh),
+                  scene.solids.bond_safety * std::min({limits.ring_bond, limits.cable_bond, limits.post_bond}));
 }
 
 double grain_time_step(const scene::Scene& scene) {
-  const SolidsLimits limits = solids_limits(scene);
-  return scene.solids.contact_safety * limits.damped_share * limits.grain_rayleigh;
+  return scene.solids.contact_safety * solids_limits(scene).grain_rayleigh;
 }
 
 std::int64_t long_step(std::int64_t substeps, double time_step, double grain_step) {

@@ -31,7 +31,6 @@ double smallest_grain(const scene::Scene& scene);
 /// Largest stable time steps by cause, s; infinity where there is nothing of the kind.
 struct SolidsLimits {
   double grain_rayleigh, bead_rayleigh, ring_bond, cable_bond, post_bond;  ///< ring: or wire of a mesh
-  double damped_share = 1;  ///< of the Rayleigh times, left by the most damped pair of materials (dem/time_step.h)
 };
 SolidsLimits solids_limits(const scene::Scene& scene);
 

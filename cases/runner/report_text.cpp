@@ -48,8 +48,6 @@ std::string solids_text(const scene::Scene& scene, const SolidsFigures& s) {
   };
   limit("Rayleigh time, grains", s.limits.grain_rayleigh);
   limit("Rayleigh time, beads", s.limits.bead_rayleigh);
-  if (s.limits.damped_share < 1)
-    t += line("share left by damping", fmt::format("{:.3g} of the Rayleigh time", s.limits.damped_share));
   limit(scene.barrier.net.kind == scene::NetKind::rings ? "bond limit, rings" : "bond limit, mesh", s.limits.ring_bond);
   limit("bond limit, cables", s.limits.cable_bond);
   limit("bond limit, posts", s.limits.post_bond);

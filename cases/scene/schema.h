@@ -211,10 +211,7 @@ void describe(V& v, Solids& s) {
       "Time step of the particles; 0 = the smaller of the two limits below. Shortened so that a whole number fits into "
       "a fluid step.");
   v.value("contact_safety", s.contact_safety, {above_up_to(0, 1)},
-          "Share of the smallest Rayleigh time of a particle (linear law: of the shortest contact) that is used, after "
-          "the share that damping leaves of it "
-          "(0.35 at "
-          "a restitution of 0.1).");
+          "Share of the smallest Rayleigh time of a particle (linear law: of the shortest contact) that is used.");
   v.value("bond_safety", s.bond_safety, {above_up_to(0, 1)}, "Share of the smallest limit of a bond that is used.");
   v.value(
       "two_rates", s.two_rates, {},

@@ -12,12 +12,13 @@ namespace {
 /// Eight particles, one row per number.
 struct EightBodies {
   std::array<Row<double>, 3> x, v, w, kicked_v, kicked_w, force, torque;
-  Row<double> radius, inverse_mass;
+  Row<double> radius, inverse_mass, damping;
 };
 
 /// Visits each number of `e` with where it comes from.
 template <class Fetch>
-void for_each_number(EightBodies& e, const Particles& p, const MeanMotion* mean, const Fetch& fetch) {
+void for_each_number(EightBodies& e, const Particles& p, const std::vector<double>& damping, const MeanMotion* mean,
+                     const Fetch& fetch) {
   const auto vectors = [&](std::array<Row<double>, 3>& to, const Vec3Field& from) {
     fetch(to[0], from.x), fetch(to[1], from.y), fetch(to[2], from.z);
   };
@@ -30,11 +31,13 @@ void for_each_number(EightBodies& e, const Particles& p, const MeanMotion* mean,
   vectors(e.torque, p.torque);
   fetch(e.radius, p.radius);
   fetch(e.inverse_mass, p.inverse_mass);
+  fetch(e.damping, damping);
 }
 
 }  // namespace
 
-void ContactBodies::pack(const Particles& p, const ContactParties& parties, double dt, const MeanMotion* mean) {
+void ContactBodies::pack(const Particles& p, const ContactParties& parties, const std::vector<double>& damping,
+                         double dt, const MeanMotion* mean) {
   constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
   const std::size_t places = parties.particle.size();
   rows_.resize(4 * (places + 1));
@@ -43,13 +46,13 @@ void ContactBodies::pack(const Particles& p, const ContactParties& parties, doub
     const ParticleIndex* index = &parties.particle[first];
     EightBodies e;
     if (count == kRow && index[kRow - 1] - index[0] == kRow - 1) {
-      for_each_number(e, p, mean, [&](Row<double>& to, const std::vector<double>& from) {
+      for_each_number(e, p, damping, mean, [&](Row<double>& to, const std::vector<double>& from) {
         to = load<Row<double>>(&from[index[0]]);
       });
     } else {
       std::array<ParticleIndex, kRow> at;
       for (std::size_t l = 0; l < kRow; ++l) at[l] = index[std::min(l, count - 1)];
-      for_each_number(e, p, mean, [&](Row<double>& to, const std::vector<double>& from) {
+      for_each_number(e, p, damping, mean, [&](Row<double>& to, const std::vector<double>& from) {
         to = gather<Row<double>>(from.data(), at.data());
       });
     }
@@ -66,7 +69,8 @@ void ContactBodies::pack(const Particles& p, const ContactParties& parties, doub
     }
     const Row<double>& r = e.radius;
     std::array<Row<double>, kRow> a{e.x[0], e.x[1], e.x[2], e.v[0], e.v[1], e.v[2], v_end[0], v_end[1]};
-    std::array<Row<double>, kRow> b{v_end[2], e.w[0], e.w[1], e.w[2], w_end[0], w_end[1], w_end[2], r};
+    const Row<double> rate = e.inverse_mass * e.damping, spare{};
+    std::array<Row<double>, kRow> b{v_end[2], e.w[0], e.w[1], e.w[2], rate, spare, spare, r};
     std::array<Row<double>, kRow> c{r * e.w[0],   r * e.w[1],   r * e.w[2],     r * w_end[0],
                                     r * w_end[1], r * w_end[2], e.inverse_mass, r};
     transpose(a);

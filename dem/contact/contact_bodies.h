@@ -2,6 +2,7 @@
 // What contact evaluation reads of a particle: three rows of eight numbers, arranged so that what a contact needs of
 // its two spheres is the difference or the sum of their rows. A fourth row takes what the particle gets.
 #include <cstdint>
+#include <vector>
 
 #include "core/row_field.h"
 #include "dem/contact/contact_detection.h"
@@ -11,17 +12,18 @@ namespace lahar::dem {
 
 /// The rows of the particles that have a place among the parties of contacts (SI units; spin in rad/s):
 /// 0: position, velocity at mid-step, velocity at the end of the step (x, y)
-/// 1: velocity at the end (z), spin at mid-step, spin at the end, radius
+/// 1: velocity at the end (z), spin at mid-step, sum of the dampers of its contacts / mass, two spare, radius
 /// 2: radius x spin at mid-step, radius x spin at the end, inverse mass, radius
 /// 3: not packed: for the sums of its contacts
 /// Velocities at the end are predicted with the last known force. One more place, the last, belongs to nobody: a sphere
 /// that never touches.
 class ContactBodies {
  public:
-  /// `particles.force` must still hold the sums of the last step. Where velocities change within it, `mean` gives those
-  /// that count as mid-step ones. Removed particles get a position that is not a
-  /// number, so that they never touch.
-  void pack(const Particles& particles, const ContactParties& parties, double dt, const MeanMotion* mean = nullptr);
+  /// `particles.force` must still hold the sums of the last step, and `damping` the sums of its dampers (N s/m, per
+  /// particle). Where velocities change within it, `mean` gives those that count as mid-step ones. Removed particles
+  /// get a position that is not a number, so that they never touch.
+  void pack(const Particles& particles, const ContactParties& parties, const std::vector<double>& damping, double dt,
+            const MeanMotion* mean = nullptr);
   /// Numbers from one place to the next.
   static constexpr std::size_t kStride = 4 * kRow;
   [[nodiscard]] const double* data() const { return rows_[0]; }

@@ -58,7 +58,7 @@ std::vector<std::uint32_t> ContactSlots::renumber(const Renumbering& change, boo
   for (std::uint32_t& i : owner) i = change.to(i);
   if (!with_walls)
     for (std::uint32_t& j : partner) j = change.to(j);
-  for (auto* v : {&history.x, &history.y, &history.z, &history.stiffness, &history.normal_force}) reorder(*v, from);
+  for (auto* v : history.all()) reorder(*v, from);
   reorder(touching, from);
   reorder(rolling, from);
   return from;

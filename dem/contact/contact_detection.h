@@ -1,6 +1,7 @@
 #pragma once
 // Which contacts may exist and what they remember: slots for sphere-sphere and sphere-wall pairs, and the geometry of a
 // contact.
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,17 +15,20 @@ namespace lahar::dem {
 /// What the contacts of all slots remember, one array per number, so that eight slots are read and written at once.
 struct SlotHistories {
   std::vector<double> x, y, z;  ///< m, tangential displacement
-  std::vector<double> stiffness, normal_force;
+  std::vector<double> stiffness, normal_force, damping_force;
 
   void clear(std::size_t slots) {
-    for (auto* a : {&x, &y, &z, &stiffness, &normal_force}) a->assign(slots, 0.0);
+    for (auto* a : all()) a->assign(slots, 0.0);
   }
   [[nodiscard]] ContactHistory operator[](std::size_t k) const {
-    return {{x[k], y[k], z[k]}, stiffness[k], normal_force[k]};
+    return {{x[k], y[k], z[k]}, stiffness[k], normal_force[k], damping_force[k]};
   }
   void set(std::size_t k, const ContactHistory& h) {
     x[k] = h.tangential_displacement.x, y[k] = h.tangential_displacement.y, z[k] = h.tangential_displacement.z;
-    stiffness[k] = h.tangential_stiffness, normal_force[k] = h.normal_force;
+    stiffness[k] = h.tangential_stiffness, normal_force[k] = h.normal_force, damping_force[k] = h.damping_force;
+  }
+  [[nodiscard]] std::array<std::vector<double>*, 6> all() {
+    return {&x, &y, &z, &stiffness, &normal_force, &damping_force};
   }
 };
 

@@ -1,5 +1,9 @@
 #include "dem/contact/contact_energy.h"
 
+#include <algorithm>
+
+#include "core/parallel.h"
+
 namespace lahar::dem {
 
 namespace {
@@ -23,6 +27,46 @@ double normal_energy(ParticleIndex i, ParticleIndex j, double overlap, const Par
                      const ContactLawChoice& law) {
   const double effective_radius = p.radius[i] * p.radius[j] / (p.radius[i] + p.radius[j]);
   return stored_energy(law, materials.pair(p.material[i], p.material[j]), effective_radius, overlap);
+}
+
+EnergyNow energy_now(const Particles& p, const Materials& materials, const Walls& walls,
+                     const ContactDetection& contacts, const ContactLawChoice& law, double dt) {
+  const ContactSlots &pairs = contacts.pairs(), &wall = contacts.wall_contacts();
+  if (pairs.offset.empty()) return {};
+  const auto add_remembered = [dt](const ContactSlots& slots, std::uint32_t k, double inverse_mass, Vec3& own) {
+    const ContactHistory h = slots.history[k];
+    own[1] += 0.5 * h.tangential_stiffness * dot(h.tangential_displacement, h.tangential_displacement);
+    own[2] += 0.125 * dt * dt * h.damping_force * h.normal_force * inverse_mass;
+  };
+  const auto inverse_mass = [&p](ParticleIndex i) {  // as it was in the last step
+    return p.state[i] == ParticleState::removed ? 1 / p.mass[i] : p.inverse_mass[i];
+  };
+  const Vec3 sum = ordered_sum<Vec3>(
+      pairs.offset.size() - 1,
+      [&](std::size_t id) {
+        const ParticleIndex i = p.index(id);
+        const bool there = p.state[i] != ParticleState::removed;
+        Vec3 own = Vec3::Zero();
+        for (std::uint32_t k = pairs.offset[i]; k < pairs.offset[i + 1]; ++k) {
+          const ParticleIndex j = pairs.partner[k];
+          if (pairs.touching[k] == 0) continue;
+          add_remembered(pairs, k, inverse_mass(i) + inverse_mass(j), own);
+          if (!there || p.state[j] == ParticleState::removed) continue;
+          const double overlap = p.radius[i] + p.radius[j] - (p.position[j] - p.position[i]).norm();
+          own[0] += normal_energy(i, j, overlap, p, materials, law);
+        }
+        for (std::uint32_t k = wall.offset[i]; k < wall.offset[i + 1]; ++k) {
+          const std::uint32_t w = wall.partner[k];
+          if (wall.touching[k] == 0) continue;
+          add_remembered(wall, k, inverse_mass(i), own);
+          if (!there) continue;
+          own[0] += stored_energy(law, materials.pair(p.material[i], walls.all()[w].material), p.radius[i],
+                                  p.radius[i] - walls.distance(w, p.position[i]));
+        }
+        return own;
+      },
+      1024, Vec3::Zero());
+  return {sum[0], sum[1], sum[2]};
 }
 
 double normal_energy_of(ParticleIndex i, const Particles& p, const Materials& materials, const Walls& walls,

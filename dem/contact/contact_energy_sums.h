@@ -4,7 +4,7 @@
 
 namespace lahar::dem {
 
-/// Energies of all contacts, J. Stored parts are those of the last evaluation, the others sums since the start.
+/// Energies of contacts, J. Stored parts are those of now, the others sums since the start.
 struct ContactEnergy {
   double elastic_normal = 0, elastic_tangential = 0, elastic_rolling = 0;
   double damping = 0;                                 ///< dissipated by dampers
@@ -33,13 +33,11 @@ struct ContactEnergy {
   }
 };
 
-/// The same of one step and one chunk of particles, J.
+/// What one step changes in it, of one chunk of particles, J.
 struct ContactTally {
-  double elastic_normal = 0, elastic_tangential = 0, elastic_rolling = 0;
-  double damping = 0, friction = 0, rolling = 0, wall_work = 0;
+  double elastic_rolling = 0, damping = 0, friction = 0, rolling = 0, wall_work = 0;
 
   ContactTally& operator+=(const ContactTally& o) {
-    elastic_normal += o.elastic_normal, elastic_tangential += o.elastic_tangential;
     elastic_rolling += o.elastic_rolling, damping += o.damping, friction += o.friction;
     rolling += o.rolling, wall_work += o.wall_work;
     return *this;

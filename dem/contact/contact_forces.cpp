@@ -46,20 +46,22 @@ void ContactForces::compute(Particles& particles, ContactDetection& contacts, co
     walls_.resize(contacts.wall_contacts().size(), particles.numbering);
     noted_refresh_ = contacts.refreshes();
   }
-  pairs_.pack(particles, contacts, dt, mean);
+  damping_.resize(n);
+  pairs_.pack(particles, contacts, damping_, dt, mean);
   tallies_.assign((n + kContactChunk - 1) / kContactChunk, {});
   parallel_for(0, tallies_.size(), 1, [&](std::size_t chunk) {
     ContactTally tally;
     pairs_.evaluate(law_, contacts, materials_, dt, chunk, tally);
-    walls_.evaluate(law_, particles, contacts, walls, materials_, dt, mean, chunk, tally);
+    walls_.evaluate(law_, particles, damping_, contacts, walls, materials_, dt, mean, chunk, tally);
     tallies_[chunk] = tally;
   });
   parallel_for(0, tallies_.size(), 1, [&](std::size_t chunk) {
     ContactTally tally = tallies_[chunk];
-    const std::size_t first = chunk * kContactChunk;
-    set_body_forces(particles, gravity, share, first, std::min(n, first + kContactChunk));
-    walls_.add_to(particles, contacts, chunk);
-    pairs_.add_partners(particles, contacts, chunk, tally);
+    const std::size_t first = chunk * kContactChunk, last = std::min(n, first + kContactChunk);
+    set_body_forces(particles, gravity, share, first, last);
+    std::fill(damping_.data() + first, damping_.data() + last, 0.0);
+    walls_.add_to(particles, damping_, contacts, chunk);
+    pairs_.add_partners(particles, damping_, contacts, chunk, tally);
     tallies_[chunk] = tally;
   });
   if (!particles.numbering.by_id()) tally_by_id(particles, contacts, dt);
@@ -71,19 +73,16 @@ void ContactForces::tally_by_id(const Particles& particles, const ContactDetecti
   const Numbering& numbering = particles.numbering;
   parallel_for(0, tallies_.size(), 1, [&](std::size_t chunk) {
     ContactTally tally;
-    pairs_.tally_losses(numbering, contacts, chunk, tally);
+    pairs_.tally_damping(numbering, contacts, chunk, tally);
     walls_.tally_by_id(numbering, contacts, dt, chunk, tally);
-    pairs_.tally_elastic(chunk, tally);
+    pairs_.tally_friction(chunk, tally);
     tallies_[chunk] = tally;
   });
 }
 
 void ContactForces::sum_tallies() {
-  energy_.elastic_normal = energy_.elastic_tangential = energy_.elastic_rolling = energy_.damping_of_step =
-      energy_.wall_work_of_step = 0;
+  energy_.elastic_rolling = energy_.damping_of_step = energy_.wall_work_of_step = 0;
   for (const ContactTally& t : tallies_) {
-    energy_.elastic_normal += t.elastic_normal;
-    energy_.elastic_tangential += t.elastic_tangential;
     energy_.elastic_rolling += t.elastic_rolling;
     energy_.damping += t.damping;
     energy_.friction += t.friction;
@@ -96,6 +95,7 @@ void ContactForces::sum_tallies() {
 
 void ContactForces::transfer(Archive& archive) {
   energy_.transfer(archive);
+  archive.list("damping_of_particles", damping_);
   if (!archive.loading()) return;
   noted_refresh_ = -1;
   walls_.clear();

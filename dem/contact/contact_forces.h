@@ -30,6 +30,7 @@ class ContactForces {
 
   /// Whether some pair of materials resists rolling.
   [[nodiscard]] bool rolls() const { return materials_.rolls(); }
+  /// What contacts lost and what rolling holds. What springs hold is worked out when asked for (contact_energy.h).
   [[nodiscard]] const ContactEnergy& energy() const { return energy_; }
   /// See WallContacts.
   [[nodiscard]] Vec3 force_on_wall(const Particles& particles, const ContactDetection& contacts,
@@ -40,11 +41,10 @@ class ContactForces {
                                     std::uint32_t wall) const {
     return walls_.moment_on_wall(particles, contacts, walls, wall);
   }
-  /// A particle leaves with this energy of its normal springs, J.
-  void release(double normal_energy) { energy_.elastic_normal -= normal_energy; }
   /// The particles were renumbered, and wall slot k was from[k].
-  void renumber(const std::vector<std::uint32_t>& from) {
+  void renumber(const Renumbering& change, const std::vector<std::uint32_t>& from) {
     walls_.renumber(from);
+    change.move(damping_);
     noted_refresh_ = -1;
   }
   /// State of a checkpoint; the histories lie with the contacts.
@@ -58,6 +58,7 @@ class ContactForces {
   ContactMaterials materials_;
   PairContacts pairs_;
   WallContacts walls_;
+  std::vector<double> damping_;  // per particle: sum of the normal dampers of its contacts in the last step, N s/m
   std::int64_t noted_refresh_ = -1;
   std::vector<ContactTally> tallies_;  // per chunk of particles that follow each other by id
   ContactEnergy energy_;

@@ -14,9 +14,10 @@ struct EightContacts {
   Row<double> overlap{};           ///< m
   Mask<double, kRow> touches{};    ///< lanes that do not touch answer zero
   Rows3 slip{}, slip_end{};        ///< m/s, of i's centre relative to j, at mid-step and at the end of the step
-  Rows3 spin{}, spin_end{};        ///< rad/s, sum of both spheres
-  Rows3 rim{}, rim_end{};          ///< m/s, sum of radius x spin
+  Rows3 spin{};                    ///< rad/s, sum of both spheres, at mid-step
+  Rows3 rim{}, rim_end{};          ///< m/s, sum of radius x spin, at mid-step and at the end of the step
   Row<double> inverse_mass{};      ///< 1/kg, sum of both
+  Row<double> damping_rate{};      ///< 1/s, see ContactState
   Row<double> effective_radius{};  ///< m
   Row<double> modulus{}, shear_modulus{}, friction{}, damping_ratio{};  ///< see ContactState
 
@@ -33,8 +34,9 @@ struct EightContacts {
 
 /// What they answer; zero where they do not touch, but for what the end of a contact leaves to friction.
 struct EightAnswers {
-  Rows3 force, twist;  ///< N, on i; the torque on either sphere is its arm x twist
-  Row<double> elastic_normal, elastic_tangential, damping, friction;  ///< J
+  Rows3 force, twist;                       ///< N, on i; the torque on either sphere is its arm x twist
+  Row<double> damper;                       ///< N s/m, of the normal damper
+  Row<double> damping_work, friction_work;  ///< J
 };
 
 /// What goes to friction when a contact ends, J: what its spring still holds, and what its last force did in the step
@@ -54,7 +56,7 @@ template <ContactLaw L>
   const Rows3& n = c.normal;
   const Row<double> half = 0.5 * c.overlap;  // the arms are the radii less half the overlap
   const Rows3 turning = cross(c.rim - half * c.spin, n);
-  const Rows3 turning_end = cross(c.rim_end - half * c.spin_end, n);
+  const Rows3 turning_end = cross(c.rim_end - half * c.spin, n);  // what half an overlap takes off the arms is small
 
   ContactStateOf<Row<double>> s;
   s.overlap = c.overlap;
@@ -69,6 +71,7 @@ template <ContactLaw L>
   s.effective_shear_modulus = c.shear_modulus;
   s.friction = c.friction;
   s.damping_ratio = c.damping_ratio;
+  s.damping_rate = c.damping_rate;
 
   const Row<double> left = left_by_spring(s, history, dt);
   const ContactForceOf<Row<double>> f = law(s, history, dt);
@@ -78,13 +81,13 @@ template <ContactLaw L>
   history.tangential_displacement = only3(history.tangential_displacement);
   history.tangential_stiffness = only(history.tangential_stiffness);
   history.normal_force = only(history.normal_force);
+  history.damping_force = only(history.damping_force);
   EightAnswers a;
   a.force = only3(f.tangential - f.normal * n);
   a.twist = only3(cross(n, f.tangential));
-  a.elastic_normal = only(f.elastic_normal);
-  a.elastic_tangential = only(f.elastic_tangential);
-  a.damping = only(f.damping_work);
-  a.friction = select(c.touches, f.friction_work, left);
+  a.damper = only(f.damping);
+  a.damping_work = only(f.damping_work);
+  a.friction_work = select(c.touches, f.friction_work, left);
   return a;
 }
 

@@ -26,6 +26,9 @@ struct ContactStateOf {
   V effective_shear_modulus{};            ///< Pa, G*
   V friction{};                           ///< Coulomb coefficient
   V damping_ratio{};                      ///< of critical, see damping.h
+  /// 1/s, sum over the two bodies of (sum of the dampers of all its contacts, one step before) / mass; what a lone
+  /// contact has of it need not be there.
+  V damping_rate{};
 };
 using ContactState = ContactStateOf<double>;
 
@@ -35,6 +38,7 @@ struct ContactHistoryOf {
   TripleOf<V> tangential_displacement{};  ///< m, elastic part, of i relative to j
   V tangential_stiffness{};               ///< N/m, of the step before
   V normal_force{};                       ///< N, of the step before
+  V damping_force{};                      ///< N, the damper's part of it
 };
 using ContactHistory = ContactHistoryOf<double>;
 
@@ -43,6 +47,7 @@ template <class V>
 struct ContactForceOf {
   V normal{};                ///< N, >= 0, pushes i along -normal_ij
   TripleOf<V> tangential{};  ///< N, on i
+  V damping{};               ///< N s/m, of the normal damper
   V elastic_normal{};        ///< J, stored now
   V elastic_tangential{};    ///< J, stored now
   V damping_work{};          ///< J, dissipated by dampers in this step, >= 0

@@ -21,11 +21,14 @@ struct HertzMindlin {
     const V damper = two_sqrt_5_6 * s.damping_ratio;
 
     ContactForceOf<V> f;
-    set_normal_force<V>(s, elastic, damper * root(slope * s.effective_mass), dt, history, f);
+    const V first = weight_of_hertz_damper<V>(share_since_touch<V>(s, history, dt));
+    const V normal_damper = first * damper * root(slope * s.effective_mass);
+    const V mobility = set_normal_force<V>(s, elastic, normal_damper, dt, history, f);
     f.elastic_normal = 0.4 * elastic * s.overlap;
 
     const V shear = 8 * s.effective_shear_modulus * contact_radius;
-    add_tangential_spring<V>(s, shear, damper * root(shear * s.effective_mass), dt, history, f);
+    const V shear_damper = damper * root(shear * s.effective_mass);
+    add_tangential_spring<V>(s, shear, within_step(shear_damper, mobility), dt, history, f);
     return f;
   }
 };

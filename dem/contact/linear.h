@@ -18,11 +18,13 @@ struct LinearSpringDashpot {
     const V damper = 2 * s.damping_ratio;
 
     ContactForceOf<V> f;
-    set_normal_force<V>(s, elastic, damper * root(V(normal_stiffness * s.effective_mass)), dt, history, f);
+    const V first = weight_of_constant_damper<V>(share_since_touch<V>(s, history, dt));
+    const V normal_damper = first * damper * root(V(normal_stiffness * s.effective_mass));
+    const V mobility = set_normal_force<V>(s, elastic, normal_damper, dt, history, f);
     f.elastic_normal = 0.5 * elastic * s.overlap;
 
-    add_tangential_spring<V>(s, V{} + tangential_stiffness, damper * root(V(tangential_stiffness * s.effective_mass)),
-                             dt, history, f);
+    const V shear_damper = damper * root(V(tangential_stiffness * s.effective_mass));
+    add_tangential_spring<V>(s, V{} + tangential_stiffness, within_step(shear_damper, mobility), dt, history, f);
     return f;
   }
 };

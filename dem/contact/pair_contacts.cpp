@@ -13,7 +13,7 @@ namespace lahar::dem {
 struct PairContacts::Eight {
   const std::uint32_t *owner, *partner;  // where their rows begin
   const std::uint16_t* material;
-  double *x, *y, *z, *stiffness, *normal_force;  // history
+  double *x, *y, *z, *stiffness, *normal_force, *damping_force;  // history
   std::uint8_t* touching;
   Triple* rolling;           // nullptr unless remembered
   double* on_partner;        // rows
@@ -31,7 +31,7 @@ struct PairContacts::Tail {
   using Numbers = std::array<T, kRow>;
   Numbers<std::uint32_t> owner, partner;
   Numbers<std::uint16_t> material;
-  Numbers<double> x{}, y{}, z{}, stiffness{}, normal_force{};
+  Numbers<double> x{}, y{}, z{}, stiffness{}, normal_force{}, damping_force{};
   Numbers<std::uint8_t> touching{};
   Numbers<Triple> rolling{};
   alignas(64) std::array<double, kRow * kRow> on_partner;
@@ -46,9 +46,19 @@ struct PairContacts::Tail {
   }
   /// Lanes that are idle book nothing.
   [[nodiscard]] Eight eight(bool rolls, ContactTally* of_rolling) {
-    return {owner.data(),      partner.data(),   material.data(),     x.data(),        y.data(),
-            z.data(),          stiffness.data(), normal_force.data(), touching.data(), rolls ? rolling.data() : nullptr,
-            on_partner.data(), of_rolling};
+    return {owner.data(),
+            partner.data(),
+            material.data(),
+            x.data(),
+            y.data(),
+            z.data(),
+            stiffness.data(),
+            normal_force.data(),
+            damping_force.data(),
+            touching.data(),
+            rolls ? rolling.data() : nullptr,
+            on_partner.data(),
+            of_rolling};
   }
   void copy(const Eight& at, std::size_t count, bool in) {
     const auto move = [&](auto* theirs, auto* ours) {
@@ -56,6 +66,7 @@ struct PairContacts::Tail {
     };
     move(at.x, x.data()), move(at.y, y.data()), move(at.z, z.data());
     move(at.stiffness, stiffness.data()), move(at.normal_force, normal_force.data());
+    move(at.damping_force, damping_force.data());
     move(at.touching, touching.data());
     if (at.rolling != nullptr) move(at.rolling, rolling.data());
     if (!in) std::copy_n(on_partner.data(), kRow * count, at.on_partner);
@@ -112,7 +123,7 @@ namespace {
   c.slip = {a[3], a[4], a[5]};
   c.slip_end = {a[6], a[7], b[0]};
   c.spin = {b[1], b[2], b[3]};
-  c.spin_end = {b[4], b[5], b[6]};
+  c.damping_rate = b[4];
   c.rim = {d[0], d[1], d[2]};
   c.rim_end = {d[3], d[4], d[5]};
   c.inverse_mass = d[6];
@@ -143,9 +154,11 @@ void PairContacts::roll(const EightContacts& c, const ContactHistoryOf<Row<doubl
     state.rolling_friction = materials[at.material[l]][ContactMaterials::kRollingFriction];
     if (state.rolling_friction == 0 || (!c.touches[l] && at.touching[l] == 0)) continue;
     const double *i = bodies_.data() + at.owner[l], *j = bodies_.data() + at.partner[l];  // see contact_bodies.h
-    const double *wi = i + kRow + 1, *wj = j + kRow + 1;
-    state.spin = {wi[0] - wj[0], wi[1] - wj[1], wi[2] - wj[2]};
-    state.spin_end = {wi[3] - wj[3], wi[4] - wj[4], wi[5] - wj[5]};
+    const auto difference = [&](std::size_t first) {  // of the spins that make the rims' velocities there
+      const double *a = i + 2 * kRow + first, *b = j + 2 * kRow + first, ri = i[2 * kRow + 7], rj = j[2 * kRow + 7];
+      return Triple{a[0] / ri - b[0] / rj, a[1] / ri - b[1] / rj, a[2] / ri - b[2] / rj};
+    };
+    state.spin = difference(0), state.spin_end = difference(3);
     const double inverse_inertia = inverse_rolling_inertia(i[2 * kRow + 6], i[2 * kRow + 7]) +
                                    inverse_rolling_inertia(j[2 * kRow + 6], j[2 * kRow + 7]);
     state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
@@ -170,19 +183,21 @@ template <ContactLaw L>
   const Row<double> stiffness_before = load<Row<double>>(at.stiffness);
   ContactHistoryOf<Row<double>> h{{load<Row<double>>(at.x), load<Row<double>>(at.y), load<Row<double>>(at.z)},
                                   stiffness_before,
-                                  load<Row<double>>(at.normal_force)};
+                                  load<Row<double>>(at.normal_force),
+                                  load<Row<double>>(at.damping_force)};
   const EightAnswers f = dem::evaluate(c, h, law, dt);
   store(at.x, h.tangential_displacement.x);
   store(at.y, h.tangential_displacement.y);
   store(at.z, h.tangential_displacement.z);
   store(at.stiffness, h.tangential_stiffness);
   store(at.normal_force, h.normal_force);
+  store(at.damping_force, h.damping_force);
 
   const Rows3 torque_i = arms.i * f.twist, torque_j = arms.j * f.twist;
-  std::array<Row<double>, kRow> on_owner{f.force.x,  f.force.y,  f.force.z, torque_i.x,
-                                         torque_i.y, torque_i.z, f.damping, f.friction};
-  std::array<Row<double>, kRow> on_partner{-f.force.x, -f.force.y, -f.force.z,       torque_j.x,
-                                           torque_j.y, torque_j.z, f.elastic_normal, f.elastic_tangential};
+  std::array<Row<double>, kRow> on_owner{f.force.x,  f.force.y,  f.force.z,      torque_i.x,
+                                         torque_i.y, torque_i.z, f.damping_work, f.damper};
+  std::array<Row<double>, kRow> on_partner{-f.force.x, -f.force.y, -f.force.z,      torque_j.x,
+                                           torque_j.y, torque_j.z, f.friction_work, f.damper};
   transpose(on_owner);
   transpose(on_partner);
   if (at.rolling != nullptr) roll(c, h, stiffness_before, at, materials, dt, on_owner, on_partner, tally);
@@ -222,6 +237,7 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
                    &h.z[k],
                    &h.stiffness[k],
                    &h.normal_force[k],
+                   &h.damping_force[k],
                    &slots.touching[k],
                    slots.rolls ? &slots.rolling[k] : nullptr,
                    on_partner_[k],
@@ -236,17 +252,14 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
     evaluate_eight(law, tail.eight(slots.rolls, at.of_rolling), materials, dt, tally);
     tail.copy(at, count, false);
   }
-  Row<double> energies{};  // of all slots, by their owners; partners bring other ones in the same places
+  double damping = 0;  // partners bring the work of friction in the same place
   for (std::size_t p = t.first_place[chunk]; p < t.first_place[chunk + 1]; ++p) {
     double* at = bodies_.sum(p);
-    const Row<double> sum = load_aligned<Row<double>>(at);
-    energies += sum;
-    if (!id_of_place_.empty())
-      energies_[id_of_place_[p]].damping = sum[6], energies_[id_of_place_[p]].friction = sum[7];
-    store_aligned(at, sum * Row<double>{1, 1, 1, 1, 1, 1, 0, 0});
+    damping += at[6];
+    if (!id_of_place_.empty()) energies_[id_of_place_[p]].damping = at[6];
+    at[6] = 0;
   }
-  tally.damping += energies[6];
-  tally.friction += energies[7];
+  tally.damping += damping;
 }
 
 void PairContacts::evaluate(const ContactLawChoice& law, ContactDetection& contacts, const ContactMaterials& materials,
@@ -254,18 +267,19 @@ void PairContacts::evaluate(const ContactLawChoice& law, ContactDetection& conta
   std::visit([&](const auto& l) { evaluate_with(l, contacts, materials, dt, chunk, tally); }, law);
 }
 
-void PairContacts::add_partners(Particles& particles, const ContactDetection& contacts, std::size_t chunk,
-                                ContactTally& tally) {
+void PairContacts::add_partners(Particles& particles, std::vector<double>& damping, const ContactDetection& contacts,
+                                std::size_t chunk, ContactTally& tally) {
   const ContactParties& t = contacts.parties();
   for (std::size_t n = t.first_partner[chunk]; n < t.first_partner[chunk + 1]; ++n) {
     double* sum = bodies_.sum(t.as_partner[n].place);
     store_aligned(sum, load_aligned<Row<double>>(sum) + load_aligned<Row<double>>(on_partner_[t.as_partner[n].slot]));
   }
-  Row<double> energies{};
+  double friction = 0;
   const std::size_t end = t.first_place[chunk + 1];
   const auto each = [&](const auto& add) {
     add(0, particles.force.x), add(1, particles.force.y), add(2, particles.force.z);
     add(3, particles.torque.x), add(4, particles.torque.y), add(5, particles.torque.z);
+    add(7, damping);
   };
   for (std::size_t p = t.first_place[chunk]; p < end; p += kRow) {
     const std::size_t count = std::min(kRow, end - p);
@@ -273,10 +287,8 @@ void PairContacts::add_partners(Particles& particles, const ContactDetection& co
     std::array<Row<double>, kRow> sum{};
     for (std::size_t l = 0; l < count; ++l) {
       sum[l] = load_aligned<Row<double>>(bodies_.sum(p + l));
-      energies += sum[l];
-      if (id_of_place_.empty()) continue;
-      Energies& own = energies_[id_of_place_[p + l]];
-      own.elastic_normal = sum[l][6], own.elastic_tangential = sum[l][7];
+      friction += bodies_.sum(p + l)[6];
+      if (!id_of_place_.empty()) energies_[id_of_place_[p + l]].friction = sum[l][6];
     }
     if (count == kRow && index[kRow - 1] - index[0] == kRow - 1) {
       transpose(sum);
@@ -289,31 +301,27 @@ void PairContacts::add_partners(Particles& particles, const ContactDetection& co
       });
     }
   }
-  tally.elastic_normal += energies[6];
-  tally.elastic_tangential += energies[7];
-}
-
-void PairContacts::tally_losses(const Numbering& numbering, const ContactDetection& contacts, std::size_t chunk,
-                                ContactTally& tally) const {
-  const ContactSlots& slots = contacts.pairs();
-  const std::size_t first = chunk * kContactChunk, end = std::min(first + kContactChunk, energies_.size());
-  double damping = 0, friction = 0;
-  for (std::size_t id = first; id < end; ++id) {
-    const ParticleIndex i = numbering.index(id);
-    for (std::size_t k = slots.offset[i]; !of_rolling_.empty() && k < slots.offset[i + 1]; ++k) tally += of_rolling_[k];
-    damping += energies_[id].damping, friction += energies_[id].friction;
-  }
-  tally.damping += damping;
   tally.friction += friction;
 }
 
-void PairContacts::tally_elastic(std::size_t chunk, ContactTally& tally) const {
+void PairContacts::tally_damping(const Numbering& numbering, const ContactDetection& contacts, std::size_t chunk,
+                                 ContactTally& tally) const {
+  const ContactSlots& slots = contacts.pairs();
   const std::size_t first = chunk * kContactChunk, end = std::min(first + kContactChunk, energies_.size());
-  double normal = 0, tangential = 0;
-  for (std::size_t id = first; id < end; ++id)
-    normal += energies_[id].elastic_normal, tangential += energies_[id].elastic_tangential;
-  tally.elastic_normal += normal;
-  tally.elastic_tangential += tangential;
+  double damping = 0;
+  for (std::size_t id = first; id < end; ++id) {
+    const ParticleIndex i = numbering.index(id);
+    for (std::size_t k = slots.offset[i]; !of_rolling_.empty() && k < slots.offset[i + 1]; ++k) tally += of_rolling_[k];
+    damping += energies_[id].damping;
+  }
+  tally.damping += damping;
+}
+
+void PairContacts::tally_friction(std::size_t chunk, ContactTally& tally) const {
+  const std::size_t first = chunk * kContactChunk, end = std::min(first + kContactChunk, energies_.size());
+  double friction = 0;
+  for (std::size_t id = first; id < end; ++id) friction += energies_[id].friction;
+  tally.friction += friction;
 }
 
 }  // namespace lahar::dem

@@ -27,21 +27,24 @@ class PairContacts {
   /// Notes what stays the same while the slots stay. To be called when they are new.
   void note_slots(const Particles& particles, const ContactDetection& contacts, const ContactMaterials& materials);
   /// See ContactBodies::pack.
-  void pack(const Particles& particles, const ContactDetection& contacts, double dt, const MeanMotion* mean) {
-    bodies_.pack(particles, contacts.parties(), dt, mean);
+  void pack(const Particles& particles, const ContactDetection& contacts, const std::vector<double>& damping, double dt,
+            const MeanMotion* mean) {
+    bodies_.pack(particles, contacts.parties(), damping, dt, mean);
   }
   /// The slots owned by a chunk of particles: evaluates them, advances their histories by `dt` and adds to the sums of
   /// the owners. To be called for all chunks, in any order or at once, before `add_partners`.
   void evaluate(const ContactLawChoice& law, ContactDetection& contacts, const ContactMaterials& materials, double dt,
                 std::size_t chunk, ContactTally& tally);
-  /// Completes the sums of a chunk of particles and adds them to `force` and `torque`.
-  void add_partners(Particles& particles, const ContactDetection& contacts, std::size_t chunk, ContactTally& tally);
+  /// Completes the sums of a chunk of particles and adds them to `force` and `torque`, those of their dampers to
+  /// `damping`.
+  void add_partners(Particles& particles, std::vector<double>& damping, const ContactDetection& contacts,
+                    std::size_t chunk, ContactTally& tally);
 
   /// Where indices are not ids: the energies of the chunk of particles with these ids, in the order in which `evaluate`
-  /// and `add_partners` sum them up where they are. First what slots lose, then, after the walls, what they hold.
-  void tally_losses(const Numbering& numbering, const ContactDetection& contacts, std::size_t chunk,
-                    ContactTally& tally) const;
-  void tally_elastic(std::size_t chunk, ContactTally& tally) const;
+  /// and `add_partners` sum them up where they are: of dampers (and rolling), then, after the walls, of slip.
+  void tally_damping(const Numbering& numbering, const ContactDetection& contacts, std::size_t chunk,
+                     ContactTally& tally) const;
+  void tally_friction(std::size_t chunk, ContactTally& tally) const;
 
  private:
   struct Eight;  // where the numbers of eight slots lie
@@ -62,12 +65,12 @@ class PairContacts {
 
   ContactBodies bodies_;
   std::vector<std::uint16_t> material_;               // per slot, into ContactMaterials
-  RowField on_partner_;                               // per slot: force, torque, elastic energies (normal, tangential)
+  RowField on_partner_;                               // per slot: force, torque, friction work, damper
   std::vector<std::uint32_t> owner_at_, partner_at_;  // per slot: where the rows of its two particles begin
   bool one_material_ = false;                         // the same in all slots
   // Only where indices are not ids:
   struct Energies {
-    double damping = 0, friction = 0, elastic_normal = 0, elastic_tangential = 0;  // J, of a particle's slots
+    double damping = 0, friction = 0;  // J, of the slots that a particle owns, and of those where it is the partner
   };
   std::vector<ParticleId> id_of_place_;
   std::vector<Energies> energies_;        // by id

@@ -44,7 +44,7 @@ inline RollingTorque roll(const RollingState& r, Triple& angle, double dt) {
   s.friction = r.rolling_friction * r.effective_radius;
   ContactForce f;
   f.normal = r.normal_force;
-  ContactHistory history{angle, lever * r.last_shear_stiffness, 0};
+  ContactHistory history{angle, lever * r.last_shear_stiffness, 0, 0};
   const double stiffness = lever * r.shear_stiffness;
   const double damping = 2 * std::min(1.0, r.damping_ratio) * std::sqrt(r.effective_inertia * stiffness);
   add_tangential_spring(s, stiffness, damping, dt, history, f);

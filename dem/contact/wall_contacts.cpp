@@ -40,6 +40,7 @@ Vec3 gradient_of(const Walls& walls, std::uint32_t w, const Vec3& p) {
 
 struct WallContacts::Work {
   const Particles& particles;
+  const std::vector<double>& damping;
   ContactSlots& slots;
   const Walls& walls;
   const ContactMaterials& materials;
@@ -83,10 +84,10 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
   set(c.slip, lane, v - wall_velocity);
   set(c.slip_end, lane, v_end - wall_velocity);
   set(c.spin, lane, spin);
-  set(c.spin_end, lane, spin_end);
   set(c.rim, lane, r * spin);  // a wall adds nothing: its spin is zero
   set(c.rim_end, lane, r * spin_end);
   c.inverse_mass.set(lane, inverse_mass);
+  c.damping_rate.set(lane, inverse_mass * work.damping[i]);
   c.effective_radius.set(lane, r);
   const double* m = work.materials[material[lane]];
   c.modulus.set(lane, m[0]), c.shear_modulus.set(lane, m[1]);
@@ -95,6 +96,7 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
   set(history.tangential_displacement, lane, h.tangential_displacement);
   history.tangential_stiffness.set(lane, h.tangential_stiffness);
   history.normal_force.set(lane, h.normal_force);
+  history.damping_force.set(lane, h.damping_force);
 }
 
 template <ContactLaw L>
@@ -104,22 +106,22 @@ template <ContactLaw L>
   const EightAnswers f = dem::evaluate(batch.contacts, batch.history, law, work.dt);
   for (std::size_t l = 0; l < batch.count; ++l) {
     const std::uint32_t k = batch.slot[l], i = work.slots.owner[k];
-    tally.elastic_normal += f.elastic_normal[l];
-    tally.elastic_tangential += f.elastic_tangential[l];
-    tally.damping += f.damping[l];
-    tally.friction += f.friction[l];
+    tally.damping += f.damping_work[l];
+    tally.friction += f.friction_work[l];
     ContactTally rolled;
     const ContactHistoryOf<Row<double>>& h = batch.history;
-    work.slots.history.set(k, {lane_of(h.tangential_displacement, l), h.tangential_stiffness[l], h.normal_force[l]});
+    work.slots.history.set(
+        k, {lane_of(h.tangential_displacement, l), h.tangential_stiffness[l], h.normal_force[l], h.damping_force[l]});
     Answer& answer = answers_[k];
     answer.force = lane_of(f.force, l);
+    answer.damper = f.damper[l];
     answer.torque = (work.particles.radius[i] - 0.5 * batch.contacts.overlap[l]) * lane_of(f.twist, l);
     const double rolling_friction = work.materials[batch.material[l]][ContactMaterials::kRollingFriction];
     if (rolling_friction > 0) {
       RollingState state;
       state.rolling_friction = rolling_friction;
       state.spin = lane_of(batch.contacts.spin, l);  // a wall has none
-      state.spin_end = lane_of(batch.contacts.spin_end, l);
+      state.spin_end = (1 / work.particles.radius[i]) * lane_of(batch.contacts.rim_end, l);
       const double inverse_inertia =
           inverse_rolling_inertia(batch.contacts.inverse_mass[l], batch.contacts.effective_radius[l]);
       state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
@@ -129,8 +131,7 @@ template <ContactLaw L>
     }
     if (!booked_.empty()) {
       Booked& booked = booked_[k];
-      booked.law.elastic_normal = f.elastic_normal[l], booked.law.elastic_tangential = f.elastic_tangential[l];
-      booked.law.damping = f.damping[l], booked.law.friction = f.friction[l];
+      booked.law.damping = f.damping_work[l], booked.law.friction = f.friction_work[l];
       booked.rolling = rolled;
     }
     const bool touches = batch.contacts.touches[l];
@@ -162,14 +163,15 @@ void WallContacts::evaluate_with(const L& law, const Work& work, std::size_t chu
     if (answers_[k].power != 0) add_work(work.dt, answers_[k].power, tally);
 }
 
-void WallContacts::evaluate(const ContactLawChoice& law, const Particles& particles, ContactDetection& contacts,
-                            const Walls& walls, const ContactMaterials& materials, double dt, const MeanMotion* mean,
-                            std::size_t chunk, ContactTally& tally) {
-  const Work work{particles, contacts.wall_contacts(), walls, materials, dt, mean};
+void WallContacts::evaluate(const ContactLawChoice& law, const Particles& particles, const std::vector<double>& damping,
+                            ContactDetection& contacts, const Walls& walls, const ContactMaterials& materials,
+                            double dt, const MeanMotion* mean, std::size_t chunk, ContactTally& tally) {
+  const Work work{particles, damping, contacts.wall_contacts(), walls, materials, dt, mean};
   std::visit([&](const auto& l) { evaluate_with(l, work, chunk, tally); }, law);
 }
 
-void WallContacts::add_to(Particles& p, const ContactDetection& contacts, std::size_t chunk) const {
+void WallContacts::add_to(Particles& p, std::vector<double>& damping, const ContactDetection& contacts,
+                          std::size_t chunk) const {
   const ContactSlots& slots = contacts.wall_contacts();
   const auto [first, last] = slots_of_chunk(slots, chunk);
   for (std::uint32_t k = first; k < last; ++k) {
@@ -177,6 +179,7 @@ void WallContacts::add_to(Particles& p, const ContactDetection& contacts, std::s
     const Triple f = answers_[k].force, t = answers_[k].torque;
     p.force.x[i] += f.x, p.force.y[i] += f.y, p.force.z[i] += f.z;
     p.torque.x[i] += t.x, p.torque.y[i] += t.y, p.torque.z[i] += t.z;
+    damping[i] += answers_[k].damper;
   }
 }
 

@@ -25,12 +25,13 @@ class WallContacts {
   void renumber(const std::vector<std::uint32_t>& from) { reorder(answers_, from); }
 
   /// The wall slots of a chunk of particles: evaluates them and advances their histories by `dt` (s). Needs the forces
-  /// of the step before in `particles`; `mean`: see ContactBodies::pack.
-  void evaluate(const ContactLawChoice& law, const Particles& particles, ContactDetection& contacts, const Walls& walls,
-                const ContactMaterials& materials, double dt, const MeanMotion* mean, std::size_t chunk,
-                ContactTally& tally);
-  /// Adds what came out to the `force` and `torque` of the chunk's particles.
-  void add_to(Particles& particles, const ContactDetection& contacts, std::size_t chunk) const;
+  /// of the step before in `particles`; `damping` and `mean`: see ContactBodies::pack.
+  void evaluate(const ContactLawChoice& law, const Particles& particles, const std::vector<double>& damping,
+                ContactDetection& contacts, const Walls& walls, const ContactMaterials& materials, double dt,
+                const MeanMotion* mean, std::size_t chunk, ContactTally& tally);
+  /// Adds what came out to the `force` and `torque` of the chunk's particles, the dampers to `damping`.
+  void add_to(Particles& particles, std::vector<double>& damping, const ContactDetection& contacts,
+              std::size_t chunk) const;
   /// Where indices are not ids: the energies of the chunk of particles with these ids, in the order in which `evaluate`
   /// sums them up where they are.
   void tally_by_id(const Numbering& numbering, const ContactDetection& contacts, double dt, std::size_t chunk,
@@ -47,6 +48,7 @@ class WallContacts {
   struct Answer {
     Triple force{}, torque{};  // on the particle
     double power = 0;          // W, of a moving wall on the particle
+    double damper = 0;         // N s/m
   };
   struct Booked {  // energies of a slot
     ContactTally law, rolling;

@@ -59,6 +59,7 @@ void WireForces::renumber(const Renumbering& change) {
   chains_.renumber(change);
   detection_.renumber(change);
   change.move(narrowed_at_);
+  change.move(damping_);
   if (narrowed_at_.size() > 0) note_near();
 }
 
@@ -155,6 +156,11 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
   ContactState s = material_state(slot, p);
   set_motion(c, p, dt, s);
   s.friction *= c.spread;  // Coulomb's limit is one on the resultant
+  for (const WireSide* side : {&c.wire, &c.partner})
+    for (std::size_t k = 0; k < side->count; ++k) {
+      const WireShare& b = side->shares[k];
+      s.damping_rate += c.spread * b.weight * p.inverse_mass[b.particle] * damping_[b.particle];
+    }
   ContactState still = s;
   still.damping_ratio = 0;
   ContactHistory none;
@@ -170,7 +176,8 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
     const Triple moment = cross(side.lever, sign * at_point);
     for (std::size_t k = 0; k < side.count; ++k) {
       const WireShare& b = side.shares[k];
-      chunk.answers.push_back({b.particle, (sign * b.weight) * at_point - elastic * b.gradient, b.weight * moment});
+      chunk.answers.push_back({b.particle, (sign * b.weight) * at_point - elastic * b.gradient, b.weight * moment,
+                               c.spread * b.weight * f.damping});
     }
   };
   answer(c.wire, 1);
@@ -198,6 +205,7 @@ void WireForces::evaluate_with(const L& law, const Particles& p, double dt) {
 }
 
 void WireForces::evaluate(const Particles& p, double dt) {
+  damping_.resize(p.size());
   std::visit([&](const auto& law) { evaluate_with(law, p, dt); }, law_);
   energy_.elastic_normal = energy_.elastic_tangential = energy_.damping_of_step = 0;
   worst_ = {};
@@ -207,11 +215,13 @@ void WireForces::evaluate(const Particles& p, double dt) {
   }
 }
 
-void WireForces::add_forces(Particles& p) const {
+void WireForces::add_forces(Particles& p) {
+  std::fill(damping_.begin(), damping_.end(), 0.0);
   for (const Chunk& c : chunks_)
     for (const Answer& a : c.answers) {
       p.force.x[a.particle] += a.force.x, p.force.y[a.particle] += a.force.y, p.force.z[a.particle] += a.force.z;
       p.torque.x[a.particle] += a.torque.x, p.torque.y[a.particle] += a.torque.y, p.torque.z[a.particle] += a.torque.z;
+      damping_[a.particle] += a.damper;
     }
 }
 

@@ -34,7 +34,7 @@ class WireForces {
   /// those of mid-step, `particles.force` still the sum of the step before. Wires of one body touch without friction.
   void evaluate(const Particles& particles, double dt);
   /// Adds what was evaluated, in the order of the contacts.
-  void add_forces(Particles& particles) const;
+  void add_forces(Particles& particles);
 
   [[nodiscard]] const WireChains& chains() const { return chains_; }
   [[nodiscard]] const std::vector<WireSlot>& slots() const { return detection_.slots(); }
@@ -60,6 +60,7 @@ class WireForces {
   struct Answer {
     ParticleIndex particle;
     Triple force, torque;
+    double damper;  // N s/m
   };
   struct Chunk {
     std::vector<Answer> answers;
@@ -90,6 +91,7 @@ class WireForces {
   std::vector<double> narrow_limit2_;
   double narrow_limit_ = 0;  // m
   std::vector<Chunk> chunks_;
+  std::vector<double> damping_;  // per particle: sum of the normal dampers of its contacts in the last step, N s/m
   ContactEnergy energy_;
   WorstOverlap worst_;
   std::int64_t builds_ = 0;

@@ -30,11 +30,15 @@ void WireDetection::transfer(Archive& archive, const Particles& particles, const
           archive.refuse("slots", "is no list of contacts");
     }
   }
-  archive.pieces<double>("history", slots_.size(), 5, [&](std::size_t k, double* stored) {
+  archive.pieces<double>("history", slots_.size(), 6, [&](std::size_t k, double* stored) {
     ContactHistory& h = slots_[k].history;
-    double* const own[] = {&h.tangential_displacement.x, &h.tangential_displacement.y, &h.tangential_displacement.z,
-                           &h.tangential_stiffness, &h.normal_force};
-    for (std::size_t a = 0; a < 5; ++a) {
+    double* const own[] = {&h.tangential_displacement.x,
+                           &h.tangential_displacement.y,
+                           &h.tangential_displacement.z,
+                           &h.tangential_stiffness,
+                           &h.normal_force,
+                           &h.damping_force};
+    for (std::size_t a = 0; a < 6; ++a) {
       if (archive.loading())
         *own[a] = stored[a];
       else
@@ -62,6 +66,7 @@ void WireForces::transfer(Archive& archive, const Particles& particles, const Bo
   archive.part("slots", slots);
   archive.value("narrow_limit", narrow_limit_);
   archive.list("narrowed_at", narrowed_at_);
+  archive.list_of("damping_of_particles", damping_, particles.size());
   if (narrowed_at_.size() != particles.size()) archive.refuse("narrowed_at", "is not there for every particle");
   if (archive.loading()) note_near();
 }

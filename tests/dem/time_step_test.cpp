@@ -26,14 +26,6 @@ TEST(TimeStep, rayleigh_time_of_all_is_the_smallest_and_forgets_removed_particle
   EXPECT_NEAR(rayleigh_time_step(p, m), rayleigh_time_step(0.02, 2650, m[0]), 1e-18);
 }
 
-// An oscillator with explicit damping of ratio d is stable up to sqrt(1 + d^2) - d of its undamped limit. A restitution
-// of e^-2 is critical damping (d = 1) when contacts never pull.
-TEST(TimeStep, damping_takes_its_share) {
-  EXPECT_DOUBLE_EQ(damped_share(1), 1);
-  EXPECT_NEAR(damped_share(std::exp(-2.0)), std::sqrt(2.0) - 1, 1e-3);
-  EXPECT_LT(damped_share(0.1), damped_share(0.2));
-}
-
 TEST(TimeStep, a_bond_is_limited_by_translation_or_rotation) {
   BondSort sort;
   sort.axial.stiffness = {2e9, 0, 0};

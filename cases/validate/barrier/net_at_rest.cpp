@@ -42,7 +42,7 @@ HangingNet hang(int columns, int rows, dem::WireContacts wires) {
   // As a scene chooses it. The limit of the bonds alone, 2.7 times as long, is beyond that of contacts with this
   // restitution: beads at rest on each other then spin to and fro by a few mJ a second, which the dampers book as lost.
   options.time_step = std::min(0.7 * dem::bond_time_step(bonds, particles),
-                               0.2 * dem::damped_share(restitution) * dem::rayleigh_time_step(particles, materials));
+                               0.2 * dem::rayleigh_time_step(particles, materials));
   return {std::move(net), std::move(topology),
           dem::Solids(std::move(particles), std::move(bonds), std::move(materials), Walls{}, options)};
 }

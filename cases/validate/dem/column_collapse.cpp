@@ -66,7 +66,7 @@ Column column(const Channel& c, std::uint64_t seed) {
   walls.add({"back", HalfSpace{Vec3::Zero(), Vec3::UnitX()}, WallSlip::no_slip, 1});
   walls.add({"left", HalfSpace{Vec3::Zero(), Vec3::UnitY()}, WallSlip::no_slip, 1});
   walls.add({"right", HalfSpace{Vec3(0, c.width, 0), -Vec3::UnitY()}, WallSlip::no_slip, 1});
-  const double step = 0.15 * dem::damped_share(kRestitution) * dem::rayleigh_time_step(kRadius, kDensity, m[0]);
+  const double step = 0.15 * dem::rayleigh_time_step(kRadius, kDensity, m[0]);
   return {dem::Solids(p, {}, m, walls, solids_options(step, Vec3(0, 0, -kGravity))),
           dem::measure_packing(packing, grains).surface_height};
 }

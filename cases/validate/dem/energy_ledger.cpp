@@ -42,7 +42,7 @@ void ask_grains(std::vector<Row>& rows, int count, double time) {
     walls.add({"far", HalfSpace{0.4 * n, -n}});
   }
   const dem::Materials m = one_material(1e8, 0.25, 0.5, 0.3);
-  const double step = 0.1 * dem::damped_share(0.3) * dem::rayleigh_time_step(0.01, 2650, m[0]);  // half of the default
+  const double step = 0.1 * dem::rayleigh_time_step(0.01, 2650, m[0]);  // half of the default
   dem::Solids solids(p, {}, m, walls, solids_options(step, Vec3(0, 0, -kGravity)));
   LedgerWatch watch(solids);
   const int steps = static_cast<int>(time / step);
@@ -79,7 +79,7 @@ void ask_net(std::vector<Row>& rows, bool breaks, double time) {
   p.add(grain(Vec3(0.12, 0.12, radius + 0.02), radius, Vec3(0.3, 0.2, breaks ? -12 : -6)));
   const dem::Materials m = one_material(10e9, 0.3, 0.1, 0.3);
   const double step = std::min((breaks ? 0.25 : 0.5) * dem::bond_time_step(b, p),
-                               0.2 * dem::damped_share(0.3) * dem::rayleigh_time_step(p, m));
+                               0.2 * dem::rayleigh_time_step(p, m));
   dem::Solids solids(p, b, m, {}, solids_options(step, Vec3(0, 0, -kGravity)));
   LedgerWatch watch(solids);
   advance_watched(solids, watch, static_cast<int>(time / step), 20);

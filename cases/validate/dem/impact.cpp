@@ -51,7 +51,7 @@ dem::Solids scene_of(const ImpactSpec& s, double time_step, double gap) {
 }  // namespace
 
 double default_time_step(const ImpactSpec& s) {
-  return scene::Solids{}.contact_safety * dem::damped_share(s.restitution) *
+  return scene::Solids{}.contact_safety *
          dem::rayleigh_time_step(s.radius, s.density, {"sphere", s.youngs_modulus, s.poisson_ratio});
 }
 

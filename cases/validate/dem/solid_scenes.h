@@ -58,7 +58,7 @@ struct SphereOnPlane {
     p.add(sphere);
     Walls walls;
     walls.add({"plane", HalfSpace{Vec3::Zero(), normal()}});
-    const double step = 0.2 * dem::damped_share(0.5) * dem::rayleigh_time_step(kRadius, kDensity, m[0]);
+    const double step = 0.2 * dem::rayleigh_time_step(kRadius, kDensity, m[0]);
     return {p, {}, m, walls, solids_options(step, Vec3(0, 0, -kGravity))};
   }
 };

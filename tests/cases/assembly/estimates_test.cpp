@@ -77,7 +77,7 @@ TEST(Estimates, TimeStepIsTheSmallerShare) {
   scene::Scene debris = scene::debris_flow();
   const SolidsLimits limits = solids_limits(debris);
   EXPECT_DOUBLE_EQ(solids_time_step(debris),
-                   std::min(0.2 * limits.damped_share * limits.bead_rayleigh, 0.7 * limits.cable_bond));
+                   std::min(0.2 * limits.bead_rayleigh, 0.8 * limits.cable_bond));
   debris.solids.time_step = 5e-7;
   EXPECT_EQ(solids_time_step(debris), 5e-7);
   EXPECT_EQ(solids_time_step(load(case_file("dam_break/scene.toml"))), std::numeric_limits<double>::infinity());

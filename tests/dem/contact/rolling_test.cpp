@@ -88,7 +88,7 @@ Solids sphere_on_plane(double slope, double rolling_friction, double speed) {
   s.angular_velocity = Vec3(0, speed / kRadius, 0);
   Particles p;
   p.add(s);
-  const double step = 0.2 * damped_share(0.5) * rayleigh_time_step(kRadius, kDensity, m[0]);
+  const double step = 0.2 * rayleigh_time_step(kRadius, kDensity, m[0]);
   return {p, {}, m, testing::ground(normal), testing::options(step, Vec3(0, 0, -9.81))};
 }
 
@@ -139,7 +139,7 @@ TEST(Rolling, ARollingSphereStopsAfterItsWay) {
 TEST(Rolling, AHeapClosesItsLedger) {
   Materials m = testing::one_material(1e7, 0.25, 0.5, 0.5);
   m.set_pair(0, 0, 0.5, 0.5, 0.2);
-  const double step = 0.1 * damped_share(0.5) * rayleigh_time_step(0.02, 2650, m[0]);
+  const double step = 0.1 * rayleigh_time_step(0.02, 2650, m[0]);
   const auto heap = [&] {
     return Solids(testing::loose_grains(4, 4, 4, 0.02, 0.04, 4), {}, m, testing::open_box({0.33, 0.33, 1}),
                   testing::options(step, {0, 0, -9.81}));
