@@ -13,7 +13,7 @@ inline void require_finite_force(const dem::Particles& particles, dem::ParticleI
   if (particles.external_force[i].allFinite()) return;
   const Vec3 p = particles.position[i];
   char where[112];
-  std::snprintf(where, sizeof where, "%s %u at (%.4g, %.4g, %.4g) m", what, i, p.x(), p.y(), p.z());
+  std::snprintf(where, sizeof where, "%s %u at (%.4g, %.4g, %.4g) m", what, particles.id(i), p.x(), p.y(), p.z());
   throw NumericalFailure(where, step, "the force of the fluid on it is not finite");
 }
 

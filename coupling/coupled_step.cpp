@@ -55,8 +55,8 @@ template <class Real>
 std::size_t CoupledStep<Real>::wet_beads() const {
   std::size_t sum = thin_wires_ ? thin_wires_->wet_beads() : 0;
   if (!mapped_wires_) return sum;
-  for (const dem::ParticleIndex i : mapped_wires_->wires().beads())
-    sum += mapped_wires_->wet_volume_of(i) > 0 && !(thin_wires_ && thin_wires_->acts_on(i));
+  for (const dem::ParticleId id : mapped_wires_->wires().beads())
+    sum += mapped_wires_->wet_volume_of(id) > 0 && !(thin_wires_ && thin_wires_->acts_on(id));
   return sum;
 }
 
@@ -67,6 +67,12 @@ void CoupledStep<Real>::fill(const std::vector<lbm::LiquidRegion>& regions) {
   if (grains_) grains_->embed(*fluid_, solids_->particles(), fields_);
   if (mapped_wires_) mapped_wires_->embed(*fluid_, solids_->particles(), solids_->bonds(), fields_);
   if (grains_ || mapped_wires_) fluid_->open_ledger();
+}
+
+template <class Real>
+void CoupledStep<Real>::renumber(const dem::Renumbering& change) {
+  require(solids_.has_value(), "CoupledStep::renumber: there are no solids");
+  solids_->renumber(change);
 }
 
 template <class Real>

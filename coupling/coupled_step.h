@@ -32,6 +32,10 @@ class CoupledStep {
   using FieldWriter = std::function<void(lbm::Fluid<Real>&, SolidFields<Real>&)>;
   void set_field_writer(FieldWriter writer) { field_writer_ = std::move(writer); }
 
+  /// Moves the particles to other places in their arrays, see dem::Solids::renumber; between steps. What the coupling
+  /// remembers of grains and wires it keeps by id, and it sums in the order of ids: no number changes.
+  void renumber(const dem::Renumbering& change);
+
   /// Advances by one fluid step (or `substeps` DEM steps without fluid).
   void advance();
 

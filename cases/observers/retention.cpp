@@ -35,7 +35,8 @@ Retained Retention::now() const {
     return p.state[i] != dem::ParticleState::removed && p.position.x[i] <= furthest;
   };
   double mass = 0, kept = 0, smallest = 1e300, largest = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
+  for (dem::ParticleId id = 0; id < p.size(); ++id) {
+    const dem::ParticleIndex i = p.index(id);
     if (p.kind[i] != dem::ParticleKind::grain) continue;
     mass += p.mass[i];
     kept += is_kept(i) ? p.mass[i] : 0.0;

@@ -74,9 +74,10 @@ Sections::Sections(const Observed& run) : Observer(run) {
     Counter counter;
     counter.name = s.name;
     counter.frame = frame_of(s, run.scene.domain);
-    if (const dem::Solids* solids = run.simulation.solids())
-      for (std::size_t i = 0; i < solids->particles().size(); ++i)
-        counter.places.push_back(solids->particles().position[i]);
+    if (const dem::Solids* solids = run.simulation.solids()) {
+      const dem::Particles& p = solids->particles();
+      for (dem::ParticleId id = 0; id < p.size(); ++id) counter.places.push_back(p.position[p.index(id)]);
+    }
     counters_.push_back(std::move(counter));
     if (run.simulation.fluid()) declare_liquid(counters_.size() - 1);
     if (run.simulation.solids()) declare_grains(counters_.size() - 1);
@@ -131,9 +132,10 @@ void Sections::sample_grains(Counter& counter, double interval) {
   const auto& p = run_.simulation.solids()->particles();
   const SectionFrame& f = counter.frame;
   double mass = 0, energy = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Vec3 place = p.position[i], former = counter.places[i];
-    counter.places[i] = place;
+  for (dem::ParticleId id = 0; id < p.size(); ++id) {
+    const dem::ParticleIndex i = p.index(id);
+    const Vec3 place = p.position[i], former = counter.places[id];
+    counter.places[id] = place;
     const double before = (former - f.centre).dot(f.normal), after = (place - f.centre).dot(f.normal);
     if (p.kind[i] != dem::ParticleKind::grain || (before < 0) == (after < 0)) continue;
     if (!f.holds(former + before / (before - after) * (place - former))) continue;

@@ -45,7 +45,7 @@ class Sections final : public Observer {
     SectionFrame frame;
     Flux now;                                 ///< of the liquid at the last row
     double grain_rate = 0, grain_power = 0;   ///< kg/s and W since the row before
-    std::vector<Vec3> places;                 ///< of the particles at the last row
+    std::vector<Vec3> places;                 ///< of the particles by id, at the last row
     double volume = 0, liquid_energy = 0;     ///< m^3 and kJ of liquid that passed
     double grain_mass = 0, grain_energy = 0;  ///< kg and kJ of grains that passed
   };

@@ -16,9 +16,9 @@ bool is_grain(const dem::Particles& p, std::size_t i) {
 
 bool finite(const dem::Particles& p, std::size_t i) { return p.position[i].allFinite() && p.radius[i] > 0; }
 
-// Natural stone is not uniform: a factor on the brightness that belongs to the grain's index.
-float own_brightness(std::size_t i) {
-  const auto hash = static_cast<std::uint32_t>(i) * 2654435761U;
+// Natural stone is not uniform: a factor on the brightness that belongs to the grain.
+float own_brightness(dem::ParticleId id) {
+  const auto hash = id * 2654435761U;
   return 0.86F + 0.28F * static_cast<float>(hash >> 8 & 0xffffU) / 65535.0F;
 }
 
@@ -41,7 +41,7 @@ Colour grain_colour(const dem::Particles& p, std::size_t i, const SolidsInView& 
   }
   const double range = std::log(view.largest_diameter / view.smallest_diameter);
   const double t = range > 1e-6 ? std::log(2 * p.radius[i] / view.smallest_diameter) / range : 0.6;
-  return own_brightness(i) * to_linear(ramp_colour(ColourRamp::stone, static_cast<float>(t)));
+  return own_brightness(p.id(i)) * to_linear(ramp_colour(ColourRamp::stone, static_cast<float>(t)));
 }
 
 void add_capsule(SolidsInView& view, const Vec3& start, const Vec3& end, double radius, const Colour& colour,
@@ -85,7 +85,8 @@ SolidsInView solids_in_view(const PictureScene& scene, const PictureStyle& style
   std::vector<bool> covered(p.size(), false);
   if (scene.bonds != nullptr && scene.bonds->size() > 0) covered = add_bonds(p, *scene.bonds, style, view);
   const Colour steel = to_linear(ramp_colour(ColourRamp::tension, 0));
-  for (std::size_t i = 0; i < p.size(); ++i) {
+  for (dem::ParticleId id = 0; id < p.size(); ++id) {
+    const dem::ParticleIndex i = p.index(id);
     if (covered[i] || p.state[i] == ParticleState::removed || !finite(p, i)) continue;
     if (is_grain(p, i))
       add_capsule(view, p.position[i], p.position[i], p.radius[i], grain_colour(p, i, view, style.grain_colour), false);

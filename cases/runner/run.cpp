@@ -23,7 +23,8 @@ namespace {
 void remove_leavers(const scene::Scene& scene, dem::Solids* solids) {
   if (!solids) return;
   const dem::Particles& p = solids->particles();
-  for (dem::ParticleIndex i = 0; i < p.size(); ++i) {
+  for (dem::ParticleId id = 0; id < p.size(); ++id) {
+    const dem::ParticleIndex i = p.index(id);
     if (p.kind[i] != dem::ParticleKind::grain || p.state[i] != dem::ParticleState::free) continue;
     for (int axis = 0; axis < 3; ++axis) {
       const double x = p.position[i][axis];

@@ -46,7 +46,7 @@ void DisplacedVolume<Real>::measure_former(const lbm::Fluid<Real>& fluid, const 
       if (block.wet_cells < lbm::kBlockCells) measure_wet(block, map.sphere(k), pair.lowest, share);
       sum += share.wet;
     }
-    former_wet_[g.particle] = sum;
+    former_wet_[g.id] = sum;
   });
 }
 
@@ -56,11 +56,11 @@ void DisplacedVolume<Real>::begin(const GrainMap<Real>& map) {
   shares_.resize(map.pairs().size());
 }
 
-/// Grains are mapped in the order of the particles.
+/// Grains are mapped in the order of their ids.
 template <class Real>
 void DisplacedVolume<Real>::make_room_for(const GrainMap<Real>& map) {
   if (map.grains().empty()) return;
-  former_wet_.resize(std::max(former_wet_.size(), std::size_t{map.grains().back().particle} + 1), 0.0);
+  former_wet_.resize(std::max(former_wet_.size(), std::size_t{map.grains().back().id} + 1), 0.0);
 }
 
 template <class Real>
@@ -127,8 +127,8 @@ void DisplacedVolume<Real>::book(lbm::Fluid<Real>& fluid, const GrainMap<Real>& 
   handouts_.assign(grains.size(), {}), for_pool_.assign(grains.size(), 0.0);
   parallel_for(0, grains.size(), 256, [&](std::size_t k) {
     const MappedGrain& g = grains[k];
-    double change = -former_wet_[g.particle], surface = 0, room = 0, liquid = 0;
-    former_wet_[g.particle] = 0;
+    double change = -former_wet_[g.id], surface = 0, room = 0, liquid = 0;
+    former_wet_[g.id] = 0;
     for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) {
       const Share& share = shares_[p];
       change += share.wet + share.drift;

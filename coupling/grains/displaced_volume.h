@@ -63,7 +63,7 @@ class DisplacedVolume {
   void hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const;
 
   std::vector<Share> shares_;       // by pair
-  std::vector<double> former_wet_;  // per particle, of the former mapping; 0 between mappings
+  std::vector<double> former_wet_;  // by id, of the former mapping; 0 between mappings
   std::vector<Handout> handouts_;   // by grain
   std::vector<double> for_pool_;    // by grain
   double wet_volume_ = 0;

@@ -72,7 +72,7 @@ Vec3 GrainCoupling<Real>::add_forces(const lbm::Fluid<Real>& fluid, dem::Particl
   });
   Vec3 total = Vec3::Zero();
   for (std::size_t k = 0; k < grains.size(); ++k) {
-    require_finite_force(particles, grains[k].particle, "grain", fluid.steps());
+    require_finite_force(particles, particles.index(grains[k].id), "grain", fluid.steps());
     total += taken_[k];
   }
   return total;

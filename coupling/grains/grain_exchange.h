@@ -32,7 +32,8 @@ class GrainExchange {
   /// cells. From many threads.
   virtual void shape_sphere(double radius, GridSphere<Real>& sphere) const = 0;
 
-  /// After the grains are mapped: size what is kept by particle, grain or pair.
+  /// After the grains are mapped: size what is kept by id, grain or pair. What lasts longer than a step must be kept by
+  /// id: particles may be renumbered between steps.
   virtual void prepare(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const GrainMap<Real>& map) = 0;
 
   /// Writes the body fields of a block, which are empty. The solid fraction must be the sum of fraction_row of its

@@ -46,11 +46,13 @@ void GrainMap<Real>::collect(const lbm::Fluid<Real>& fluid, const dem::Particles
   radii_.resize(particles.size());
   former_.swap(grains_), former_spheres_.swap(spheres_), former_pairs_.swap(pairs_);
   former_grain_.assign(particles.size(), kNoGrain);
-  for (std::size_t k = 0; k < former_.size(); ++k) former_grain_[former_[k].particle] = static_cast<std::uint32_t>(k);
+  for (std::size_t k = 0; k < former_.size(); ++k) former_grain_[former_[k].id] = static_cast<std::uint32_t>(k);
   grains_.clear();
-  for (dem::ParticleIndex i = 0; i < particles.size(); ++i)
+  for (dem::ParticleId id = 0; id < particles.size(); ++id) {
+    const dem::ParticleIndex i = particles.index(id);
     if (particles.kind[i] == dem::ParticleKind::grain && particles.state[i] != dem::ParticleState::removed)
-      grains_.push_back({.particle = i});
+      grains_.push_back({.id = id});
+  }
   spheres_.resize(grains_.size()), reaches_.resize(grains_.size());
   parallel_for(0, grains_.size(), kGrainsPerTask, [&](std::size_t k) { place_grain(fluid, particles, shape, k); });
   std::size_t pairs = 0;
@@ -66,7 +68,7 @@ void GrainMap<Real>::place_grain(const lbm::Fluid<Real>& fluid, const dem::Parti
   const auto& units = fluid.units();
   MappedGrain& g = grains_[k];
   GridSphere<Real>& s = spheres_[k];
-  const dem::ParticleIndex i = g.particle;
+  const dem::ParticleIndex i = particles.index(g.id);
   const Vec3 place = (particles.position[i] - fluid.grid().domain().origin()) / units.cell_size;
   const double r = particles.radius[i] / units.cell_size;
   const Vec3 v = particles.velocity[i] * units.velocity_to_lu(1.0), w = particles.angular_velocity[i] * units.time_step;
@@ -75,12 +77,13 @@ void GrainMap<Real>::place_grain(const lbm::Fluid<Real>& fluid, const dem::Parti
     s.velocity[a] = static_cast<Real>(v[a]);
     s.spin[a] = static_cast<Real>(w[a]);
   }
-  if (radii_[i].cells != r) radii_[i] = {r, mapping_radius(r)};
-  s.radius = static_cast<Real>(radii_[i].mapped);
+  Radius& radius = radii_[g.id];
+  if (radius.cells != r) radius = {r, mapping_radius(r)};
+  s.radius = static_cast<Real>(radius.mapped);
   shape(r, s);
   s.factor = 1;
   g.volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
-  const std::uint32_t former = former_grain_[i];
+  const std::uint32_t former = former_grain_[g.id];
   const bool seen = former != kNoGrain && former_[former].pairs > 0;
   look_up_blocks(fluid, k, seen ? former_pairs_.data() + former_[former].first_pair : nullptr);
   g.change = former == kNoGrain || forgotten_ ? GrainChange::place : compare(fluid, k, former);
@@ -160,7 +163,7 @@ void GrainMap<Real>::write_pairs(const lbm::Fluid<Real>& fluid, std::size_t k) {
   const auto grain = static_cast<std::uint32_t>(k);
   GrainInBlock* pair = pairs_.data() + g.first_pair;
   if (g.change != GrainChange::place) {
-    const GrainInBlock* const former = former_pairs_.data() + former_[former_grain_[g.particle]].first_pair;
+    const GrainInBlock* const former = former_pairs_.data() + former_[former_grain_[g.id]].first_pair;
     for (std::size_t p = 0; p < g.pairs; ++p) pair[p] = former[p], pair[p].grain = grain;
     return;
   }
@@ -185,9 +188,9 @@ void GrainMap<Real>::transfer(Archive& archive) {
       stored = static_cast<std::remove_reference_t<decltype(stored)>>(own);
   };
   archive.pieces<std::uint64_t>("grain", grains, 3, [&](std::size_t k, std::uint64_t* at) {
-    carry(grains_[k].particle, at[0]), carry(grains_[k].first_pair, at[1]), carry(grains_[k].pairs, at[2]);
+    carry(grains_[k].id, at[0]), carry(grains_[k].first_pair, at[1]), carry(grains_[k].pairs, at[2]);
     if (loading && (at[1] > pairs || at[2] > pairs - at[1])) archive.refuse("grain", "does not fit the pairs");
-    if (loading && k > 0 && grains_[k].particle <= grains_[k - 1].particle) archive.refuse("grain", "is out of order");
+    if (loading && k > 0 && grains_[k].id <= grains_[k - 1].id) archive.refuse("grain", "is out of order");
   });
   archive.pieces<Real>("sphere", grains, 13, [&](std::size_t k, Real* at) {
     GridSphere<Real>& s = spheres_[k];

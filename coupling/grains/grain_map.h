@@ -3,7 +3,8 @@
 // alone; the books of the liquid are in displaced_volume.h, forces in grain_exchange.h.
 //
 // Only what changed is redone: a grain that stands where it stood keeps its blocks and volumes. The results are those
-// of a full mapping, to the bit.
+// of a full mapping, to the bit. Grains are known by id and stand in the order of ids, and so do all sums over them:
+// particles may be renumbered between two mappings.
 #include <array>
 #include <functional>
 #include <vector>
@@ -33,7 +34,7 @@ enum class GrainChange : std::uint8_t {
 
 /// Its pairs lie next to each other, in the order of the blocks along x, y, z.
 struct MappedGrain {
-  dem::ParticleIndex particle;
+  dem::ParticleId id;
   std::size_t first_pair = 0, pairs = 0;
   bool all_blocks = true;  ///< every block that it covers exists
   GrainChange change = GrainChange::place;
@@ -50,6 +51,7 @@ class GrainMap {
   /// Maps all free and fixed grains (not beads) at their present places.
   void update(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const ShapeSphere<Real>& shape);
 
+  /// By id, ascending.
   [[nodiscard]] const std::vector<MappedGrain>& grains() const { return grains_; }
   [[nodiscard]] const std::vector<GrainInBlock>& pairs() const { return pairs_; }
   [[nodiscard]] const GridSphere<Real>& sphere(std::size_t grain) const { return spheres_[grain]; }
@@ -93,8 +95,8 @@ class GrainMap {
   std::vector<GridSphere<Real>> spheres_, former_spheres_;
   std::vector<GrainInBlock> pairs_, former_pairs_;  // by grain, then block
   std::vector<Reach> reaches_;                      // by grain
-  std::vector<std::uint32_t> former_grain_;         // per particle, index into former_
-  std::vector<Radius> radii_;                       // per particle
+  std::vector<std::uint32_t> former_grain_;         // by id, index into former_
+  std::vector<Radius> radii_;                       // by id
   PairsByBlock by_block_;
   bool forgotten_ = false;
 };

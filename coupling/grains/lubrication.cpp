@@ -10,7 +10,7 @@ namespace {
 /// A grain in a grid of boxes as wide as the largest grain and its film.
 struct Boxed {
   std::int64_t key;
-  dem::ParticleIndex grain;
+  dem::ParticleId grain;
   bool operator<(const Boxed& o) const { return key != o.key ? key < o.key : grain < o.grain; }
 };
 
@@ -77,21 +77,24 @@ std::size_t add_lubrication(dem::Particles& particles, double cell_size, double 
   Films films{particles, kFilmCutOff * cell_size, kShearCutOff * cell_size, viscosity, time_step, is_wet};
   std::vector<Boxed> boxed;
   double largest = 0;
-  for (dem::ParticleIndex i = 0; i < particles.size(); ++i)
+  for (dem::ParticleId id = 0; id < particles.size(); ++id) {
+    const dem::ParticleIndex i = particles.index(id);
     if (particles.kind[i] == dem::ParticleKind::grain && particles.state[i] != dem::ParticleState::removed)
-      largest = std::max(largest, particles.radius[i]), boxed.push_back({0, i});
+      largest = std::max(largest, particles.radius[i]), boxed.push_back({0, id});
+  }
   const double width = 2 * largest + films.cut_off;
-  for (Boxed& b : boxed) b.key = key_of(box_of(particles.position[b.grain], width));
+  for (Boxed& b : boxed) b.key = key_of(box_of(particles.position[particles.index(b.grain)], width));
   std::sort(boxed.begin(), boxed.end());
-  // Pairs in the order of the boxes: the sums do not depend on threads.
+  // Pairs in the order of the boxes, then of ids: the sums do not depend on where particles stand in their arrays.
   for (const Boxed& one : boxed) {
-    const Vec3i box = box_of(particles.position[one.grain], width);
+    const dem::ParticleIndex i = particles.index(one.grain);
+    const Vec3i box = box_of(particles.position[i], width);
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y) {
         const std::int64_t low = key_of(box + Vec3i(x, y, -1)), high = key_of(box + Vec3i(x, y, 1));
         for (auto other = std::lower_bound(boxed.begin(), boxed.end(), Boxed{low, 0});
              other != boxed.end() && other->key <= high; ++other)
-          if (one.grain < other->grain) films.add(one.grain, other->grain);
+          if (one.grain < other->grain) films.add(i, particles.index(other->grain));
       }
   }
   return films.count;

@@ -164,8 +164,8 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
                                     double wet_volume, dem::Particles& particles) {
   const auto& units = fluid.units();
   const MappedGrain& g = map.grains()[grain];
-  const dem::ParticleIndex i = g.particle;
-  State& state = states_[i];
+  const dem::ParticleIndex i = particles.index(g.id);
+  State& state = states_[g.id];
   Load sum;
   for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) sum += loads_[p];
   // Means over the last step of the solids.

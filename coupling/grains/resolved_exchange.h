@@ -45,7 +45,7 @@ class ResolvedExchange final : public GrainExchange<Real> {
   lbm::BodyWeighting weighting_;
   double time_step_ = 0;       // s, that the solids advanced before the last mapping
   std::vector<Load> loads_;    // by pair
-  std::vector<State> states_;  // per particle
+  std::vector<State> states_;  // by id
 };
 
 extern template class ResolvedExchange<float>;

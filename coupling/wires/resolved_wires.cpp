@@ -59,7 +59,7 @@ bool ResolvedWires::update(const dem::Particles& particles, const dem::Bonds& bo
   for (std::size_t k = 0; k < mapped_.size(); ++k)
     if (mapped_[k]) {
       pieces_.push_back(static_cast<std::uint32_t>(k));
-      first_.push_back(bonds.i[k]), second_.push_back(bonds.j[k]);
+      first_.push_back(bonds.id_i[k]), second_.push_back(bonds.id_j[k]);
     }
   link();
   return true;
@@ -74,8 +74,8 @@ void ResolvedWires::link() {
   bead_of_.resize(2 * pieces_.size()), ends_.resize(2 * pieces_.size());
   first_end_.assign(beads_.size() + 1, 0);
   for (std::size_t e = 0; e < bead_of_.size(); ++e) {
-    const dem::ParticleIndex particle = e % 2 == 0 ? first_[e / 2] : second_[e / 2];
-    const auto at = std::lower_bound(beads_.begin(), beads_.end(), particle) - beads_.begin();
+    const dem::ParticleId bead = e % 2 == 0 ? first_[e / 2] : second_[e / 2];
+    const auto at = std::lower_bound(beads_.begin(), beads_.end(), bead) - beads_.begin();
     bead_of_[e] = static_cast<std::uint32_t>(at);
     ++first_end_[bead_of_[e] + 1];
   }
@@ -91,6 +91,7 @@ void ResolvedWires::find_ends(const dem::Particles& particles, const dem::Bonds&
     return outward(particles, bonds, pieces_[e / 2], static_cast<int>(e % 2));
   };
   for (std::uint32_t e = 0; e < ends.size(); ++e) ends[e] = {out_of(e), 0};
+  const auto place_of = [&](std::uint32_t e) { return particles.position[particles.index(beads_[bead_of_[e]])]; };
   std::vector<std::uint32_t> free;
   for (std::size_t b = 0; b < beads_.size(); ++b) {
     const auto here = ends_at(b);
@@ -102,8 +103,7 @@ void ResolvedWires::find_ends(const dem::Particles& particles, const dem::Bonds&
     for (std::size_t n = m + 1; n < free.size(); ++n) {
       const std::uint32_t a = free[m], b = free[n];
       const double tolerance = kSamePlace * wire_diameter(particles, bonds, pieces_[a / 2]);
-      if (goes_on(particles.position[beads_[bead_of_[a]]], particles.position[beads_[bead_of_[b]]], period, tolerance))
-        join(out_of(a), out_of(b), ends[a], ends[b]);
+      if (goes_on(place_of(a), place_of(b), period, tolerance)) join(out_of(a), out_of(b), ends[a], ends[b]);
     }
 }
 

@@ -28,8 +28,8 @@ class ResolvedWires {
   [[nodiscard]] std::span<const std::uint32_t> bonds() const { return pieces_; }
   /// Per bond: whether it is mapped.
   [[nodiscard]] const std::vector<std::uint8_t>& is_mapped() const { return mapped_; }
-  /// The beads of the pieces, ascending.
-  [[nodiscard]] std::span<const dem::ParticleIndex> beads() const { return beads_; }
+  /// The beads of the pieces by id, ascending.
+  [[nodiscard]] std::span<const dem::ParticleId> beads() const { return beads_; }
   /// Index into beads() of the first (0) or second (1) bead of a piece.
   [[nodiscard]] std::uint32_t bead_of(std::size_t piece, int end) const { return bead_of_[2 * piece + end_index(end)]; }
   /// Ends that meet at a bead: 2 piece + end.
@@ -49,7 +49,7 @@ class ResolvedWires {
 
   std::vector<std::uint8_t> thick_, mapped_;
   std::vector<std::uint32_t> pieces_, bead_of_, first_end_, ends_;
-  std::vector<dem::ParticleIndex> beads_, first_, second_;  // beads of the scene; of the pieces
+  std::vector<dem::ParticleId> beads_, first_, second_;  // beads of all pieces; of each piece
 };
 
 }  // namespace lahar::coupling

@@ -46,16 +46,16 @@ Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double length, double
 template <class Real>
 WireDrag<Real>::WireDrag(const dem::Particles& particles, const dem::Bonds& bonds) {
   place_.assign(particles.size(), -1);
-  for (dem::ParticleIndex i = 0; i < particles.size(); ++i) {
-    if (particles.kind[i] != dem::ParticleKind::bead) continue;
-    place_[i] = static_cast<std::int32_t>(beads_.size());
-    beads_.push_back({.particle = i, .before = i, .after = i, .length = 0.0});
+  for (dem::ParticleId id = 0; id < particles.size(); ++id) {
+    if (particles.kind[particles.index(id)] != dem::ParticleKind::bead) continue;
+    place_[id] = static_cast<std::int32_t>(beads_.size());
+    beads_.push_back({.id = id, .before = id, .after = id, .length = 0.0});
   }
   for (std::size_t k = 0; k < bonds.size(); ++k) {
     if (!is_wire(particles, bonds, k)) continue;
     wire_bonds_.push_back(static_cast<std::uint32_t>(k));
-    beads_[static_cast<std::size_t>(place_[bonds.i[k]])].after = bonds.j[k];
-    beads_[static_cast<std::size_t>(place_[bonds.j[k]])].before = bonds.i[k];
+    beads_[static_cast<std::size_t>(place_[bonds.id_i[k]])].after = bonds.id_j[k];
+    beads_[static_cast<std::size_t>(place_[bonds.id_j[k]])].before = bonds.id_i[k];
   }
   leave_out(bonds, {});
   samples_.resize(beads_.size());
@@ -66,8 +66,8 @@ void WireDrag<Real>::leave_out(const dem::Bonds& bonds, const std::vector<std::u
   for (Bead& bead : beads_) bead.length = 0;
   for (const std::uint32_t k : wire_bonds_) {
     if (!is_mapped.empty() && is_mapped[k]) continue;
-    for (const dem::ParticleIndex i : {bonds.i[k], bonds.j[k]})
-      beads_[static_cast<std::size_t>(place_[i])].length += bonds.rest_length[k] / 2;
+    for (const dem::ParticleId id : {bonds.id_i[k], bonds.id_j[k]})
+      beads_[static_cast<std::size_t>(place_[id])].length += bonds.rest_length[k] / 2;
   }
   applied_ = 0;  // other neighbours
 }
@@ -90,7 +90,7 @@ ExchangedMomentum WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles&
   for (std::size_t k = 0; k < beads_.size(); ++k) {
     const Sample& s = samples_[k];
     if (s.weight <= 0) continue;
-    const dem::ParticleIndex i = beads_[k].particle;
+    const dem::ParticleIndex i = particles.index(beads_[k].id);
     ++wet_beads_;
     total.to_solids += s.force;
     particles.external_force.add(i, s.force * fluid.units().force_to_si(1.0));
@@ -121,8 +121,8 @@ void WireDrag<Real>::look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem
   std::vector<WireSegment> pieces(beads_.size());
   for (std::size_t k = 0; k < beads_.size(); ++k) {
     const Bead& bead = beads_[k];
-    pieces[k] = {particles.position[bead.particle], tangent_of(particles, bead), 2 * particles.radius[bead.particle],
-                 bead.length};
+    const dem::ParticleIndex i = particles.index(bead.id);
+    pieces[k] = {particles.position[i], tangent_of(particles, bead), 2 * particles.radius[i], bead.length};
   }
   const Vec3 period =
       lbm::kBlockWidth * fluid.units().cell_size * fluid.grid().domain().period().template cast<double>();
@@ -133,7 +133,7 @@ void WireDrag<Real>::look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem
 /// Along the wire: from the bead before to the one after.
 template <class Real>
 Vec3 WireDrag<Real>::tangent_of(const dem::Particles& particles, const Bead& bead) {
-  const Vec3 chord = particles.position[bead.after] - particles.position[bead.before];
+  const Vec3 chord = particles.position[particles.index(bead.after)] - particles.position[particles.index(bead.before)];
   return chord.squaredNorm() > 0 ? Vec3(chord.normalized()) : Vec3(Vec3::UnitX());
 }
 
@@ -152,7 +152,7 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particl
   for (Bead& bead : beads_) {
     bead.near = false;
     if (bead.length <= 0) continue;
-    const WireKernel kernel = kernel_at(fluid, particles, bead.particle);
+    const WireKernel kernel = kernel_at(fluid, particles, particles.index(bead.id));
     bead.lowest = lbm::block_of(kernel.lowest());
     const Vec3i more = lbm::block_of(kernel.highest()) - bead.lowest;
     bead.blocks.fill(kNoBlock);
@@ -174,7 +174,7 @@ typename WireDrag<Real>::Sample WireDrag<Real>::sample(const lbm::Fluid<Real>& f
                                                        const Bead& bead) const {
   const auto& grid = fluid.grid();
   const auto& units = fluid.units();
-  const dem::ParticleIndex i = bead.particle;
+  const dem::ParticleIndex i = particles.index(bead.id);
   Sample s;
   Vec3 velocity = Vec3::Zero();
   kernel_at(fluid, particles, i).for_cells([&](const Vec3i& cell, double w) {

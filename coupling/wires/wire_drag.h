@@ -31,15 +31,15 @@ class WireDrag {
 
   /// Beads that stand for a piece of wire.
   [[nodiscard]] std::size_t beads() const;
-  [[nodiscard]] bool acts_on(dem::ParticleIndex i) const { return place_[i] >= 0 && bead_at(i).length > 0; }
+  [[nodiscard]] bool acts_on(dem::ParticleId id) const { return place_[id] >= 0 && bead_at(id).length > 0; }
   [[nodiscard]] std::size_t wet_beads() const { return wet_beads_; }
   /// State of a checkpoint: what is not looked up anew in every step.
   void transfer(Archive& archive);
 
  private:
   struct Bead {
-    dem::ParticleIndex particle;
-    dem::ParticleIndex before, after;          ///< neighbours along the wire; itself where there is none
+    dem::ParticleId id;
+    dem::ParticleId before, after;             ///< neighbours along the wire; itself where there is none
     double length;                             ///< m, of wire that the bead stands for
     bool near = false;                         ///< a wet block is in reach in this step
     Vec3i lowest = Vec3i::Zero();              ///< block coordinate of the lowest cell in reach
@@ -54,15 +54,15 @@ class WireDrag {
 
   /// The block in reach of a bead that holds a cell; kNoBlock if it is missing or dry.
   static lbm::BlockIndex block_at(const Bead& bead, const Vec3i& cell);
-  [[nodiscard]] const Bead& bead_at(dem::ParticleIndex i) const { return beads_[static_cast<std::size_t>(place_[i])]; }
+  [[nodiscard]] const Bead& bead_at(dem::ParticleId id) const { return beads_[static_cast<std::size_t>(place_[id])]; }
   static WireKernel kernel_at(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, dem::ParticleIndex i);
   static Vec3 tangent_of(const dem::Particles& particles, const Bead& bead);
   void look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   void allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles, SolidFields<Real>& fields);
   [[nodiscard]] Sample sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const Bead& bead) const;
 
-  std::vector<Bead> beads_;
-  std::vector<std::int32_t> place_;        // per particle: index into beads_, -1 for grains
+  std::vector<Bead> beads_;                // by id, ascending
+  std::vector<std::int32_t> place_;        // by id: index into beads_, -1 for grains
   std::vector<std::uint32_t> wire_bonds_;  // that are pieces of a wire
   std::vector<Sample> samples_;
   std::size_t wet_beads_ = 0;

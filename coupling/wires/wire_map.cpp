@@ -62,8 +62,9 @@ template <class Real>
 void WireMap<Real>::remember(const lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
   states_.resize(particles.size());
   parallel_for(0, wires_.beads().size(), 256, [&](std::size_t b) {
-    const dem::ParticleIndex i = wires_.beads()[b];
-    State& s = states_[i];
+    const dem::ParticleId id = wires_.beads()[b];
+    const dem::ParticleIndex i = particles.index(id);
+    State& s = states_[id];
     const double dt = fluid.units().time_step;
     s.acceleration = s.known ? Vec3((particles.velocity[i] - s.velocity) / dt) : Vec3(Vec3::Zero());
     s.spin_up = s.known ? Vec3((particles.angular_velocity[i] - s.spin) / dt) : Vec3(Vec3::Zero());

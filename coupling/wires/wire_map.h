@@ -50,7 +50,7 @@ class WireMap {
   /// Volume of the pieces inside wet cells, in cells (last update).
   [[nodiscard]] double wet_volume() const;
   /// The part of it that is a bead's, in cells.
-  [[nodiscard]] double wet_volume_of(dem::ParticleIndex bead) const {
+  [[nodiscard]] double wet_volume_of(dem::ParticleId bead) const {
     return bead < states_.size() ? states_[bead].wet : 0.0;
   }
   /// Blocks whose fields the last update wrote.
@@ -129,7 +129,7 @@ class WireMap {
   PairsByBlock by_block_;
   std::vector<Task> tasks_;        // per block index
   std::vector<double> displaced_;  // by bead: volume per covered interface cell
-  std::vector<State> states_;      // per particle
+  std::vector<State> states_;      // by id
 };
 
 extern template class WireMap<float>;

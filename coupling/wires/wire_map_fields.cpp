@@ -105,12 +105,12 @@ void WireMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
   }
   // A bead whose last piece has broken leaves a void.
   std::size_t next = 0;
-  for (dem::ParticleIndex i = 0; i < states_.size(); ++i) {
-    if (next < beads.size() && beads[next] == i) {
+  for (dem::ParticleId id = 0; id < states_.size(); ++id) {
+    if (next < beads.size() && beads[next] == id) {
       ++next;
-    } else if (states_[i].known) {
-      fluid.account().pool -= states_[i].wet;
-      states_[i] = {};
+    } else if (states_[id].known) {
+      fluid.account().pool -= states_[id].wet;
+      states_[id] = {};
     }
   }
   if (any) by_block_.for_each_block([&](std::size_t b) { displace(fluid, b); });

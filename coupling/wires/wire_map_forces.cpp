@@ -131,8 +131,9 @@ void WireMap<Real>::hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& par
     sum.wet += load.wet;
   });
   const auto& units = fluid.units();
-  const dem::ParticleIndex i = wires_.beads()[bead];
-  State& s = states_[i];
+  const dem::ParticleId id = wires_.beads()[bead];
+  const dem::ParticleIndex i = particles.index(id);
+  State& s = states_[id];
   s.wet = sum.wet;
   const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
   under_relax(s.felt_force, sum.force * units.force_to_si(1.0),
@@ -148,7 +149,8 @@ Vec3 WireMap<Real>::add_forces(const lbm::Fluid<Real>& fluid, dem::Particles& pa
   loads_.assign(pairs_.size(), {}), taken_.assign(pairs_.size(), Vec3::Zero());
   by_block_.for_each_block([&](std::size_t b) { add_loads(fluid, b); });
   parallel_for(0, wires_.beads().size(), 256, [&](std::size_t b) { hand_over(fluid, particles, b); });
-  for (const dem::ParticleIndex i : wires_.beads()) require_finite_force(particles, i, "bead", fluid.steps());
+  for (const dem::ParticleId id : wires_.beads())
+    require_finite_force(particles, particles.index(id), "bead", fluid.steps());
   Vec3 total = Vec3::Zero();
   for (const Vec3& t : taken_) total += t;
   return total;

@@ -4,6 +4,7 @@
 
 #include "cases/assembly/build.h"
 #include "cases/files/series_reader.h"
+#include "cases/observers/observer_list.h"
 #include "cases/runner/run.h"
 #include "tests/cases/scene/scene_files.h"
 
@@ -110,6 +111,30 @@ normal = [-1, 0, 0]
   double passed = 0;
   for (const double rate : series.find("door_grains_kg_s")->values) passed += rate;
   EXPECT_GT(passed, mass);  // a rate over one interval
+}
+
+/// Two balls change places in the arrays while one of them passes.
+TEST(Sections, GrainsAreKnownById) {
+  const scene::Scene scene = scene::load_text(scene::small_scene + R"([[grains.sphere]]
+position_m = [0.9, 0.5, 0.5]
+diameter_m = 0.05
+density_kg_m3 = 2500
+material = "rock"
+[[section]]
+name = "door"
+point_m = [0.7, 0.5, 0.5]
+normal = [1, 0, 0]
+)");
+  const auto simulation = build_simulation(scene);
+  ObserverList observers(scene, *simulation);
+  const scene::ScratchFolder scratch;
+  SeriesWriter series(scratch.path() / "series.h5");
+  observers.declare(series);
+  observers.sample(series);
+  simulation->solids()->particles().position.x[0] = 0.75;
+  simulation->solids()->renumber(dem::Renumbering({1, 0}));
+  observers.sample(series);
+  EXPECT_NEAR(observers.metrics().at("door_grains_kg"), 2500 * M_PI / 6 * 0.1 * 0.1 * 0.1, 1e-9);
 }
 
 }  // namespace

@@ -48,6 +48,18 @@ TEST(Picture, ASphereCoversItsExactSilhouette) {
               0.01 * std::numbers::pi * radius * radius);
 }
 
+/// Each grain has a brightness of its own, wherever it stands in the arrays.
+TEST(Picture, StaysTheSameWhenParticlesAreRenumbered) {
+  dem::Particles particles;
+  for (int k = 0; k < 8; ++k)
+    particles.add({.position = Vec3(-1.4 + 0.4 * k, 0.1 * k, 0.5), .radius = 0.2 + 0.01 * k, .density = 2600});
+  const PictureScene scene{.particles = &particles, .box = kBox};
+  const Image before = render_picture(scene, kCamera, plain_style());
+  EXPECT_GT(different_pixels(before, render_picture({.box = kBox}, kCamera, plain_style())), 1000);
+  particles.renumber(dem::Renumbering({3, 0, 7, 1, 6, 2, 5, 4}));
+  EXPECT_EQ(different_pixels(before, render_picture(scene, kCamera, plain_style())), 0);
+}
+
 TEST(Picture, AnEmptySceneIsASmoothSky) {
   PictureStyle style = plain_style();
   const Image image = render_picture({.box = kBox}, kCamera, style);

@@ -43,7 +43,7 @@ class PointDrag final : public GrainExchange<double> {
       const int n = lbm::cell_index(cell.x(), cell.y(), cell.z());
       lbm::Block<double>& block = fluid.grid().block(pair.block);
       if (!lbm::is_wet(block.type[static_cast<std::size_t>(n)])) continue;
-      const dem::ParticleIndex i = map.grains()[pair.grain].particle;
+      const dem::ParticleIndex i = particles.index(map.grains()[pair.grain].id);
       const Vec3 slip = Vec3(block.body->velocity_x[n], block.body->velocity_y[n], block.body->velocity_z[n]) -
                         Vec3(s.velocity[0], s.velocity[1], s.velocity[2]);
       const Vec3 force = 6 * std::numbers::pi * viscosity * particles.radius[i] / units.cell_size * slip;
@@ -60,7 +60,7 @@ class PointDrag final : public GrainExchange<double> {
   Vec3 finish(const lbm::Fluid<double>& fluid, const GrainMap<double>& map, std::size_t grain, double wet_volume,
               dem::Particles& particles) override {
     const double mass = wet_volume * fluid.units().mass();
-    particles.external_force.add(map.grains()[grain].particle, -mass * fluid.options().gravity);
+    particles.external_force.add(particles.index(map.grains()[grain].id), -mass * fluid.options().gravity);
     return Vec3::Zero();
   }
   void transfer(Archive& /*archive*/) override {}
