@@ -2,7 +2,7 @@
 // PNG files, 8 bits per channel.
 #include <filesystem>
 
-#include "cases/pictures/image.h"
+#include "cases/files/image.h"
 
 namespace lahar::cases {
 

@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/pictures/image.h"
+#include "cases/files/image.h"
+#include "cases/pictures/ray.h"
 
 namespace lahar::cases {
 

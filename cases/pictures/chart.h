@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases/pictures/axis.h"
-#include "cases/pictures/image.h"
+#include "cases/files/image.h"
 
 namespace lahar::cases {
 

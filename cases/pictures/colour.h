@@ -1,13 +1,11 @@
 #pragma once
-// Colours as red, green, blue in 0..1: linear light while a picture is computed, display (sRGB) values in an Image.
+// Colours: linear light while a picture is computed, display (sRGB) values in an Image.
 #include <cstdint>
 #include <vector>
 
-#include "cases/pictures/ray.h"
+#include "cases/files/image.h"
 
 namespace lahar::cases {
-
-using Colour = Vec3f;
 
 /// Display colour from 0xRRGGBB.
 [[nodiscard]] Colour from_hex(std::uint32_t rgb);

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "cases/pictures/camera.h"
-#include "cases/pictures/image.h"
+#include "cases/files/image.h"
 #include "cases/pictures/ray.h"
 #include "core/geometry.h"
 #include "dem/bonds/bonds.h"

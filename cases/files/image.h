@@ -1,10 +1,14 @@
 #pragma once
 // A picture in memory: display colours, row by row from the top.
+#include <algorithm>
 #include <vector>
 
-#include "cases/pictures/colour.h"
+#include "core/vector.h"
 
 namespace lahar::cases {
+
+/// Red, green, blue in 0..1.
+using Colour = Eigen::Vector3f;
 
 class Image {
  public:
