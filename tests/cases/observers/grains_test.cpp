@@ -1,26 +1,13 @@
-// Grains before and behind a section: their energy, what has passed, what is held.
+// Grains before and behind a section: their energy, what has passed.
 #include "cases/observers/grains.h"
 
 #include <gtest/gtest.h>
 
 #include "cases/observers/observer_list.h"
-#include "cases/observers/retention.h"
-#include "tests/cases/scene/scene_files.h"
+#include "tests/cases/observers/two_balls.h"
 
 namespace lahar::cases {
 namespace {
-
-const std::string two_balls = scene::small_scene + R"(velocity_m_s = [2, 0, 0]
-[[grains.sphere]]
-position_m = [0.8, 0.5, 0.2]
-diameter_m = 0.05
-density_kg_m3 = 2500
-material = "rock"
-[measure]
-section_x_m = 0.6
-inflow_distance_m = 0.1
-outflow_distance_m = 0.1
-)";
 
 TEST(Grains, EnergyPassageAndRetention) {
   const scene::Scene scene = scene::load_text(two_balls);
@@ -48,14 +35,6 @@ TEST(Grains, EnergyPassageAndRetention) {
   EXPECT_NEAR(grains.energy(), small * g * 0.2, 1e-9);
   EXPECT_NEAR(grains.energy_out(), small * g * 0.2 + 0.5 * large * 4 + large * g * 0.5, 1e-9);
   EXPECT_EQ(observers.metrics().at("retained_mass_ratio"), 0);
-}
-
-TEST(Retention, EqualGrainsAreNotToldApart) {
-  const scene::Scene scene = scene::load_text(two_balls, {"grains.sphere[1].diameter_m=0.1"});
-  const auto simulation = build_simulation(scene);
-  const Metrics metrics = ObserverList(scene, *simulation).metrics();
-  EXPECT_EQ(metrics.at("retained_mass_ratio"), 0.5);
-  EXPECT_FALSE(metrics.contains("retained_small_grains_ratio"));
 }
 
 }  // namespace

@@ -4,56 +4,12 @@
 
 #include "cases/assembly/build.h"
 #include "cases/files/series_reader.h"
-#include "cases/observers/fluid_samples.h"
 #include "cases/runner/run.h"
+#include "tests/cases/observers/tank_with_ball.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::cases {
 namespace {
-
-const std::string tank = R"([scene]
-name = "tank"
-[run]
-duration_s = 0.3
-precision = "double"
-[domain]
-lower_m = [0, 0, 0]
-upper_m = [0.32, 0.16, 0.4]
-open_faces = ["z+"]
-[[wall]]
-name = "ball"
-shape = "sphere"
-centre_m = [0.16, 0.08, 0.1]
-radius_m = 0.05
-[fluid]
-enabled = true
-cell_size_m = 0.01
-kinematic_viscosity_m2_s = 1e-3
-[[fluid.region]]
-lower_m = [0, 0, 0]
-upper_m = [0.32, 0.16, 0.3]
-)";
-
-/// Hydrostatic pressure in the water, at a wall of the domain, on the floor (that of the lowest cells, half a cell
-/// higher up), at a sphere between the cells; none in the air.
-TEST(FluidSamples, PressureInsideAndAtWalls) {
-  const scene::Scene scene = scene::load_text(tank);
-  lbm::Fluid<double> fluid(fluid_options(scene));
-  const auto view = view_of(fluid);
-  fluid.fill(liquid_regions(scene));
-  for (int s = 0; s < 300; ++s) fluid.step();
-  const auto depth = [&](const Vec3& p) { return pressure_at(*view, p) / (1000 * 9.81); };
-  constexpr double half_cell = 0.005;  // the level is felt within half a cell
-  EXPECT_NEAR(depth({0.05, 0.05, 0.153}), 0.147, half_cell);
-  EXPECT_NEAR(depth({0.05, 0.05, 0.153}) - depth({0.05, 0.05, 0.193}), 0.04, 0.001);
-  EXPECT_NEAR(depth({0, 0.08, 0.107}), 0.193, half_cell);
-  EXPECT_NEAR(depth({-0.003, 0.08, 0.107}), 0.193, half_cell);
-  EXPECT_NEAR(depth({0.05, 0.05, 0}), 0.3 - half_cell, half_cell);
-  EXPECT_NEAR(depth({0.21, 0.08, 0.1}), 0.2, half_cell);
-  EXPECT_EQ(depth({0.05, 0.05, 0.35}), 0);
-  EXPECT_EQ(depth({0, 0.05, 0.35}), 0);
-  EXPECT_NEAR(depth_over(*view, Vec3(0.05, 0.05, 0), 0.4), 0.3, 1e-3);
-}
 
 /// A ball of stone comes to rest on a box: the box carries its weight, and the moment about a corner.
 TEST(Probes, GrainsLoadAWall) {
@@ -114,7 +70,7 @@ position_m = [0, 0, 0]
 
 /// Row by row the mean force is that of the interval: together they are the whole impulse, here that of water at rest.
 TEST(Probes, FluidLoadsAWall) {
-  const std::string text = tank + R"([[probe]]
+  const std::string text = tank_with_ball + R"([[probe]]
 name = "lift"
 kind = "force"
 wall = "ball"

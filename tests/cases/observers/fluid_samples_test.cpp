@@ -1,0 +1,34 @@
+#include "cases/observers/fluid_samples.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/assembly/build.h"
+#include "tests/cases/observers/tank_with_ball.h"
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::cases {
+namespace {
+
+/// Hydrostatic pressure in the water, at a wall of the domain, on the floor (that of the lowest cells, half a cell
+/// higher up), at a sphere between the cells; none in the air.
+TEST(FluidSamples, PressureInsideAndAtWalls) {
+  const scene::Scene scene = scene::load_text(tank_with_ball);
+  lbm::Fluid<double> fluid(fluid_options(scene));
+  const auto view = view_of(fluid);
+  fluid.fill(liquid_regions(scene));
+  for (int s = 0; s < 300; ++s) fluid.step();
+  const auto depth = [&](const Vec3& p) { return pressure_at(*view, p) / (1000 * 9.81); };
+  constexpr double half_cell = 0.005;  // the level is felt within half a cell
+  EXPECT_NEAR(depth({0.05, 0.05, 0.153}), 0.147, half_cell);
+  EXPECT_NEAR(depth({0.05, 0.05, 0.153}) - depth({0.05, 0.05, 0.193}), 0.04, 0.001);
+  EXPECT_NEAR(depth({0, 0.08, 0.107}), 0.193, half_cell);
+  EXPECT_NEAR(depth({-0.003, 0.08, 0.107}), 0.193, half_cell);
+  EXPECT_NEAR(depth({0.05, 0.05, 0}), 0.3 - half_cell, half_cell);
+  EXPECT_NEAR(depth({0.21, 0.08, 0.1}), 0.2, half_cell);
+  EXPECT_EQ(depth({0.05, 0.05, 0.35}), 0);
+  EXPECT_EQ(depth({0, 0.05, 0.35}), 0);
+  EXPECT_NEAR(depth_over(*view, Vec3(0.05, 0.05, 0), 0.4), 0.3, 1e-3);
+}
+
+}  // namespace
+}  // namespace lahar::cases

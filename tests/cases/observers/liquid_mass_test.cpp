@@ -1,0 +1,38 @@
+// The ledger of the liquid's mass, and what it is held against.
+#include "cases/observers/liquid_mass.h"
+
+#include "tests/cases/observers/heap_of_water.h"
+
+namespace lahar::cases {
+namespace {
+
+using LiquidMassOfHeap = HeapOfWater;
+
+constexpr double kStart = 1000 * 0.4 * 0.16 * 0.3;
+
+/// The far end is open and near, gravity pulls towards it.
+TEST_F(LiquidMassOfHeap, LeavesThroughAnOpenFace) {
+  const Metrics first = first_row({"domain.open_faces=[\"x+\", \"z+\"]", "domain.upper_m=[0.42, 0.16, 0.5]"});
+  EXPECT_NEAR(first.at("liquid_mass_start_kg"), kStart, 1e-3 * kStart);
+  EXPECT_EQ(first.at("liquid_left_kg"), 0);
+  EXPECT_FALSE(first.contains("liquid_inflow_kg"));
+  EXPECT_FALSE(first.contains("liquid_wall_balance_kg"));
+  const Metrics metrics = take_row(200);
+  EXPECT_GT(metrics.at("liquid_left_kg"), 0.01 * kStart);
+  EXPECT_EQ(metrics.at("liquid_left_kg"), simulation_->fluid()->transfers().left);
+  EXPECT_NEAR(metrics.at("liquid_mass_start_kg"), first.at("liquid_mass_start_kg"), 1e-9 * kStart);
+  EXPECT_LT(metrics.at("liquid_mass_drift_rel"), 1e-10);
+}
+
+TEST_F(LiquidMassOfHeap, IsHeldAgainstItsStart) {
+  first_row();
+  const LiquidMass& ledger = *observers_->find<LiquidMass>();
+  const auto check = [&](double drift) { return ledger.checks({{"liquid_mass_drift_rel", drift}}).at(0); };
+  EXPECT_EQ(check(0).name, "liquid_mass_ledger");
+  EXPECT_TRUE(check(1e-4).pass);
+  EXPECT_FALSE(check(1.1e-4).pass);
+  EXPECT_TRUE(ledger.checks({}).empty());
+}
+
+}  // namespace
+}  // namespace lahar::cases

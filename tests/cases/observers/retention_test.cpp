@@ -1,0 +1,61 @@
+// Grains that are held: before the section, or before the foremost bead of a net that has bulged beyond it.
+#include "cases/observers/retention.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/observers/observer_list.h"
+#include "tests/cases/observers/two_balls.h"
+
+namespace lahar::cases {
+namespace {
+
+TEST(Retention, EqualGrainsAreNotToldApart) {
+  const scene::Scene scene = scene::load_text(two_balls, {"grains.sphere[1].diameter_m=0.1"});
+  const auto simulation = build_simulation(scene);
+  const Metrics metrics = ObserverList(scene, *simulation).metrics();
+  EXPECT_EQ(metrics.at("retained_mass_ratio"), 0.5);
+  EXPECT_FALSE(metrics.contains("retained_small_grains_ratio"));
+}
+
+TEST(Retention, WhatIsGoneOrBeyondIsNotHeld) {
+  const scene::Scene scene = scene::load_text(two_balls);
+  const auto simulation = build_simulation(scene);
+  const ObserverList observers(scene, *simulation);
+  dem::Particles& p = simulation->solids()->particles();
+  const auto held = [&] { return observers.metrics().at("retained_small_grains_ratio"); };
+  EXPECT_EQ(held(), 0);  // at 0.8 m
+  p.position.x[1] = 0.6;
+  EXPECT_EQ(held(), 1);
+  EXPECT_EQ(observers.metrics().at("retained_mass_ratio"), 1);
+  simulation->solids()->remove(1);
+  EXPECT_EQ(held(), 0);
+  EXPECT_EQ(observers.metrics().at("retained_large_grains_ratio"), 1);
+}
+
+/// The net of the small debris flow bulges: the foremost bead is the limit, its radius included.
+TEST(Retention, ABulgedNetHoldsWhatItCarries) {
+  const scene::Scene scene = scene::load(scene::source_folder() / "tests/cases/observers/everything.toml");
+  const auto simulation = build_simulation(scene);
+  const ObserverList observers(scene, *simulation);
+  dem::Particles& p = simulation->solids()->particles();
+  std::size_t grain = 0, bead = 0, grains = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    (p.kind[i] == dem::ParticleKind::grain ? grain : bead) = i;
+    grains += p.kind[i] == dem::ParticleKind::grain;
+  }
+  const double share = 1 - p.mass[grain] / [&] {
+    double mass = 0;
+    for (std::size_t i = 0; i < p.size(); ++i) mass += p.kind[i] == dem::ParticleKind::grain ? p.mass[i] : 0.0;
+    return mass;
+  }();
+  ASSERT_GT(grains, 1u);
+  ASSERT_EQ(observers.metrics().at("retained_mass_ratio"), 1);
+  p.position.x[bead] = 50;
+  p.position.x[grain] = 50 + 0.9 * p.radius[bead];
+  EXPECT_EQ(observers.metrics().at("retained_mass_ratio"), 1);
+  p.position.x[grain] = 50 + 1.1 * p.radius[bead];
+  EXPECT_NEAR(observers.metrics().at("retained_mass_ratio"), share, 1e-12);
+}
+
+}  // namespace
+}  // namespace lahar::cases
