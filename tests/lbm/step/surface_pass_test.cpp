@@ -55,12 +55,12 @@ void fill_block(FluidGrid<double>& grid, BlockIndex b, double noise) {
 
 /// A heap on a slipping bed, periodic along x and y. Interface cells lie at the bed too.
 std::unique_ptr<Level> heap(double tau, double noise) {
-  FluidOptions o = lattice_options(Vec3i(16, 16, 14), (tau - 0.5) / 3);
+  FluidOptions o = lattice_options(Vec3i(16, 48, 14), (tau - 0.5) / 3);
   o.domain.faces[4] = FaceKind::closed, o.domain.faces[5] = FaceKind::open;
   o.domain.walls.add({"bed", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}, WallSlip::free_slip});
   o.gravity = Vec3(1e-4, 0, -1e-3);
   std::unique_ptr<Level> level(new Level{{o.domain, 1}, units_of(o), parameters_of(o, units_of(o))});
-  for (int k = 0; k < 8; ++k) level->grid.require_block(Vec3i(k & 1, (k >> 1) & 1, k >> 2));
+  for (int k = 0; k < 24; ++k) level->grid.require_block(Vec3i(k & 1, k / 4, (k >> 1) & 1));  // several a thread
   for (const BlockIndex b : level->grid.owned()) fill_block(level->grid, b, noise);
   return level;
 }

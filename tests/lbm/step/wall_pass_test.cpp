@@ -16,12 +16,12 @@ namespace {
 
 using Level = FluidLevel<double>;
 
-/// A closed box of 12 x 10 x 14 cells that does not begin at the origin, full of liquid with noise in every population.
+/// A closed box of 12 x 44 x 14 cells that does not begin at the origin, full of liquid with noise in every population.
 std::unique_ptr<Level> full_box(bool sliding_steps) {
-  FluidOptions o = lattice_options(Vec3i(12, 10, 14), 0.1);
+  FluidOptions o = lattice_options(Vec3i(12, 44, 14), 0.1);
   o.domain.cell_size = 0.02, o.time_step = 1e-3, o.density = 900;
   o.domain.lower = Vec3(0.3, -0.2, 0.1);
-  o.domain.upper = o.domain.lower + 0.02 * Vec3(12, 10, 14);
+  o.domain.upper = o.domain.lower + 0.02 * Vec3(12, 44, 14);
   o.domain.faces.fill(FaceKind::closed);
   o.kinematic_viscosity = 0.1 * 0.02 * 0.02 / 1e-3;
   if (sliding_steps)
@@ -30,7 +30,7 @@ std::unique_ptr<Level> full_box(bool sliding_steps) {
   const LatticeUnits units = units_of(o);
   std::unique_ptr<Level> level(new Level{{o.domain, units.velocity_to_lu(1)}, units, parameters_of(o, units)});
   FluidGrid<double>& grid = level->grid;
-  for (int k = 0; k < 8; ++k) grid.require_block(Vec3i(k & 1, (k >> 1) & 1, k >> 2));
+  for (int k = 0; k < 24; ++k) grid.require_block(Vec3i(k & 1, k / 4, (k >> 1) & 1));  // several a thread
   for (const BlockIndex b : grid.owned()) {
     Block<double>& block = grid.block(b);
     for (int n = 0; n < kBlockCells; ++n) {
