@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/pictures/colour.h"
 #include "core/check.h"
 
 #ifdef __SANITIZE_ADDRESS__
