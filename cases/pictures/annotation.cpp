@@ -6,6 +6,7 @@
 
 #include "cases/pictures/backdrop.h"
 #include "cases/pictures/canvas.h"
+#include "cases/pictures/colour.h"
 
 namespace lahar::cases {
 

@@ -3,6 +3,7 @@
 #include "cases/pictures/axis.h"
 #include "cases/pictures/canvas.h"
 #include "cases/pictures/chart.h"
+#include "cases/pictures/colour.h"
 #include "cases/pictures/occupancy.h"
 
 namespace lahar::cases {

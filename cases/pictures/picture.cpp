@@ -8,6 +8,7 @@
 #include "cases/pictures/annotation.h"
 #include "cases/pictures/backdrop.h"
 #include "cases/pictures/capsule.h"
+#include "cases/pictures/colour.h"
 #include "cases/pictures/occlusion_field.h"
 #include "cases/pictures/solids_in_view.h"
 #include "cases/pictures/water_field.h"

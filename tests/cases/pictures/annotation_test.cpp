@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/pictures/colour.h"
+
 namespace lahar::cases {
 namespace {
 

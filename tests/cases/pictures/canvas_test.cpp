@@ -7,6 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "cases/pictures/colour.h"
+
 namespace lahar::cases {
 namespace {
 

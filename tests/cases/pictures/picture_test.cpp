@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "cases/pictures/colour.h"
 #include "core/parallel.h"
 #include "tests/cases/pictures/fluid_shapes.h"
 

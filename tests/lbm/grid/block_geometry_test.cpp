@@ -13,14 +13,15 @@ namespace {
 
 constexpr double kToLu = 0.01;  // lattice velocity of 1 m/s
 
-/// Eight cells each way with an open end, a lid that moves, and a ball.
+/// Eight cells each way with an open end, a lid that moves, and a ball. The lid lies 0.2 cells above the centres of the
+/// uppermost cells, which end the first block.
 DomainSpec box(WallPlacement placement) {
   DomainSpec spec;
   spec.upper = Vec3(0.8, 0.8, 0.8);
   spec.cell_size = 0.1;
   spec.faces[1] = FaceKind::open;
   spec.placement = placement;
-  spec.walls.add({"lid", HalfSpace{Vec3(0, 0, 0.77), -Vec3::UnitZ()}, WallSlip::no_slip, 0, Vec3(2, 0.5, 0)});
+  spec.walls.add({"lid", HalfSpace{Vec3(0, 0, 0.67), -Vec3::UnitZ()}, WallSlip::no_slip, 0, Vec3(2, 0.5, 0)});
   spec.walls.add({"ball", SolidSphere{Vec3(0.41, 0.38, 0.2), 0.17}, WallSlip::free_slip});
   return spec;
 }
@@ -97,8 +98,7 @@ TEST(BlockGeometry, WallCellsKnowTheirWall) {
   EXPECT_GT(ball, 30);
 }
 
-/// Interpolated: where each link meets its wall, and what the wall's motion pushes there. The lid lies 0.2 cells above
-/// the uppermost centres, and so does every link to it.
+/// Interpolated: where each link meets its wall, and what the wall's motion pushes there.
 TEST(BlockGeometry, LinksKnowWhereTheyHit) {
   const Cut cut(box(WallPlacement::interpolated));
   ASSERT_EQ(cut.block->walls.hits.size(), cut.block->walls.directions.size());

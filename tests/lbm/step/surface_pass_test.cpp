@@ -21,6 +21,7 @@ namespace {
 
 using Level = FluidLevel<double>;
 
+constexpr double kGravity = 1e-3;
 /// Liquid cells over the bed, by x.
 constexpr std::array<int, 16> kHeights{0, 1, 2, 3, 4, 5, 6, 7, 8, 7, 6, 5, 4, 3, 2, 1};
 
@@ -46,9 +47,11 @@ void fill_block(FluidGrid<double>& grid, BlockIndex b, double noise) {
   }
   if (surface) {
     SurfaceFields<double>& fields = grid.require_surface(b);
-    for (int n = 0; n < kBlockCells; ++n)
+    for (int n = 0; n < kBlockCells; ++n) {
+      fields.density[n] = 3 * kGravity * (5 - grid.lowest_cell(b).z() - cell_position(n)[2]);  // under its own weight
       if (block.type[static_cast<std::size_t>(n)] == CellType::interface)
         fields.fill_level[n] = fields.mass[n] = 0.5 + 0.4 * std::sin(0.7 * n);
+    }
   }
   grid.list_cells(b);
 }
@@ -58,7 +61,7 @@ std::unique_ptr<Level> heap(double tau, double noise) {
   FluidOptions o = lattice_options(Vec3i(16, 48, 14), (tau - 0.5) / 3);
   o.domain.faces[4] = FaceKind::closed, o.domain.faces[5] = FaceKind::open;
   o.domain.walls.add({"bed", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}, WallSlip::free_slip});
-  o.gravity = Vec3(1e-4, 0, -1e-3);
+  o.gravity = Vec3(0.1 * kGravity, 0, -kGravity);
   std::unique_ptr<Level> level(new Level{{o.domain, 1}, units_of(o), parameters_of(o, units_of(o))});
   for (int k = 0; k < 24; ++k) level->grid.require_block(Vec3i(k & 1, k / 4, (k >> 1) & 1));  // several a thread
   for (const BlockIndex b : level->grid.owned()) fill_block(level->grid, b, noise);
@@ -107,12 +110,12 @@ TEST(SurfacePass, MeasuresEverywhereBeforeItExchanges) {
       const auto level = heap(tau, 1e-3);
       SurfacePass<double> pass;
       pass.run(*level, 0);
-      EXPECT_EQ(numbers(level->grid), numbers(expected->grid)) << tau << ", " << threads << " threads";
+      EXPECT_TRUE(numbers(level->grid) == numbers(expected->grid)) << tau << ", " << threads << " threads";
     }
-    // The stress counts, and the other way round does not.
+    if (!viscous) continue;
     const auto other = heap(tau, 1e-3);
-    run_by_hand(*other, !viscous);
-    EXPECT_NE(numbers(other->grid), numbers(expected->grid));
+    run_by_hand(*other, false);
+    EXPECT_TRUE(numbers(other->grid) != numbers(expected->grid));  // the stress counts
   }
 }
 
@@ -138,7 +141,7 @@ TEST(SurfacePass, TensionIsFelt) {
   SurfacePass<double> pass;
   pass.run(*level, 1e-3);
   pass.run(*slack, 0);
-  EXPECT_NE(numbers(level->grid), numbers(slack->grid));
+  EXPECT_TRUE(numbers(level->grid) != numbers(slack->grid));
 }
 
 }  // namespace
