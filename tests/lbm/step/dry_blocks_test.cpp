@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "tests/lbm/flows.h"
@@ -58,14 +59,13 @@ std::vector<Coordinate> blocks_around(const Vec3i& cell) {
 
 /// A single wet cell anywhere in its block holds exactly the blocks of its neighbours, also over periodic faces.
 TEST(DryBlocks, ACellHoldsTheBlocksAroundIt) {
-  for (const int x : {16, 19, 23})
-    for (const int y : {16, 19, 23})
-      for (const int z : {0, 3, 39}) {
-        DryGrid grid;
-        wet(grid, Vec3i(x, y, z));
-        release_dry_blocks(grid);
-        EXPECT_EQ(left(grid), blocks_around(Vec3i(x, y, z))) << x << ' ' << y << ' ' << z;
-      }
+  for (const int x : {16, 17, 20, 22, 23})
+    for (const auto& [y, z] : {std::pair{16, 1}, {17, 0}, {22, 39}, {23, 38}, {20, 20}}) {
+      DryGrid grid;
+      wet(grid, Vec3i(x, y, z));
+      release_dry_blocks(grid);
+      EXPECT_EQ(left(grid), blocks_around(Vec3i(x, y, z))) << x << ' ' << y << ' ' << z;
+    }
 }
 
 TEST(DryBlocks, AFullBlockHoldsAllAround) {
