@@ -14,7 +14,8 @@ constexpr double kStart = 1000 * 0.4 * 0.16 * 0.3;
 TEST_F(LiquidMassOfHeap, LeavesThroughAnOpenFace) {
   const Metrics first =
       first_row({"domain.open_faces=[\"x+\", \"z+\"]", "domain.upper_m=[0.42, 0.16, 0.5]", "measure.section_x_m=0.2"});
-  EXPECT_NEAR(first.at("liquid_mass_start_kg"), kStart, 1e-3 * kStart);
+  // Liquid under its own weight is compressed: by 1.1 % at a speed of sound of 11.5 m/s.
+  EXPECT_NEAR(first.at("liquid_mass_start_kg"), 1.011 * kStart, 1e-3 * kStart);
   EXPECT_EQ(first.at("liquid_left_kg"), 0);
   EXPECT_FALSE(first.contains("liquid_inflow_kg"));
   EXPECT_FALSE(first.contains("liquid_wall_balance_kg"));
