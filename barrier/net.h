@@ -71,17 +71,17 @@ struct Net {
   double pitch_across = 0, pitch_up = 0;  ///< m, as built
   double wire_diameter = 0;               ///< m
   RingPattern pattern;
-  Vec3 across, up, normal;                   ///< unit
-  std::vector<Wire> rings;                   ///< row by row from below, from left to right
-  std::vector<Wire> cables;                  ///< those present, in the order lower, upper, left, right
-  std::vector<Side> cable_sides;             ///< side of each cable
-  std::vector<CableEnds> corners;            ///< m, where each cable passes the corners of the net, as built
-  std::vector<std::size_t> dissipators;      ///< bonds
-  std::vector<MeshPart> meshes{};            ///< instead of rings: a panel a span
-  std::vector<Post> posts{};                 ///< from left to right, one more than spans; none without posts
-  std::vector<Wire> retaining{};             ///< cables from anchors to post heads
-  std::vector<std::size_t> ties{};           ///< bonds of cables to posts and of meshes to cables
-  std::vector<dem::ParticleId> fixed_beads;  ///< ascending
+  Vec3 across, up, normal;                    ///< unit
+  std::vector<Wire> rings;                    ///< row by row from below, from left to right
+  std::vector<Wire> cables;                   ///< those present, in the order lower, upper, left, right
+  std::vector<Side> cable_sides;              ///< side of each cable
+  std::vector<CableEnds> corners;             ///< m, where each cable passes the corners of the net, as built
+  std::vector<std::size_t> dissipators;       ///< bonds
+  std::vector<MeshPart> meshes{};             ///< instead of rings: a panel a span
+  std::vector<Post> posts{};                  ///< from left to right, one more than spans; none without posts
+  std::vector<std::vector<Wire>> elements{};  ///< wires of what hangs on posts, by kind (elements.h)
+  std::vector<std::size_t> ties{};            ///< bonds of cables to posts and of meshes to cables
+  std::vector<dem::ParticleId> fixed_beads;   ///< ascending
   dem::ParticleId first_bead = 0;
   std::size_t beads = 0;
   std::size_t first_bond = 0, bonds = 0;

@@ -96,16 +96,18 @@ void add_motion(const Net& net, const dem::Particles& particles, const Vec3& gra
 }  // namespace
 
 std::string_view name(Component component) {
-  constexpr std::array<std::string_view, all_components.size()> names{
-      "lower_cable", "upper_cable", "left_cable",       "right_cable", "rings",
-      "mesh",        "posts",       "retaining_cables", "barrier"};
-  return names[static_cast<std::size_t>(component)];
+  constexpr std::array<std::string_view, static_cast<std::size_t>(Component::first_element)> names{
+      "lower_cable", "upper_cable", "left_cable", "right_cable", "rings", "mesh", "posts"};
+  const auto number = static_cast<std::size_t>(component);
+  if (number < names.size()) return names[number];
+  return component == Component::barrier ? "barrier" : Elements::components[number - names.size()];
 }
 
 bool is_reported(Component component, const Net& net) {
   if (component == Component::mesh) return !net.meshes.empty();
   if (component == Component::posts) return !net.posts.empty();
-  if (component == Component::retaining_cables) return !net.retaining.empty();
+  for (std::size_t kind = 0; kind < Elements::components.size(); ++kind)
+    if (component == component_of_kind(kind)) return kind < net.elements.size() && !net.elements[kind].empty();
   return true;
 }
 
@@ -132,10 +134,11 @@ BarrierResponse response(const Net& net, const dem::Particles& particles, const 
     for (const std::size_t b : post.joint) add_bond(b, bonds, part(Component::posts));
     part(Component::posts).reaction -= foot_reaction(post, particles);
   }
-  for (const Wire& cable : net.retaining) {
-    add_bonds(cable, bonds, part(Component::retaining_cables));
-    add_reactions(cable, particles, part(Component::retaining_cables));
-  }
+  for (std::size_t kind = 0; kind < net.elements.size(); ++kind)
+    for (const Wire& wire : net.elements[kind]) {
+      add_bonds(wire, bonds, part(component_of_kind(kind)));
+      add_reactions(wire, particles, part(component_of_kind(kind)));
+    }
   for (const std::size_t b : net.ties) add_bond(b, bonds, part(Component::barrier));
   for (const Component c : all_components)
     if (c != Component::barrier) add_component(part(c), part(Component::barrier));

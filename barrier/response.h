@@ -3,12 +3,13 @@
 #include <array>
 #include <string_view>
 
+#include "barrier/elements.h"
 #include "barrier/net.h"
 #include "dem/bonds/bond_forces.h"
 
 namespace lahar::barrier {
 
-/// Parts that are reported by name.
+/// Parts that are reported by name; one for each kind of element from `first_element` on.
 enum class Component {
   lower_cable,
   upper_cable,
@@ -17,15 +18,20 @@ enum class Component {
   rings,
   mesh,
   posts,
-  retaining_cables,
-  barrier
+  first_element,
+  barrier = first_element + static_cast<int>(Elements::components.size())
 };
-inline constexpr std::array<Component, 9> all_components{
-    Component::lower_cable, Component::upper_cable, Component::left_cable, Component::right_cable,
-    Component::rings,       Component::mesh,        Component::posts,      Component::retaining_cables,
-    Component::barrier};
+inline constexpr auto all_components = [] {
+  std::array<Component, static_cast<std::size_t>(Component::barrier) + 1> all{};
+  for (std::size_t c = 0; c < all.size(); ++c) all[c] = static_cast<Component>(c);
+  return all;
+}();
+/// The component of a kind of element.
+[[nodiscard]] constexpr Component component_of_kind(std::size_t kind) {
+  return static_cast<Component>(static_cast<std::size_t>(Component::first_element) + kind);
+}
 [[nodiscard]] std::string_view name(Component component);
-/// Whether results tell of it: meshes, posts and their cables only where there are any, all else always.
+/// Whether results tell of it: meshes, posts and elements only where there are any, all else always.
 [[nodiscard]] bool is_reported(Component component, const Net& net);
 
 struct ComponentResponse {

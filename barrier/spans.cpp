@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "barrier/anchors.h"
+#include "barrier/construction.h"
 #include "barrier/link.h"
 #include "core/check.h"
 
@@ -19,9 +20,6 @@ double cable_stiffness(const RingNetSpec& net) {
   const double radius = net.cable.bond_radius > 0 ? net.cable.bond_radius : 0.5 * net.wire_diameter;
   return net.cable.axial.stiffness[0] * std::numbers::pi * radius * radius;
 }
-
-/// Whether two centre-lines come nearer to each other than this, m.
-bool meet(const Polyline& a, const Polyline& b, double apart) { return distance(a, b, Vec3::Zero(), apart) < apart; }
 
 /// Fractions of a cable's length that are tied to the left and to the right post.
 struct TiedPlaces {
@@ -62,7 +60,7 @@ class Builder {
     for (int k = 0; k <= spec_.spans; ++k) add_post_at(k);
     for (std::size_t s = 0; s < spans_.size(); ++s) tie_span(s);
     merge();
-    for (const RetainingSpec& r : spec_.retaining) add_cables(r);
+    add_elements();
     note_beads();
     return std::move(all_);
   }
@@ -126,61 +124,12 @@ class Builder {
     append(all_.ties, ties_);
   }
 
-  void add_cables(const RetainingSpec& r) {
-    if (r.post < -1 || r.post > spec_.spans)
-      throw InputError("a retaining cable is for post " + std::to_string(r.post) + ", expected 0 to " +
-                       std::to_string(spec_.spans) + ", or -1 for all");
-    for (int k = 0; k <= spec_.spans; ++k)
-      if (r.post == -1 || r.post == k) add_cable_of(k, r);
-  }
-
-  void add_cable_of(int k, const RetainingSpec& r) {
-    const RingNetSpec& net = spec_.net;
-    const auto with_radius = [&](dem::BondSort sort) {
-      if (sort.bond_radius == 0) sort.bond_radius = 0.5 * net.wire_diameter;
-      return sort;
-    };
-    if (!sorts_) sorts_ = {bonds_.add_sort(with_radius(net.cable)), bonds_.add_sort(with_radius(net.dissipator))};
-    const Post& post = posts_[static_cast<std::size_t>(k)];
-    const Retaining made = add_retaining(post, post_base(spec_, k) + r.anchor, r.dissipators_at,
-                                         {net.wire_diameter, net.density, net.material}, *sorts_, tie_sort_,
-                                         next_body(), particles_, bonds_);
-    all_.retaining.push_back(made.wire);
-    all_.ties.push_back(made.tie);
-    for (std::size_t b = made.wire.first_bond; b < made.wire.first_bond + made.wire.bonds; ++b)
-      if (bonds_.sort[b] == sorts_->dissipator) all_.dissipators.push_back(b);
-    check_room(k, made.wire);
-  }
-
-  static std::string cable_of(int k) { return "the retaining cable of post " + std::to_string(k); }
-  static std::string through_net(int k) {
-    return cable_of(k) + " runs through the net, expected an anchor clear of it";
-  }
-
-  /// Whether a cable comes nearer to a wire of the panel than its nodes' surfaces.
-  [[nodiscard]] bool passes(const Polyline& cable, const MeshPart& mesh) const {
-    for (std::size_t b = mesh.first_bond; b < mesh.first_bond + mesh.bonds; ++b) {
-      const Polyline wire{{particles_.position[bonds_.i[b]], particles_.position[bonds_.j[b]]}, false};
-      if (meet(cable, wire, particles_.radius[bonds_.i[b]] + 0.5 * spec_.net.wire_diameter)) return true;
-    }
-    return false;
-  }
-
-  void check_room(int k, const Wire& cable) {
-    const Polyline line = centre_line(cable, particles_);
-    for (const MeshPart& mesh : all_.meshes)
-      if (passes(line, mesh)) throw InputError(through_net(k));
-    const double d = spec_.net.wire_diameter;
-    for (const Polyline& other : centre_lines(all_, particles_))
-      if (meet(line, other, d)) throw InputError(through_net(k));
-    for (std::size_t p = 0; p < posts_.size(); ++p) {
-      const bool own = static_cast<int>(p) == k;
-      // Its own post it meets at the head: the bead there counts as touched.
-      Polyline axis = centre_line(posts_[p].wire, particles_);
-      if (own) axis.points.pop_back();
-      if (meet(line, axis, posts_[p].radius + 0.5 * d))
-        throw InputError(cable_of(k) + " runs through post " + std::to_string(p) + ", expected an anchor clear of it");
-    }
+  void add_elements() {
+    Construction construction{spec_, particles_, bonds_, all_, tie_sort_, next_body()};
+    all_.elements.resize(Elements::components.size());
+    spec_.elements.for_each_kind([&](const auto& list, std::size_t kind) {
+      for (const auto& element : list) element.add_to(construction, all_.elements[kind]);
+    });
   }
 
   void note_beads() {
@@ -195,7 +144,6 @@ class Builder {
   dem::Particles& particles_;
   dem::Bonds& bonds_;
   int tie_sort_ = 0;
-  std::optional<CableSorts> sorts_;
   std::int32_t bodies_ = 0;
   std::vector<Net> spans_;
   std::vector<Post> posts_;
@@ -236,25 +184,6 @@ PostSpec post_spec(const SpansSpec& spec, int k) {
   post.foot_joint = spec.foot;
   post.material = spec.net.material;
   return post;
-}
-
-Retaining add_retaining(const Post& post, const Vec3& anchor, const std::vector<double>& dissipators_at,
-                        const WireProperties& properties, const CableSorts& sorts, int tie_sort, std::int32_t body,
-                        dem::Particles& particles, dem::Bonds& bonds) {
-  const auto place = [&](dem::ParticleId bead) { return particles.position[particles.index(bead)]; };
-  const Vec3 head = place(post.head()), foot = place(post.wire.first_bead);
-  const Vec3 axis = (head - foot).normalized(), from = anchor - foot;
-  if ((from - from.dot(axis) * axis).norm() < 2 * post.radius)
-    throw InputError("the anchor of a retaining cable lies at its post, expected it a post's diameter away at least");
-  const Vec3 back = (anchor - head).normalized();
-  const Vec3 end = head + (post.radius + 0.55 * properties.diameter) * back;
-  Retaining made;
-  made.wire = add_cable(cable_line({.start = anchor, .end = end}, properties.diameter),
-                        {.fixed_at = {0}, .fixed_all = false, .dissipators_at = dissipators_at}, properties, sorts,
-                        body, particles, bonds);
-  made.tie = bonds.size();
-  bonds.add({made.wire.first_bead + made.wire.beads - 1, post.head(), tie_sort}, particles);
-  return made;
 }
 
 Net build_spans(const SpansSpec& spec, dem::Particles& particles, dem::Bonds& bonds) {

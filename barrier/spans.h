@@ -1,24 +1,15 @@
 #pragma once
 // A barrier of several spans: ring nets of one size side by side in a line, posts between them and at both ends,
-// retaining cables from the heads of the posts to the ground.
+// what else hangs on the posts (elements.h).
 //
 // Each span is a net of its own in its four cables. What a single net fixes is tied to the posts here: the ends of the
 // upper and lower cables to the posts at their sides, every fixed place of a lateral cable to the post that it runs
 // along. A tie is a link (link.h) from a bead of the cable to the nearest bead of the post, as stiff as a bond of the
 // cable: a shackle. Cables do not run through the heads (decision 0027).
-#include <optional>
-#include <vector>
-
+#include "barrier/elements.h"
 #include "barrier/net.h"
 
 namespace lahar::barrier {
-
-/// A straight cable from the head of a post to the ground.
-struct RetainingSpec {
-  int post = 0;                        ///< number of the post, 0 is the leftmost; -1 for every post
-  Vec3 anchor = Vec3::Zero();          ///< m, from the point where the post stands on the line of the net's lower edge
-  std::vector<double> dissipators_at;  ///< fractions of the cable's length from the anchor
-};
 
 struct SpansSpec {
   RingNetSpec net;  ///< the first span; its frame's lower left corner is net.origin
@@ -27,7 +18,7 @@ struct SpansSpec {
   double post_diameter = 0;  ///< m
   PostSection section;
   FootJoint foot = FootJoint::fixed;
-  std::vector<RetainingSpec> retaining;
+  Elements elements;
 };
 
 /// Room between the side of a frame and the surface of the post beside it, m.
@@ -40,20 +31,8 @@ struct SpansSpec {
 /// lower edge and ends at the post height.
 [[nodiscard]] PostSpec post_spec(const SpansSpec& spec, int k);
 
-/// A retaining cable of this wire from the anchor to the head of a post, with a tie at the head. Returns the wire and
-/// the bond of the tie. `sorts` are bond sorts of `bonds`. Throws InputError for an anchor at the post, or one so near
-/// that no cable fits.
-struct Retaining {
-  Wire wire;
-  std::size_t tie = 0;
-};
-Retaining add_retaining(const Post& post, const Vec3& anchor, const std::vector<double>& dissipators_at,
-                        const WireProperties& properties, const CableSorts& sorts, int tie_sort, std::int32_t body,
-                        dem::Particles& particles, dem::Bonds& bonds);
-
-/// Builds all at rest and free of stress. Throws InputError for what build_net, add_post and add_retaining refuse, for
-/// posts lower than the net, for the number of a post that there is not, and for a retaining cable that runs through
-/// the net or a post.
+/// Builds all at rest and free of stress. Throws InputError for what build_net, add_post and the elements refuse, and
+/// for posts lower than the net.
 Net build_spans(const SpansSpec& spec, dem::Particles& particles, dem::Bonds& bonds);
 
 }  // namespace lahar::barrier

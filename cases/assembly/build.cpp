@@ -127,16 +127,6 @@ coupling::CouplingOptions coupling_options(const scene::Scene& scene) {
   return o;
 }
 
-namespace {
-
-dem::ContactLawChoice contact_law_of(const scene::Solids& s) {
-  if (s.contact_law == scene::ContactLaw::hertz_mindlin) return dem::HertzMindlin{};
-  const double tangential = s.tangential_stiffness > 0 ? s.tangential_stiffness : 2.0 / 7 * s.normal_stiffness;
-  return dem::LinearSpringDashpot{s.normal_stiffness, tangential};
-}
-
-}  // namespace
-
 BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   dem::Particles particles;
   dem::Bonds bonds;
@@ -145,7 +135,7 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   if (scene.barrier.enabled) net = scene::build_barrier(scene, particles, bonds);
   dem::SolidsOptions options;
   options.gravity = scene.gravity.vector();
-  options.contact_law = contact_law_of(scene.solids);
+  options.contact_law = scene.solids.contact_law;
   options.wire_contacts = scene.solids.wire_contacts;
   options.watchdog.speed_limit = 200;  // m/s: nothing in a debris flow is that fast
   options.watchdog.overlap_limit = 1;  // beyond it a bead has gone through

@@ -50,7 +50,7 @@ void check_bases(const Scene& scene, const barrier::SpansSpec& spec, const Walls
 void check_retaining(const Scene& scene, const barrier::SpansSpec& spec, const Walls& walls, std::size_t n,
                      Findings& findings) {
   const std::string path = fmt::format("{}.retaining[{}]", kPosts, n), key = path + ".anchor_offset_m";
-  const barrier::RetainingSpec& cable = spec.retaining[n];
+  const barrier::RetainingCable& cable = spec.elements.of<barrier::RetainingCable>()[n];
   if (cable.post > spec.spans)
     return findings.mistake(path + ".post", fmt::format("{}.post is {}, expected 0 to {}, or -1 for every post", path,
                                                         cable.post, spec.spans));
@@ -139,7 +139,8 @@ void check_posts(const Scene& scene, Findings& findings) {
   if (!findings.sound({"domain"})) return;
   const Walls walls = findings.sound({"wall"}) ? make_walls(scene) : Walls{};
   check_bases(scene, spec, walls, findings);
-  for (std::size_t n = 0; n < spec.retaining.size(); ++n) check_retaining(scene, spec, walls, n, findings);
+  const std::size_t cables = spec.elements.of<barrier::RetainingCable>().size();
+  for (std::size_t n = 0; n < cables; ++n) check_retaining(scene, spec, walls, n, findings);
 }
 
 }  // namespace lahar::scene

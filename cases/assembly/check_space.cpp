@@ -93,8 +93,9 @@ void check_rheology(const Scene& scene, Findings& findings) {
   if (scene.fluid.smagorinsky > 0)
     wrong(".law",
           " with fluid.smagorinsky above 0, expected one or the other: an eddy viscosity would hide the yield stress");
-  if (scene.fluid.collision == CollisionOperator::bgk)
-    wrong(".law", " with collision = \"bgk\", expected another operator: its walls slip where the viscosity is large");
+  if (!takes_flow_laws(scene.fluid.collision))
+    wrong(".law", fmt::format(" with collision = \"{}\", expected another operator: it is for Newtonian fluids alone",
+                              name(scene.fluid.collision)));
   for (const WallSettings& w : scene.walls)
     if (w.slip == WallSlip::wall_model)
       return wrong(".law", " with a wall of slip = \"wall_model\", expected walls without: its law is that of water");

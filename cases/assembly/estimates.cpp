@@ -54,20 +54,22 @@ double fluid_time_step(const scene::Scene& scene) {
 std::int64_t net_columns(const scene::Net& net) { return std::llround(net.width / net.ring_pitch); }
 std::int64_t net_rows(const scene::Net& net) { return std::llround(net.height / net.ring_pitch); }
 
-std::int64_t barrier_beads(const scene::Barrier& barrier) {
-  const scene::Net& net = barrier.net;
+std::int64_t barrier_beads(const scene::Scene& scene) {
+  const scene::Net& net = scene.barrier.net;
   double beads = 2 * (net.width + net.height) / net.wire_diameter;
   if (net.kind == scene::NetKind::rings)
     beads += static_cast<double>(net_columns(net) * net_rows(net) * net.beads_per_ring);
   else
     beads += 2 * net.width / net.mesh_width * net.height / (0.5 * (net.mesh_height + net.twist_length));
-  const scene::Posts& posts = barrier.posts;
+  const scene::Posts& posts = scene.barrier.posts;
   if (!posts.enabled) return std::llround(beads);
   beads *= static_cast<double>(posts.spans);
   const auto count = static_cast<double>(posts.spans + 1);
   beads += count * posts.height / posts.diameter;
-  for (const scene::RetainingCable& r : posts.retaining)
-    beads += (r.post < 0 ? count : 1.0) * std::hypot(posts.height, r.anchor_offset.norm()) / net.wire_diameter;
+  const barrier::SpansSpec spec = scene::make_spans_spec(scene);
+  posts.elements.for_each_kind([&](const auto& list, std::size_t) {
+    for (const auto& element : list) beads += element.beads(spec);
+  });
   return std::llround(beads);
 }
 
@@ -87,10 +89,9 @@ double smallest_grain(const scene::Scene& scene) {
 SolidsLimits solids_limits(const scene::Scene& scene) {
   const dem::Materials materials = scene::make_materials(scene);
   const auto rayleigh = [&](double diameter, double density, const std::string& material) {
-    if (scene.solids.contact_law == scene::ContactLaw::linear)
-      return dem::linear_contact_time(0.5 * std::numbers::pi / 6 * std::pow(diameter, 3) * density,
-                                      scene.solids.normal_stiffness);
-    return dem::rayleigh_time_step(diameter / 2, density, materials[scene::material_index(scene, material)]);
+    const dem::Material& m = materials[scene::material_index(scene, material)];
+    return std::visit([&](const auto& law) { return law.time_limit(diameter / 2, density, m); },
+                      scene.solids.contact_law);
   };
   SolidsLimits limits{never, never, never, never, never};
   for (const scene::GrainSize& s : scene::grain_sizes(scene))
@@ -113,10 +114,14 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
   if (scene.barrier.posts.enabled) {
     dem::Particles particles;
     dem::Bonds bonds;
-    add_post(post_spec(scene::make_spans_spec(scene), 0), particles, bonds);
+    const barrier::SpansSpec spans = scene::make_spans_spec(scene);
+    add_post(post_spec(spans, 0), particles, bonds);
     limits.post_bond = dem::bond_time_step(bonds, particles);
+    spans.elements.for_each_kind([&](const auto& list, std::size_t) {
+      for (const auto& element : list) limits.cable_bond = std::min(limits.cable_bond, element.bond_limit(spans));
+    });
   }
-  limits.cable_bond = dem::bond_time_step(spec.cable, mass);
+  limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.cable, mass));
   if (!scene.barrier.bonds.dissipator_stiffness.empty())
     limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.dissipator, mass));
   return limits;

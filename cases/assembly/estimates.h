@@ -20,8 +20,8 @@ double longest_capillary_step(const scene::Scene& scene);
 /// Number of rings across and up, but for the adjustment of the pitch.
 std::int64_t net_columns(const scene::Net& net);
 std::int64_t net_rows(const scene::Net& net);
-/// Beads of all rings or nodes of a mesh, of four cables along the net's edges, of posts and their cables.
-std::int64_t barrier_beads(const scene::Barrier& barrier);
+/// Beads of all rings or nodes of a mesh, of four cables along the net's edges, of posts and what hangs on them.
+std::int64_t barrier_beads(const scene::Scene& scene);
 /// Grains of all packings and spheres.
 std::int64_t grain_count(const scene::Scene& scene);
 

@@ -95,8 +95,7 @@ barrier::SpansSpec make_spans_spec(const Scene& scene) {
   spec.section = {posts.youngs_modulus * scene.solids.bond_stiffness_scale, posts.area, posts.second_moment,
                   posts.density, scene.solids.bond_damping_ratio};
   spec.foot = posts.foot;
-  for (const RetainingCable& r : posts.retaining)
-    spec.retaining.push_back({static_cast<int>(r.post), r.anchor_offset, r.dissipator_places});
+  spec.elements = posts.elements;
   return spec;
 }
 

@@ -88,7 +88,7 @@ FluidFigures fluid_figures(const scene::Scene& scene) {
 SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<FluidFigures>& fluid) {
   SolidsFigures s;
   s.grains = grain_count(scene);
-  s.beads = scene.barrier.enabled ? barrier_beads(scene.barrier) : 0;
+  s.beads = scene.barrier.enabled ? barrier_beads(scene) : 0;
   s.limits = solids_limits(scene);
   s.time_step = solids_time_step(scene);
   if (fluid) {

@@ -27,7 +27,7 @@ void add_times(const scene::Scene& s, List& list) {
 }
 
 void add_fluid(const scene::Scene& s, const FluidFigures& f, List& list) {
-  const bool fragile = s.fluid.collision != scene::CollisionOperator::central_moments && s.fluid.smagorinsky == 0;
+  const bool fragile = !stable_without_eddies(s.fluid.collision) && s.fluid.smagorinsky == 0;
   if (fragile && f.tau - 0.5 < 1e-3)
     list.push_back(fmt::format("tau - 1/2 is {:.2g}: this collision operator is unstable there without smagorinsky > 0",
                                f.tau - 0.5));

@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "cases/scene/scene.h"
@@ -17,8 +18,8 @@ struct Choice {
   std::string_view meaning = {};  ///< empty where the word says it all
 };
 
-// `choices(E{})`: every value of an option. A value is registered by its line here; reading, messages, the resolved
-// scene and the reference page follow.
+// `choices(E{})`: every value of an option. A value is registered by its line here, or by its type's in the variant
+// that is the option; reading, messages, the resolved scene and the reference page follow.
 constexpr auto choices(Precision) {
   return std::to_array<Choice<Precision>>(
       {{"float", Precision::float32, "4 bytes a number"}, {"double", Precision::float64, "8 bytes"}});
@@ -65,17 +66,6 @@ constexpr auto choices(FlowLaw) {
        {"herschel_bulkley", FlowLaw::herschel_bulkley,
         "yield stress, consistency and exponent in place of the kinematic viscosity"}});
 }
-constexpr auto choices(CollisionOperator) {
-  return std::to_array<Choice<CollisionOperator>>(
-      {{"central_moments", CollisionOperator::central_moments, "moments about the velocity, relaxed one by one"},
-       {"bgk", CollisionOperator::bgk, "one relaxation time"},
-       {"trt", CollisionOperator::trt, "two relaxation times"}});
-}
-constexpr auto choices(ContactLaw) {
-  return std::to_array<Choice<ContactLaw>>(
-      {{"hertz_mindlin", ContactLaw::hertz_mindlin, "elastic spheres of their materials, damped"},
-       {"linear", ContactLaw::linear, "springs and dashpots of one stiffness for all"}});
-}
 constexpr auto choices(WireContacts) {
   return std::to_array<Choice<WireContacts>>(
       {{"beads", WireContacts::beads, "bead by bead"},
@@ -118,6 +108,17 @@ constexpr auto choices(ProbeKind) {
                                            {"force", ProbeKind::force, "force on a wall"}});
 }
 
+/// Types that are registered in a variant say themselves what they are called and mean.
+template <class... Ts>
+constexpr auto choices(const std::variant<Ts...>&) {
+  return std::to_array<Choice<std::variant<Ts...>>>({{Ts::name, Ts{}, Ts::meaning}...});
+}
+
+template <class E>
+concept Option = requires {
+  choices(E{});
+};
+
 /// All words of an option.
 template <class E>
 std::vector<std::string> words() {
@@ -132,6 +133,10 @@ std::string name_of(E value) {
   for (const auto& choice : choices(E{}))
     if (choice.value == value) return std::string(choice.word);
   return {};
+}
+template <class... Ts>
+std::string name_of(const std::variant<Ts...>& value) {
+  return std::visit([](const auto& chosen) { return std::string(chosen.name); }, value);
 }
 
 /// Edits (insert, delete, replace, swap neighbours) that turn one word into the other (Damerau-Levenshtein, optimal

@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
+#include "barrier/elements.h"
 #include "barrier/post.h"
 #include "core/geometry.h"
 #include "core/vector.h"
 #include "coupling/coupling_options.h"
+#include "dem/contact/contact_laws.h"
 #include "dem/packing/grading.h"
 #include "dem/wires/wire_model.h"
 #include "lbm/collision/coverage_weight.h"
@@ -29,6 +31,7 @@ using lbm::CollisionOperator;
 using lbm::FlowLaw;
 using lbm::SolidOperator;
 using lbm::WallPlacement;
+using ContactLaw = dem::ContactLawChoice;
 using Rheology = lbm::RheologyOptions;
 
 enum class Precision { float32, float64 };
@@ -36,7 +39,6 @@ enum class Face { x_lower, x_upper, y_lower, y_upper, z_lower, z_upper };
 enum class Axis { x, y, z };
 enum class WallShape { plane, box, cylinder, sphere, mesh, heightmap };
 enum class RegionShape { box, cylinder, sphere, mesh };
-enum class ContactLaw { hertz_mindlin, linear };
 enum class NetKind { rings, hexagonal };
 enum class ProbeKind { height, pressure, force };
 
@@ -140,7 +142,7 @@ struct Fluid {
   double density = 1000;              ///< kg/m^3
   double kinematic_viscosity = 1e-6;  ///< m^2/s
   double surface_tension = 0;         ///< N/m
-  CollisionOperator collision = CollisionOperator::central_moments;
+  CollisionOperator collision = lbm::CentralMoments{};
   double smagorinsky = 0;
   double lattice_velocity = 0.1;
   double max_speed = 0;  ///< m/s, 0 = from the drop height
@@ -174,8 +176,7 @@ struct Solids {
   double bond_stiffness_scale = 1;
   double bond_damping_ratio = 0.02;
   WireContacts wire_contacts = WireContacts::beads;
-  ContactLaw contact_law = ContactLaw::hertz_mindlin;
-  double normal_stiffness = 0, tangential_stiffness = 0;  ///< N/m, of the linear law; tangential 0 = 2/7 of normal
+  ContactLaw contact_law = dem::HertzMindlin{};
   bool operator==(const Solids&) const = default;
 };
 
@@ -278,13 +279,6 @@ struct Anchors {
   bool operator==(const Anchors&) const = default;
 };
 
-struct RetainingCable {
-  std::int64_t post = -1;
-  Vec3 anchor_offset = Vec3::Zero();  ///< m
-  std::vector<double> dissipator_places;
-  bool operator==(const RetainingCable&) const = default;
-};
-
 struct Posts {
   bool enabled = false;
   std::int64_t spans = 1;
@@ -293,7 +287,7 @@ struct Posts {
   double youngs_modulus = 210e9;       ///< Pa
   double area = 0, second_moment = 0;  ///< m^2, m^4
   double density = 7850;               ///< kg/m^3, of the profile
-  std::vector<RetainingCable> retaining;
+  barrier::Elements elements;          ///< what else hangs on the posts
   bool operator==(const Posts&) const = default;
 };
 

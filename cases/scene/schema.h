@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <string>
+#include <variant>
 
 #include "cases/scene/names.h"
 #include "cases/scene/range.h"
@@ -26,6 +27,15 @@ void only_with(V& v, std::string_view key, E value, std::initializer_list<E> of,
   std::string condition = std::string(key) + " = ";
   for (const E e : of) condition += (e == *of.begin() ? "\"" : " or \"") + name_of(e) + "\"";
   v.only_with(key, std::find(of.begin(), of.end(), value) != of.end(), condition, body);
+}
+
+/// Keys that only belong to the alternative T of the option `key`, which `body` is given.
+template <class T, class V, class... Ts, class Body>
+void only_with(V& v, std::string_view key, std::variant<Ts...>& value, const Body& body) {
+  T other;
+  T* const chosen = std::get_if<T>(&value);
+  const std::string condition = std::string(key) + " = \"" + std::string(T::name) + "\"";
+  v.only_with(key, chosen != nullptr, condition, [&] { body(chosen ? *chosen : other); });
 }
 
 template <class V>
@@ -224,9 +234,9 @@ void describe(V& v, Solids& s) {
   v.value("wire_contacts", s.wire_contacts, {},
           "How rings and cables touch each other and grains. With walls they touch bead by bead.");
   v.value("contact_law", s.contact_law, {}, "Law of contacts.");
-  only_with(v, "contact_law", s.contact_law, {ContactLaw::linear}, [&] {
-    v.value("normal_stiffness_N_m", s.normal_stiffness, required(positive()), "Stiffness of the normal spring.");
-    v.value("tangential_stiffness_N_m", s.tangential_stiffness, {non_negative()},
+  only_with<dem::LinearSpringDashpot>(v, "contact_law", s.contact_law, [&](dem::LinearSpringDashpot& law) {
+    v.value("normal_stiffness_N_m", law.normal_stiffness, required(positive()), "Stiffness of the normal spring.");
+    v.value("tangential_stiffness_N_m", law.tangential_stiffness, {non_negative()},
             "Stiffness of the tangential spring; 0 = 2/7 of the normal one.");
   });
 }
@@ -372,12 +382,12 @@ void describe(V& v, Anchors& s) {
 }
 
 template <class V>
-void describe(V& v, RetainingCable& s) {
+void describe(V& v, barrier::RetainingCable& s) {
   v.value("post", s.post, {.range = between(-1, 1000)},
           "Number of the post, 0 the first along the width; -1 = every post.");
-  v.value("anchor_offset_m", s.anchor_offset, required(),
+  v.value("anchor_offset_m", s.anchor, required(),
           "From the foot of the post, on the line of the net's lower edge, to the anchor.");
-  v.value("dissipator_places", s.dissipator_places, {.range = between(0, 1)},
+  v.value("dissipator_places", s.dissipators_at, {.range = between(0, 1)},
           "Where along the cable dissipators are, as fractions of its length from the anchor.");
 }
 
@@ -396,7 +406,8 @@ void describe(V& v, Posts& s) {
     v.value("second_moment_m4", s.second_moment, required(positive()),
             "Second moment of area of the profile in the direction of the flow; taken in all directions.");
     v.value("density_kg_m3", s.density, {positive()}, "Density of the profile.");
-    v.array("retaining", s.retaining, "A cable from the head of a post to an anchor in the ground.");
+    s.elements.for_each_kind(
+        [&]<class Kind>(std::vector<Kind>& list, std::size_t) { v.array(Kind::name, list, Kind::meaning); });
   });
 }
 

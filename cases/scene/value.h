@@ -37,8 +37,8 @@ inline std::string type_text(const std::string&) { return "a string"; }
 inline std::string type_text(const TimeValue&) { return "a pair [time, value]"; }
 inline std::string type_text(const SievePoint&) { return "a pair [opening in m, percent passing]"; }
 inline std::string type_text(const Vec3&) { return "three numbers [x, y, z]"; }
-template <class E>
-requires std::is_enum_v<E> std::string type_text(E) {
+template <Option E>
+std::string type_text(E) {
   std::string all;
   for (const auto& choice : choices(E{})) all += (all.empty() ? "one of \"" : ", \"") + std::string(choice.word) + "\"";
   return all;
@@ -56,7 +56,7 @@ std::string type_text(const std::vector<T>&) {
 template <class T>
 std::string choices_text(const T&) {
   std::string all;
-  if constexpr (std::is_enum_v<T>)
+  if constexpr (Option<T>)
     for (const auto& choice : choices(T{}))
       if (!choice.meaning.empty())
         all += (all.empty() ? " `" : "; `") + std::string(choice.word) + "`: " + std::string(choice.meaning);
@@ -75,8 +75,8 @@ std::string expected_text(const T& value, const Rule& rule) {
   return text;
 }
 
-template <class E>
-requires std::is_enum_v<E> std::string read(const toml::node& node, const Rule&, E& value) {
+template <Option E>
+std::string read(const toml::node& node, const Rule&, E& value) {
   const auto word = node.value_exact<std::string>();
   if (!word) return "is " + kind_text(node);
   for (const auto& choice : choices(E{}))
@@ -119,8 +119,10 @@ inline std::string toml_text(const TimeValue& v) {
 inline std::string toml_text(const SievePoint& v) {
   return "[" + number_text(v.opening) + ", " + number_text(v.passing) + "]";
 }
-template <class E>
-requires std::is_enum_v<E> std::string toml_text(E v) { return string_text(name_of(v)); }
+template <Option E>
+std::string toml_text(E v) {
+  return string_text(name_of(v));
+}
 template <class T>
 std::string toml_text(const std::optional<T>& v) {
   return v ? toml_text(*v) : "";

@@ -2,9 +2,11 @@
 // What a contact law sees and what it answers. Geometry and loops live elsewhere: a law is a pure function of these.
 // Everything is a template over the number type: a double, or a row of eight of them (core/simd.h).
 #include <concepts>
+#include <string_view>
 
 #include "core/simd.h"
 #include "core/triple.h"
+#include "dem/material.h"
 
 namespace lahar::dem {
 
@@ -62,8 +64,15 @@ concept ContactLawOf = requires(const L& law, const ContactStateOf<V>& state, Co
   { law(state, history, dt) } -> std::same_as<ContactForceOf<V>>;
 };
 
-/// A contact law: of one contact, and of eight side by side.
+/// A contact law: of one contact, and of eight side by side. A scene calls it by `name`, its reference page quotes
+/// `meaning`, and steps are a share of `time_limit` (s): the least of all particles of a radius (m), a density (kg/m^3)
+/// and a material.
 template <class L>
-concept ContactLaw = ContactLawOf<L, double> && ContactLawOf<L, Row<double>>;
+concept ContactLaw = ContactLawOf<L, double> && ContactLawOf<L, Row<double>> && std::equality_comparable<L> &&
+    requires(const L& law, const Material& material) {
+  { L::name } -> std::convertible_to<std::string_view>;
+  { L::meaning } -> std::convertible_to<std::string_view>;
+  { law.time_limit(1.0, 1.0, material) } -> std::same_as<double>;
+};
 
 }  // namespace lahar::dem

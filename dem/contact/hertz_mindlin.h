@@ -1,8 +1,11 @@
 #pragma once
 // Hertz's normal and Mindlin's tangential contact of elastic spheres, damped.
+#include <string_view>
+
 #include "dem/contact/contact_state.h"
 #include "dem/contact/normal_damper.h"
 #include "dem/contact/tangential_spring.h"
+#include "dem/time_step.h"
 
 namespace lahar::dem {
 
@@ -11,6 +14,14 @@ namespace lahar::dem {
 /// sqrt(S m*) with S_n = 2 E* sqrt(R* overlap), S_t = k_t (Tsuji et al. 1992, Powder Technol. 71:239): the restitution
 /// does not depend on the impact speed.
 struct HertzMindlin {
+  static constexpr std::string_view name = "hertz_mindlin", meaning = "elastic spheres of their materials, damped";
+  bool operator==(const HertzMindlin&) const = default;
+
+  /// The Rayleigh time.
+  [[nodiscard]] double time_limit(double radius, double density, const Material& material) const {
+    return rayleigh_time_step(radius, density, material);
+  }
+
   template <class V>
   [[gnu::always_inline]] ContactForceOf<V> operator()(const ContactStateOf<V>& s, ContactHistoryOf<V>& history,
                                                       double dt) const {

@@ -1,15 +1,27 @@
 #pragma once
 // Linear spring and dashpot (Cundall & Strack 1979, Geotechnique 29:47): one stiffness for all sizes and materials.
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
 #include "dem/contact/contact_state.h"
 #include "dem/contact/normal_damper.h"
 #include "dem/contact/tangential_spring.h"
+#include "dem/time_step.h"
 
 namespace lahar::dem {
 
 /// F_n = k overlap + 2 beta sqrt(k m*) closing_speed, never attractive; the tangential spring likewise.
 struct LinearSpringDashpot {
-  double normal_stiffness = 1e6;      ///< N/m, > 0
-  double tangential_stiffness = 3e5;  ///< N/m, > 0; 2/7 of the normal one gives both modes the same period
+  static constexpr std::string_view name = "linear", meaning = "springs and dashpots of one stiffness for all";
+  double normal_stiffness = 1e6;    ///< N/m, > 0
+  double tangential_stiffness = 0;  ///< N/m; 0 = 2/7 of the normal one, which gives both modes the same period
+  bool operator==(const LinearSpringDashpot&) const = default;
+
+  /// The duration of a contact of two equal spheres.
+  [[nodiscard]] double time_limit(double radius, double density, const Material&) const {
+    return linear_contact_time(0.5 * std::numbers::pi / 6 * std::pow(2 * radius, 3) * density, normal_stiffness);
+  }
 
   template <class V>
   [[gnu::always_inline]] ContactForceOf<V> operator()(const ContactStateOf<V>& s, ContactHistoryOf<V>& history,
@@ -23,8 +35,9 @@ struct LinearSpringDashpot {
     const V mobility = set_normal_force<V>(s, elastic, normal_damper, dt, history, f);
     f.elastic_normal = 0.5 * elastic * s.overlap;
 
-    const V shear_damper = damper * root(V(tangential_stiffness * s.effective_mass));
-    add_tangential_spring<V>(s, V{} + tangential_stiffness, within_step(shear_damper, mobility), dt, history, f);
+    const double shear = tangential_stiffness > 0 ? tangential_stiffness : 2.0 / 7 * normal_stiffness;
+    const V shear_damper = damper * root(V(shear * s.effective_mass));
+    add_tangential_spring<V>(s, V{} + shear, within_step(shear_damper, mobility), dt, history, f);
     return f;
   }
 };

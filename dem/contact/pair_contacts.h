@@ -2,22 +2,17 @@
 // Contacts between spheres: eight slots at a time, then summed per particle in a fixed order.
 #include <array>
 #include <cstdint>
-#include <variant>
 #include <vector>
 
 #include "dem/contact/contact_bodies.h"
 #include "dem/contact/contact_detection.h"
 #include "dem/contact/contact_energy_sums.h"
 #include "dem/contact/contact_lanes.h"
+#include "dem/contact/contact_laws.h"
 #include "dem/contact/contact_materials.h"
-#include "dem/contact/hertz_mindlin.h"
-#include "dem/contact/linear.h"
 #include "dem/particles.h"
 
 namespace lahar::dem {
-
-/// The contact laws that a scene can choose from.
-using ContactLawChoice = std::variant<HertzMindlin, LinearSpringDashpot>;
 
 /// A particle's sum is taken over the slots that it owns, in the order of their partners' ids, then over those where it
 /// is the partner, in the order of their owners' ids. Slots that do not touch add zeros: the sum depends neither on

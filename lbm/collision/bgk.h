@@ -1,6 +1,8 @@
 #pragma once
 // Single relaxation time (Qian, d'Humieres & Lallemand 1992), for comparison. Forces by the exact difference of
 // equilibria (Kupershtokh 2004).
+#include <string_view>
+
 #include "lbm/collision/cell_state.h"
 #include "lbm/collision/equilibrium.h"
 #include "lbm/collision/newtonian.h"
@@ -17,8 +19,10 @@ V viscous_rate(const V (&f)[D3Q19::q], const Moments<V>& m, const Viscosity& vis
 }
 
 struct Bgk {
-  static constexpr const char* name = "bgk";
-  static constexpr bool bounds_stress = false;
+  static constexpr std::string_view name = "bgk", meaning = "one relaxation time";
+  static constexpr bool bounds_stress = false, stable_without_eddies = false;
+  static constexpr bool takes_flow_laws = false;  ///< its walls slip where the viscosity is large
+  bool operator==(const Bgk&) const = default;
 
   template <class Viscosity, class V>
   static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,

@@ -24,6 +24,8 @@
 //   s_a = S_aa + 9/4 omega (v_a^2 S_aa - mean over the axes),
 //   S_aa -> (1 - omega) S_aa + 9/2 omega (1 - omega/2) v_a^2 s_a, less the mean over the axes.
 // It vanishes with the viscosity. The missing moment c_x c_y c_z is not put back: its derivatives are not in S.
+#include <string_view>
+
 #include "lbm/collision/cell_state.h"
 #include "lbm/collision/newtonian.h"
 
@@ -79,8 +81,10 @@ template <class V>
 }
 
 struct CentralMoments {
-  static constexpr const char* name = "central_moments";
-  static constexpr bool bounds_stress = true;  ///< collision/stress_limit.h
+  static constexpr std::string_view name = "central_moments",
+                                    meaning = "moments about the velocity, relaxed one by one";
+  static constexpr bool bounds_stress = true, takes_flow_laws = true, stable_without_eddies = true;
+  bool operator==(const CentralMoments&) const = default;
 
   template <class Viscosity, class V>
   [[gnu::always_inline]] static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,

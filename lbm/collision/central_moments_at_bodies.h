@@ -48,8 +48,7 @@ template <class V>
 }
 
 struct CentralMomentsAtBodies {
-  static constexpr const char* name = "central_moments";
-  static constexpr bool bounds_stress = true;  ///< collision/stress_limit.h
+  static constexpr bool bounds_stress = true, takes_flow_laws = true;
 
   template <class Viscosity, class V>
   [[gnu::always_inline]] static Departure<V> collide(V (&f)[D3Q19::q], const Moments<V>& m, const CellForcing<V>& force,

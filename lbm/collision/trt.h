@@ -6,11 +6,13 @@
 namespace lahar::lbm {
 
 struct Trt {
-  static constexpr const char* name = "trt";
-  static constexpr bool bounds_stress = false;
+  static constexpr std::string_view name = "trt", meaning = "two relaxation times";
+  static constexpr bool bounds_stress = false, takes_flow_laws = true, stable_without_eddies = false;
+  bool operator==(const Trt&) const = default;
   static constexpr double magic_parameter = 3.0 / 16.0;  ///< half-way walls exact for Poiseuille flow
 
-  /// The rate of the odd part with the magic parameter.
+  /// The relaxation time of the odd part that belongs to one of the even part, and as a rate.
+  static double odd_time(double tau) { return 0.5 + magic_parameter / (tau - 0.5); }
   template <class V>
   static V odd_rate(const V& even_rate) {
     const V half = number<V>(0.5);

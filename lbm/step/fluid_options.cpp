@@ -29,9 +29,8 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
           "Fluid: the time step is longer than ripples of two cells allow (core/capillary.h)");
   require(o.rheology.law == FlowLaw::newtonian || o.smagorinsky == 0,
           "Fluid: Smagorinsky is for Newtonian fluids alone");
-  // Its walls slip where the viscosity is large.
-  require(o.rheology.law == FlowLaw::newtonian || o.collision != CollisionOperator::bgk,
-          "Fluid: BGK is for Newtonian fluids alone");
+  require(o.rheology.law == FlowLaw::newtonian || takes_flow_laws(o.collision),
+          "Fluid: this collision operator is for Newtonian fluids alone");
   require(!bounces_back(o.solid_operator) || (o.rheology.law == FlowLaw::newtonian && o.smagorinsky == 0),
           "Fluid: solid operators that bounce populations back are for a constant viscosity alone");
   const auto& walls = o.domain.walls.all();

@@ -20,7 +20,7 @@ struct FluidOptions {
   double kinematic_viscosity = 1e-6;  ///< m^2/s
   Vec3 gravity = Vec3::Zero();        ///< m/s^2
   double surface_tension = 0;         ///< N/m; 0 is off
-  CollisionOperator collision = CollisionOperator::central_moments;
+  CollisionOperator collision = CentralMoments{};
   BodyWeighting weighting = kBodyWeighting;
   SolidOperator solid_operator = kSolidOperator;  ///< those that bounce back: Newtonian without LES only
   double seepage_constant = 0;                    ///< in place of tau - 1/2 for BodyWeighting::seepage

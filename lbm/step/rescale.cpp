@@ -7,7 +7,6 @@
 #include "lbm/collision/equilibrium.h"
 #include "lbm/collision/smagorinsky.h"
 #include "lbm/collision/stress_limit.h"
-#include "lbm/collision/trt.h"
 #include "lbm/rheology/herschel_bulkley.h"
 
 namespace lahar::lbm {
@@ -37,7 +36,16 @@ double relaxation_time(const Viscosity& viscosity, bool deviator_alone, const do
 }
 
 /// The relaxation time of the odd part that belongs to one of the even part.
-double odd_time(double tau) { return 0.5 + Trt::magic_parameter / (tau - 0.5); }
+double odd_time(const CollisionOperator& collision, double tau) {
+  return std::visit(
+      [&](const auto& o) {
+        if constexpr (requires { o.odd_time(tau); })
+          return o.odd_time(tau);
+        else
+          return tau;
+      },
+      collision);
+}
 
 class CellRescaling {
  public:
@@ -45,7 +53,7 @@ class CellRescaling {
       : before_(before),
         viscosity_(viscosity_of(before)),
         ratio_(ratio),
-        moments_alone_(before.collision == CollisionOperator::central_moments) {}
+        moments_alone_(bounds_stress(before.collision)) {}
 
   /// From old to new populations; returns new over old density.
   double apply(double (&f)[D3Q19::q], double largest_rate) const {
@@ -58,7 +66,8 @@ class CellRescaling {
     const double shortest = moments_alone_ ? 1 / largest_rate : 0;
     const double common = ratio_ * density_ratio;
     const double even = common * std::max(new_tau, shortest) / std::max(tau, shortest);
-    const double odd = before_.collision == CollisionOperator::trt ? common * odd_time(new_tau) / odd_time(tau) : even;
+    const CollisionOperator& collision = before_.collision;
+    const double odd = moments_alone_ ? even : common * odd_time(collision, new_tau) / odd_time(collision, tau);
     const auto excess = [&](int i) { return f[i] - equilibrium(i, m.drho, m.u[0], m.u[1], m.u[2]); };
     const auto rest = [&](int i) { return equilibrium(i, drho, u[0], u[1], u[2]); };
     f[0] = rest(0) + even * excess(0);

@@ -13,7 +13,7 @@ namespace lahar::lbm {
 
 /// Uniform parameters of a sweep, lattice units.
 struct SweepParameters {
-  CollisionOperator collision = CollisionOperator::central_moments;
+  CollisionOperator collision = CentralMoments{};
   CoverageWeightLaw coverage_weight;  ///< B of the drag that bodies wrote into a cell
   /// Central moments keep the place of a body's surface (collision/central_moments_at_bodies.h).
   bool third_moments_at_bodies = false;

@@ -4,13 +4,10 @@
 
 #include "core/check.h"
 #include "core/denormals.h"
-#include "lbm/collision/bgk.h"
 #include "lbm/collision/bounce_back_operators.h"
-#include "lbm/collision/central_moments.h"
 #include "lbm/collision/central_moments_at_bodies.h"
 #include "lbm/collision/smagorinsky.h"
 #include "lbm/collision/stress_limit.h"
-#include "lbm/collision/trt.h"
 #include "lbm/rheology/herschel_bulkley.h"
 #include "lbm/step/gather.h"
 #include "lbm/step/sweep.h"
@@ -237,28 +234,24 @@ class BlockKernel {
 template <class Real, bool kMixed, bool kBody, class Operator>
 BlockSweep<Real> pick_viscosity(const SweepParameters& p) {
   using Kernel = BlockKernel<Real, kMixed, kBody>;
-  if constexpr (std::is_same_v<Operator, Bgk>) {
-    require(p.rheology.law == FlowLaw::newtonian, "choose_sweep: BGK is for Newtonian fluids alone");
-  } else {
+  if constexpr (Operator::takes_flow_laws) {
     if (p.rheology.law == FlowLaw::bingham) return &Kernel::template run<Operator, Bingham>;
     if (p.rheology.law == FlowLaw::herschel_bulkley) return &Kernel::template run<Operator, HerschelBulkley>;
+  } else {
+    require(p.rheology.law == FlowLaw::newtonian, "choose_sweep: this operator is for Newtonian fluids alone");
   }
   return p.smagorinsky > 0 ? &Kernel::template run<Operator, Smagorinsky> : &Kernel::template run<Operator, Newtonian>;
 }
 
 template <class Real, bool kMixed, bool kBody>
 BlockSweep<Real> pick_operator(const SweepParameters& p) {
-  switch (p.collision) {
-    case CollisionOperator::bgk:
-      return pick_viscosity<Real, kMixed, kBody, Bgk>(p);
-    case CollisionOperator::trt:
-      return pick_viscosity<Real, kMixed, kBody, Trt>(p);
-    case CollisionOperator::central_moments:
-      break;
-  }
-  if constexpr (kBody)
-    if (p.third_moments_at_bodies) return pick_viscosity<Real, kMixed, kBody, CentralMomentsAtBodies>(p);
-  return pick_viscosity<Real, kMixed, kBody, CentralMoments>(p);
+  return std::visit(
+      [&]<class Operator>(Operator) {
+        if constexpr (kBody && std::is_same_v<Operator, CentralMoments>)
+          if (p.third_moments_at_bodies) return pick_viscosity<Real, kMixed, kBody, CentralMomentsAtBodies>(p);
+        return pick_viscosity<Real, kMixed, kBody, Operator>(p);
+      },
+      p.collision);
 }
 
 template <class Real>

@@ -68,7 +68,7 @@ TEST(MeshNet, HangsBetweenPostsAndHoldsAPush) {
   for (dem::BondSort* sort : {&s.net.cable, &s.net.dissipator}) sort->damping_ratio = 0.05;
   s.spans = 2, s.post_height = 0.42, s.post_diameter = 0.05;
   s.section = {.youngs_modulus = 210e9, .area = 7e-4, .second_moment = 1.8e-7, .density = 7850};
-  s.retaining = {{.post = 1, .anchor = {-0.4, 0, 0}, .dissipators_at = {}}};
+  s.elements.of<RetainingCable>() = {{.post = 1, .anchor = {-0.4, 0, 0}, .dissipators_at = {}}};
   dem::Particles p;
   dem::Bonds b;
   const Net net = build_spans(s, p, b);

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "barrier/dissipator.h"
 #include "barrier/link.h"
-#include "barrier/spans.h"
+#include "barrier/retaining.h"
 #include "cases/validate/dem/ledger_watch.h"
 #include "cases/validate/dem/solid_scenes.h"
 #include "cases/validate/entry.h"

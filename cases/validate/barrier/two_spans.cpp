@@ -29,9 +29,9 @@ barrier::SpansSpec small_spans(int columns, int rows) {
   s.section = {
       .youngs_modulus = 210e9, .area = 1.445e-4, .second_moment = 9.63e-9, .density = 7850, .damping_ratio = 0.02};
   s.foot = barrier::FootJoint::hinged;
-  s.retaining = {{.post = -1, .anchor = {-0.15, 0, 0}, .dissipators_at = {0}},
-                 {.post = 0, .anchor = {0, -0.15, 0}, .dissipators_at = {}},
-                 {.post = 2, .anchor = {0, 0.15, 0}, .dissipators_at = {}}};
+  s.elements.of<barrier::RetainingCable>() = {{.post = -1, .anchor = {-0.15, 0, 0}, .dissipators_at = {0}},
+                                              {.post = 0, .anchor = {0, -0.15, 0}, .dissipators_at = {}},
+                                              {.post = 2, .anchor = {0, 0.15, 0}, .dissipators_at = {}}};
   return s;
 }
 
@@ -44,8 +44,8 @@ std::vector<Row> run(const Context& context) {
   const Vec3 gravity = kGravity * Vec3(std::sin(slope), 0, -std::cos(slope));
   constexpr double restitution = 0.1;
   const dem::Materials materials = one_material(1e9, 0.3, 0.1, restitution);
-  const double step = std::min(0.7 * dem::bond_time_step(bonds, particles),
-                               0.2 * dem::rayleigh_time_step(particles, materials));
+  const double step =
+      std::min(0.7 * dem::bond_time_step(bonds, particles), 0.2 * dem::rayleigh_time_step(particles, materials));
   dem::Solids solids(std::move(particles), std::move(bonds), materials, {}, solids_options(step, gravity));
   LedgerWatch watch(solids);
   const double duration = context.quick ? 0.05 : 1.5;

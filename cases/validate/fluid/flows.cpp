@@ -19,18 +19,6 @@ lbm::FluidOptions lattice_box(const Vec3i& cells, double viscosity) {
   return o;
 }
 
-const char* operator_name(lbm::CollisionOperator collision) {
-  switch (collision) {
-    case lbm::CollisionOperator::bgk:
-      return "bgk";
-    case lbm::CollisionOperator::trt:
-      return "trt";
-    case lbm::CollisionOperator::central_moments:
-      break;
-  }
-  return "central_moments";
-}
-
 double lowest_order(std::span<const int> cells, std::span<const double> errors) {
   double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t k = 1; k < errors.size(); ++k)

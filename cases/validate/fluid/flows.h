@@ -16,9 +16,7 @@ namespace lahar::validate {
 /// A periodic box filled with fluid at rest, in lattice units.
 lbm::FluidOptions lattice_box(const Vec3i& cells, double viscosity);
 
-inline constexpr std::array<lbm::CollisionOperator, 3> kOperators = {
-    lbm::CollisionOperator::central_moments, lbm::CollisionOperator::trt, lbm::CollisionOperator::bgk};
-const char* operator_name(lbm::CollisionOperator collision);
+inline constexpr std::array<lbm::CollisionOperator, 3> kOperators = {lbm::CentralMoments{}, lbm::Trt{}, lbm::Bgk{}};
 
 /// Velocity as a function of the place, lu.
 using VelocityField = std::function<Vec3(const Vec3&)>;

@@ -42,7 +42,7 @@ double time_of_discharge(double discharge) {
 
 struct Gap {
   int cells = 16;
-  CollisionOperator collision = CollisionOperator::central_moments;
+  CollisionOperator collision = lbm::CentralMoments{};
   int across = 2;              ///< axis from wall to wall
   Vec3 along = Vec3::UnitX();  ///< unit vector of the belt's motion
   double frame = 0;            ///< velocity along the belt added to fluid and walls, in belt speeds
@@ -95,7 +95,7 @@ StartUp start_up(const Gap& gap) {
 /// The same flow along every lattice axis and every diagonal between two of them, walls across each axis; and seen from
 /// a frame that moves.
 void add_frames(std::vector<Row>& rows, CollisionOperator collision, int cells) {
-  const std::string name = operator_name(collision);
+  const std::string name(lbm::name(collision));
   const double straight = start_up({.cells = cells, .collision = collision}).middle;
   double spread = 0;
   for (int across = 0; across < 3; ++across) {
@@ -115,7 +115,7 @@ std::vector<Row> run(const Context& context) {
   const std::vector<int> cells = context.quick ? std::vector{6, 8, 14} : std::vector{8, 16, 32};
   std::vector<Row> rows;
   for (const CollisionOperator collision : kOperators) {
-    const std::string name = operator_name(collision);
+    const std::string name(lbm::name(collision));
     std::vector<double> errors;
     StartUp finest{};
     for (const int n : cells) {

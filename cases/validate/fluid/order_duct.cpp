@@ -32,7 +32,7 @@ double exact_speed(double y, double z) {
 
 struct Duct {
   int cells = 16;
-  CollisionOperator collision = CollisionOperator::central_moments;
+  CollisionOperator collision = lbm::CentralMoments{};
   int along = 0;  ///< axis
 };
 
@@ -73,7 +73,7 @@ std::vector<Row> run(const Context& context) {
   const double tolerance = context.quick ? 0.03 : 0.005;
   std::vector<Row> rows;
   for (const CollisionOperator collision : kOperators) {
-    const std::string name = operator_name(collision);
+    const std::string name(lbm::name(collision));
     std::vector<double> errors;
     Profile finest{};
     for (const int n : cells) {

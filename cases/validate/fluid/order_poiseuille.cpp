@@ -16,7 +16,7 @@ constexpr double kPeakSpeed = 0.08;  // lu, on 8 cells; falls with the cell size
 
 struct Channel {
   int cells = 16;
-  CollisionOperator collision = CollisionOperator::central_moments;
+  CollisionOperator collision = lbm::CentralMoments{};
   int across = 2;              ///< axis from wall to wall
   Vec3 along = Vec3::UnitX();  ///< unit vector of the flow
 };
@@ -56,7 +56,7 @@ Profile profile_of(const Channel& channel) {
 
 void add_convergence(std::vector<Row>& rows, CollisionOperator collision, std::span<const int> cells,
                      double tolerance) {
-  const std::string name = operator_name(collision);
+  const std::string name(lbm::name(collision));
   std::vector<double> errors;
   Profile finest{};
   for (const int n : cells) {
@@ -64,7 +64,7 @@ void add_convergence(std::vector<Row>& rows, CollisionOperator collision, std::s
     errors.push_back(finest.error);
   }
   // The magic parameter 3/16 of trt puts the wall where it is, to rounding: there is no error left to fall.
-  if (collision == CollisionOperator::trt)
+  if (std::holds_alternative<lbm::Trt>(collision))
     rows.push_back(at_most_row(fmt::format("{}: velocity error, {} cells", name, cells.back()), finest.error, 1e-7));
   else
     rows.push_back(at_least_row(order_label(name, cells), lowest_order(cells, errors), 1.9));
@@ -74,7 +74,7 @@ void add_convergence(std::vector<Row>& rows, CollisionOperator collision, std::s
 
 /// The same flow along every lattice axis and every diagonal between two of them, walls across each axis.
 void add_directions(std::vector<Row>& rows, CollisionOperator collision, int cells) {
-  const std::string name = operator_name(collision);
+  const std::string name(lbm::name(collision));
   const double straight = profile_of({.cells = cells, .collision = collision}).peak;
   double spread = 0, sideways = 0;
   for (int across = 0; across < 3; ++across) {
@@ -87,7 +87,7 @@ void add_directions(std::vector<Row>& rows, CollisionOperator collision, int cel
   }
   // Rounding alone for bgk and trt. The default operator puts right what D3Q19 lacks along each axis, not along
   // diagonals (collision/central_moments.h): of the order of the fourth power of the speed, 2.6e-8 here.
-  const bool corrected = collision == CollisionOperator::central_moments;
+  const bool corrected = std::holds_alternative<lbm::CentralMoments>(collision);
   rows.push_back(at_most_row(name + ": spread of the peak over 9 directions", spread, corrected ? 1e-7 : 1e-9));
   rows.push_back(at_most_row(name + ": largest speed across the flow / peak", sideways, 1e-12));
 }

@@ -19,7 +19,7 @@ constexpr int kDepth = 8;            // cells along the axis of the vortex
 
 struct Vortex {
   int cells = 32;
-  CollisionOperator collision = CollisionOperator::central_moments;
+  CollisionOperator collision = lbm::CentralMoments{};
   double speed = 0.04;        ///< u0 on 16 cells, lu; falls with the cell size
   Vec3 drift = Vec3::Zero();  ///< velocity of the frame on 16 cells, lu; falls with the cell size
   int axis = 2;               ///< normal of the plane of the flow
@@ -87,7 +87,7 @@ std::vector<Row> run(const Context& context) {
   const double tolerance = context.quick ? 0.02 : 0.005;
   std::vector<Row> rows;
   for (const CollisionOperator collision : kOperators) {
-    const std::string name = operator_name(collision);
+    const std::string name(lbm::name(collision));
     Vortex v{.cells = cells.back(), .collision = collision};
     add_convergence(rows, v, name, cells, tolerance);
     if (!context.quick) {

@@ -13,7 +13,7 @@ enum class PeriodicFlow {
 
 struct StabilityCase {
   PeriodicFlow flow = PeriodicFlow::shear_layer;
-  lbm::CollisionOperator collision = lbm::CollisionOperator::central_moments;
+  lbm::CollisionOperator collision = lbm::CentralMoments{};
   double viscosity = 1e-6;  ///< lu
   double mach = 0.1;        ///< U / speed of sound
   double smagorinsky = 0;   ///< Cs

@@ -12,9 +12,9 @@ namespace {
 /// how far they get is shown.
 void add_row(std::vector<Row>& rows, const StabilityCase& c) {
   const Stability s = run_periodic(c, Precision::float32);
-  const std::string label = fmt::format("{} Cs {}, {}, nu {:g}, Ma {}", operator_name(c.collision), c.smagorinsky,
+  const std::string label = fmt::format("{} Cs {}, {}, nu {:g}, Ma {}", name(c.collision), c.smagorinsky,
                                         c.flow == PeriodicFlow::vortex ? "vortex" : "layer", c.viscosity, c.mach);
-  if (c.collision == lbm::CollisionOperator::central_moments || c.smagorinsky > 0)
+  if (stable_without_eddies(c.collision) || c.smagorinsky > 0)
     rows.push_back(at_most_row(label + ": energy", s.energy, 1.001));
   else
     rows.push_back(at_least_row(label + ": time run (no bar)", s.finished, 0));

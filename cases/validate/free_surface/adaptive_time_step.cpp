@@ -21,7 +21,7 @@ struct Vortex {
   int cells = 32;
   double viscosity = 0.01;  ///< lu of the first step
   double speed = 0.02;
-  CollisionOperator collision = CollisionOperator::central_moments;
+  CollisionOperator collision = lbm::CentralMoments{};
   double ratio = 1;  ///< new / old step
   [[nodiscard]] double k() const { return 2 * std::numbers::pi / cells; }
   [[nodiscard]] double rate() const { return 2 * viscosity * k() * k(); }
@@ -76,7 +76,7 @@ void ask_vortex(const Context& context, std::vector<Row>& rows) {
                                                      : std::vector{0.5, 2.0};
     for (const double ratio : ratios) {
       const Decay changed = run_vortex({.collision = collision, .ratio = ratio});
-      const std::string label = fmt::format("vortex, {}, step x {:g}: ", operator_name(collision), ratio);
+      const std::string label = fmt::format("vortex, {}, step x {:g}: ", name(collision), ratio);
       rows.push_back(relative_row(label + "decay rate / 2 nu k^2", changed.rate, 1, 0.005));
       rows.push_back(at_most_row(label + "pressure jump, of rho U^2 / 2", bang(changed, alone, Vortex().speed), 0.05));
     }

@@ -142,7 +142,7 @@ std::vector<Row> run(const Context& context) {
     // Two relaxation times carry creeping flow with a place of the wall that does not depend on tau, and are unstable
     // at the larger Reynolds numbers.
     Immersion immersion;
-    if (packs.reynolds > 5) immersion.collision = lbm::CollisionOperator::central_moments;
+    if (packs.reynolds > 5) immersion.collision = lbm::CentralMoments{};
     double drag = 0, reynolds = 0;
     Flow flow;
     for (int k = 0; k < packs.count; ++k) {

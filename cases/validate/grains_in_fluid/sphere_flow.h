@@ -10,7 +10,7 @@ namespace lahar::validate {
 
 /// How bodies act on the fluid. The defaults are those of docs/decisions/0020.
 struct Immersion {
-  lbm::CollisionOperator collision = lbm::CollisionOperator::trt;
+  lbm::CollisionOperator collision = lbm::Trt{};
   lbm::BodyWeighting weighting = lbm::kBodyWeighting;
   lbm::SolidOperator solid_operator = lbm::kSolidOperator;
   double radius_shift =

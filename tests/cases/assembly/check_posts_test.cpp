@@ -66,9 +66,10 @@ TEST(CheckPosts, SpansSpecHoldsWhatTheSceneSays) {
   EXPECT_EQ(spec.spans, 2);
   EXPECT_EQ(spec.foot, barrier::FootJoint::hinged);
   EXPECT_DOUBLE_EQ(spec.section.youngs_modulus, 105e9);
-  ASSERT_EQ(spec.retaining.size(), 3u);
-  EXPECT_EQ(spec.retaining[1].post, 0);
-  EXPECT_EQ(spec.retaining[0].dissipators_at, std::vector<double>{0});
+  const auto& retaining = spec.elements.of<barrier::RetainingCable>();
+  ASSERT_EQ(retaining.size(), 3u);
+  EXPECT_EQ(retaining[1].post, 0);
+  EXPECT_EQ(retaining[0].dissipators_at, std::vector<double>{0});
   dem::Particles particles;
   dem::Bonds bonds;
   EXPECT_EQ(build_barrier(scene, particles, bonds).posts.size(), 3u);

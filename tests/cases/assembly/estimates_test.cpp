@@ -34,7 +34,7 @@ TEST(Estimates, CountsOfThePaper) {
   const scene::Scene debris = scene::debris_flow();
   EXPECT_EQ(net_columns(debris.barrier.net), 30);
   EXPECT_EQ(net_rows(debris.barrier.net), 16);
-  EXPECT_EQ(barrier_beads(debris.barrier), 480 * 36 + 905);  // cables: 5.52 m of 6.1 mm beads
+  EXPECT_EQ(barrier_beads(debris), 480 * 36 + 905);  // cables: 5.52 m of 6.1 mm beads
   EXPECT_EQ(grain_count(debris), 3260 + 1481);
   EXPECT_EQ(smallest_grain(debris), 0.04);
 }
@@ -53,8 +53,7 @@ TEST(Estimates, LimitsOfThePaper) {
 TEST(Estimates, LinearContactsAreLimitedByTheirOwnDuration) {
   // Half a period of the smallest grains (40 mm, 2500 kg/m3) against each other, pi sqrt(m / 2 k).
   scene::Scene debris = scene::debris_flow();
-  debris.solids.contact_law = scene::ContactLaw::linear;
-  debris.solids.normal_stiffness = 1e6;
+  debris.solids.contact_law = dem::LinearSpringDashpot{1e6};
   double density = 0;
   for (const auto& size : debris.grains.packings[0].sizes)
     if (size.diameter < 0.05) density = size.density;

@@ -37,6 +37,24 @@ void expect_words(E) {
   }
 }
 
+struct Round {
+  static constexpr std::string_view name = "round", meaning = "without corners";
+};
+struct Square {
+  static constexpr std::string_view name = "square", meaning = "with four";
+  double side = 2;
+};
+
+/// Types that stand in a variant are options without a line here, whatever their members are.
+TEST(Names, TypesInAVariantNameThemselves) {
+  const auto all = choices(std::variant<Round, Square>{});
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_EQ(all[1].word, "square");
+  EXPECT_EQ(all[1].meaning, "with four");
+  EXPECT_EQ(std::get<Square>(all[1].value).side, 2);
+  EXPECT_EQ(name_of(std::variant<Round, Square>{Square{7}}), "square");
+}
+
 TEST(Names, EveryOptionHasAWordThatLeadsBack) {
   expect_words(CollisionOperator{}), expect_words(BodyWeighting{}), expect_words(SolidOperator{});
   expect_words(WallPlacement{}), expect_words(FlowLaw{}), expect_words(WireContacts{}), expect_words(FootJoint{});

@@ -29,7 +29,7 @@ TEST(Overrides, ChangeNumbersWordsListsAndNestedTables) {
             "materials.rock.youngs_modulus_Pa=1e9"});
   EXPECT_EQ(scene.run.duration, 2);
   EXPECT_EQ(scene.run.precision, Precision::float64);
-  EXPECT_EQ(scene.fluid.collision, CollisionOperator::trt);
+  EXPECT_EQ(scene.fluid.collision, CollisionOperator{lbm::Trt{}});
   EXPECT_EQ(scene.domain.upper, Vec3(6, 1.8, 2));
   EXPECT_EQ(scene.grains.packings[0].sizes[1].count, 7);
   EXPECT_EQ(scene.walls[0].slip, WallSlip::free_slip);

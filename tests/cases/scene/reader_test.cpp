@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/scene/writer.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::scene {
@@ -59,6 +60,19 @@ TEST(Reader, TellsWhereAMisplacedKeyBelongs) {
   const auto all = mistakes_in_text(small_scene, {"run.smagorinsky=0.1"});
   ASSERT_EQ(all.size(), 1u);
   EXPECT_NE(all[0].find("(it belongs in [fluid])"), std::string::npos) << all[0];
+}
+
+/// A contact law is a type with members: its word makes one of it, its keys fill it.
+TEST(Reader, ATypesKeysFillItAndBelongToItAlone) {
+  const Scene scene = load_text(small_scene, {"solids.contact_law=linear", "solids.normal_stiffness_N_m=2e5"});
+  EXPECT_EQ(scene.solids.contact_law, ContactLaw(dem::LinearSpringDashpot{2e5}));
+  EXPECT_TRUE(load_text(to_toml(scene)) == scene);
+  const auto missing = mistakes_in_text(small_scene, {"solids.contact_law=linear"});
+  ASSERT_EQ(missing.size(), 1u);
+  EXPECT_NE(missing[0].find("solids.normal_stiffness_N_m"), std::string::npos) << missing[0];
+  const auto misplaced = mistakes_in_text(small_scene, {"solids.normal_stiffness_N_m=2e5"});
+  ASSERT_EQ(misplaced.size(), 1u);
+  EXPECT_NE(misplaced[0].find("contact_law = \"linear\""), std::string::npos) << misplaced[0];
 }
 
 TEST(Reader, TablesAndListsOfTheWrongKind) {

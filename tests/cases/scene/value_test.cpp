@@ -70,10 +70,10 @@ TEST(Value, ListsObeyTheirLengths) {
 }
 
 TEST(Value, SuggestsTheNearestWordOfAnOption) {
-  CollisionOperator collision = CollisionOperator::trt;
+  CollisionOperator collision = lbm::Trt{};
   EXPECT_EQ(read_text("\"central_moment\"", collision), "is \"central_moment\" (did you mean \"central_moments\"?)");
   EXPECT_EQ(read_text("\"bgk\"", collision), "");
-  EXPECT_EQ(collision, CollisionOperator::bgk);
+  EXPECT_EQ(collision, CollisionOperator{lbm::Bgk{}});
 }
 
 TEST(Value, SaysWhatIsExpected) {

@@ -3,10 +3,10 @@
 
 #include <random>
 
+#include "dem/contact/contact_laws.h"
 #include "dem/contact/damping.h"
-#include "dem/contact/hertz_mindlin.h"
-#include "dem/contact/linear.h"
 #include "dem/time_step.h"
+#include "tests/alternatives.h"
 #include "tests/dem/small_scenes.h"
 
 namespace lahar::dem {
@@ -145,7 +145,7 @@ class AnyContactLaw : public ::testing::Test {
   }
 };
 
-using AllLaws = ::testing::Types<HertzMindlin, LinearSpringDashpot>;
+using AllLaws = AlternativeTypes<ContactLawChoice>;
 TYPED_TEST_SUITE(AnyContactLaw, AllLaws);
 
 TYPED_TEST(AnyContactLaw, never_pulls_and_stays_inside_coulombs_cone) {

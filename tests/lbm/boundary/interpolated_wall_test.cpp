@@ -16,7 +16,7 @@ double channel_error(int cells, WallPlacement placement, bool poiseuille) {
   FluidOptions o = lattice_options({8, 8, cells + 8}, viscosity);
   o.domain.faces[4] = o.domain.faces[5] = FaceKind::closed;
   o.domain.placement = placement;
-  o.collision = CollisionOperator::trt;
+  o.collision = Trt{};
   o.domain.walls.add({"lower", HalfSpace{Vec3(0, 0, lower), Vec3::UnitZ()}});
   Wall top{"upper", HalfSpace{Vec3(0, 0, upper), -Vec3::UnitZ()}};
   if (!poiseuille) top.velocity = Vec3(u0, 0, 0);

@@ -3,11 +3,10 @@
 
 #include <random>
 
-#include "lbm/collision/bgk.h"
-#include "lbm/collision/central_moments.h"
 #include "lbm/collision/central_moments_at_bodies.h"
+#include "lbm/collision/operators.h"
 #include "lbm/collision/smagorinsky.h"
-#include "lbm/collision/trt.h"
+#include "tests/alternatives.h"
 
 namespace lahar::lbm {
 namespace {
@@ -27,7 +26,6 @@ class Collision : public testing::Test {
 
 /// Every cell touched by a body.
 struct AtBodies {
-  static constexpr const char* name = "at bodies";
   template <class Viscosity>
   static Departure<double> collide(double (&f)[D3Q19::q], const Moments<double>& m, CellForcing<double> force,
                                    const Viscosity& viscosity) {
@@ -36,7 +34,7 @@ struct AtBodies {
   }
 };
 
-using Operators = testing::Types<CentralMoments, AtBodies, Bgk, Trt>;
+using Operators = AlternativeTypes<CollisionOperator, AtBodies>;
 TYPED_TEST_SUITE(Collision, Operators);
 
 TYPED_TEST(Collision, KeepsMassAndMomentum) {

@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "lbm/collision/cell_state.h"
+#include "tests/alternatives.h"
 #include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
@@ -46,7 +47,7 @@ CellPlace middle(Fluid<double>& fluid) { return {fluid.grid().owned().front(), c
 
 /// Density, velocity, and the stress of the same physical strain rate: S = -2/3 rho tau D, D_xz = shear / 2.
 TEST(Rescale, KeepsPressureVelocityAndStrainRate) {
-  for (const auto collision : {CollisionOperator::central_moments, CollisionOperator::bgk, CollisionOperator::trt})
+  for (const CollisionOperator& collision : alternatives<CollisionOperator>())
     for (const double r : {0.5, 0.8, 1.25, 3.0}) {
       Fluid<double> fluid(lattice_options(Vec3i::Constant(16), (kTau - 0.5) / 3));
       fill_with_shear(fluid);

@@ -1,0 +1,34 @@
+#pragma once
+// A barrier whose nets and posts stand, as elements find it.
+#include <optional>
+#include <utility>
+
+#include "barrier/spans.h"
+
+namespace lahar::barrier {
+
+struct Construction {
+  const SpansSpec& spec;
+  dem::Particles& particles;
+  dem::Bonds& bonds;
+  Net& net;               ///< with its posts; an element adds its dissipators and ties
+  int tie_sort = 0;       ///< bond sort of shackles
+  std::int32_t body = 0;  ///< number of the next body
+  std::optional<CableSorts> sorts{};
+
+  [[nodiscard]] std::int32_t next_body() { return body++; }
+  /// Bond sorts of cables as those of the net.
+  [[nodiscard]] const CableSorts& cable_sorts() {
+    const auto with_radius = [&](dem::BondSort sort) {
+      if (sort.bond_radius == 0) sort.bond_radius = 0.5 * spec.net.wire_diameter;
+      return bonds.add_sort(sort);
+    };
+    if (!sorts) {
+      const int wire = with_radius(spec.net.cable);
+      sorts = {wire, with_radius(spec.net.dissipator)};
+    }
+    return *sorts;
+  }
+};
+
+}  // namespace lahar::barrier
