@@ -8,6 +8,7 @@
 
 #include "barrier/net.h"
 #include "barrier/topology.h"
+#include "cases/scene/scene.h"
 #include "cases/validate/entry.h"
 #include "dem/solids.h"
 #include "dem/time_step.h"
@@ -39,10 +40,9 @@ HangingNet hang(int columns, int rows, dem::WireContacts wires) {
   options.wire_contacts = wires;
   const double slope = 35 * std::numbers::pi / 180;
   options.gravity = 9.81 * Vec3(std::sin(slope), 0, -std::cos(slope));
-  // As a scene chooses it. The limit of the bonds alone, 2.7 times as long, is beyond that of contacts with this
-  // restitution: beads at rest on each other then spin to and fro by a few mJ a second, which the dampers book as lost.
-  options.time_step = std::min(0.7 * dem::bond_time_step(bonds, particles),
-                               0.2 * dem::rayleigh_time_step(particles, materials));
+  const scene::Solids defaults;
+  options.time_step = std::min(defaults.bond_safety * dem::bond_time_step(bonds, particles),
+                               defaults.contact_safety * dem::rayleigh_time_step(particles, materials));
   return {std::move(net), std::move(topology),
           dem::Solids(std::move(particles), std::move(bonds), std::move(materials), Walls{}, options)};
 }

@@ -75,8 +75,8 @@ TEST(Estimates, SofteningLengthensTheLimits) {
 TEST(Estimates, TimeStepIsTheSmallerShare) {
   scene::Scene debris = scene::debris_flow();
   const SolidsLimits limits = solids_limits(debris);
-  EXPECT_DOUBLE_EQ(solids_time_step(debris),
-                   std::min(0.2 * limits.bead_rayleigh, 0.8 * limits.cable_bond));
+  EXPECT_DOUBLE_EQ(solids_time_step(debris), std::min(debris.solids.contact_safety * limits.bead_rayleigh,
+                                                      debris.solids.bond_safety * limits.cable_bond));
   debris.solids.time_step = 5e-7;
   EXPECT_EQ(solids_time_step(debris), 5e-7);
   EXPECT_EQ(solids_time_step(load(case_file("dam_break/scene.toml"))), std::numeric_limits<double>::infinity());
