@@ -169,7 +169,7 @@ struct Contact {
 
 struct Solids {
   double time_step = 0;  ///< s, 0 = automatic
-  double contact_safety = 0.15;
+  double contact_safety = 0.14;
   double bond_safety = 0.8;
   bool two_rates = false;
   double contact_modulus_scale = 1;

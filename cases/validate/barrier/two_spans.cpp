@@ -45,7 +45,7 @@ std::vector<Row> run(const Context& context) {
   constexpr double restitution = 0.1;
   const dem::Materials materials = one_material(1e9, 0.3, 0.1, restitution);
   const double step =
-      std::min(0.7 * dem::bond_time_step(bonds, particles), 0.15 * dem::rayleigh_time_step(particles, materials));
+      std::min(0.7 * dem::bond_time_step(bonds, particles), 0.14 * dem::rayleigh_time_step(particles, materials));
   dem::Solids solids(std::move(particles), std::move(bonds), materials, {}, solids_options(step, gravity));
   LedgerWatch watch(solids);
   const double duration = context.quick ? 0.05 : 1.5;

@@ -68,7 +68,7 @@ TEST(Writer, OverridesAreInTheResolvedScene) {
 TEST(Writer, EveryDefaultIsFilledIn) {
   const std::string text = to_toml(load_text(small_scene));
   for (const char* line : {"magnitude_m_s2 = 9.81\n", "series_interval_s = 0.01\n", "precision = \"float\"\n",
-                           "contact_safety = 0.15\n", "[fluid]\nenabled = false\n", "fixed = false\n"})
+                           "contact_safety = 0.14\n", "[fluid]\nenabled = false\n", "fixed = false\n"})
     EXPECT_NE(text.find(line), std::string::npos) << line;
 }
 
