@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/memory.h"
 #include "cases/runner/warnings.h"
 #include "core/units.h"
@@ -11,9 +12,11 @@
 namespace lahar::cases {
 namespace {
 
-// Rates of one thread assumed for the estimate of the run time: wet cells with surface and bodies, and particles with
-// contacts and bonds.
-constexpr double cells_per_second = 10e6, particle_steps_per_second = 3e6;
+// Rates of one thread assumed for the estimate of the run time, from the timers of two debris flows (cells of 1 and 2
+// cm, docs/performance.md): wet cells with a surface, particles with contacts and bonds, cells around grains that are
+// mapped and give loads, beads that feel the water.
+constexpr double cells_per_second = 10e6, particles_per_second = 12e6;
+constexpr double body_cells_per_second = 40e6, wet_beads_per_second = 2.5e6;
 // A layer that runs out thin touches more blocks than the same liquid in a heap.
 constexpr double spreading = 3;
 
@@ -120,17 +123,31 @@ double checkpoint_bytes(const scene::Scene& scene, const CheckReport& report, do
   return bytes;
 }
 
+/// CPU seconds of one thread.
+double run_time(const scene::Scene& scene, const CheckReport& report) {
+  double seconds = 0;
+  if (report.fluid) seconds += report.fluid->steps * report.fluid->liquid_cells / cells_per_second;
+  if (!report.solids) return seconds;
+  const SolidsFigures& s = *report.solids;
+  seconds += s.steps * static_cast<double>(s.grains + s.beads) / particles_per_second;
+  if (!report.fluid || !scene.coupling.enabled) return seconds;
+  double body_cells = 0;  // a cell is touched on either side of a grain
+  const auto add = [&](double diameter, double count) {
+    body_cells += count * std::pow(diameter / scene.fluid.cell_size + 2, 3);
+  };
+  for (const scene::GrainSize& g : scene::grain_sizes(scene)) add(g.diameter, static_cast<double>(g.count));
+  for (const scene::GrainSphere& g : scene.grains.spheres) add(g.diameter, 1);
+  return seconds + report.fluid->steps *
+                       (body_cells / body_cells_per_second + static_cast<double>(s.beads) / wet_beads_per_second);
+}
+
 }  // namespace
 
 CheckReport check_scene(const scene::Scene& scene, int threads) {
   CheckReport report;
   if (scene.fluid.enabled) report.fluid = fluid_figures(scene);
   if (scene.has_solids()) report.solids = solids_figures(scene, report.fluid);
-  const double n = std::max(1, threads);
-  if (report.fluid) report.run_time += report.fluid->steps * report.fluid->liquid_cells / (n * cells_per_second);
-  if (report.solids)
-    report.run_time += report.solids->steps * static_cast<double>(report.solids->grains + report.solids->beads) /
-                       (n * particle_steps_per_second);
+  report.run_time = run_time(scene, report) / std::max(1, threads);
   report.checkpoint_bytes = checkpoint_bytes(scene, report, report.fluid ? report.fluid->start_blocks : 0);
   report.expected_checkpoint_bytes = checkpoint_bytes(scene, report, report.fluid ? report.fluid->expected_blocks : 0);
   report.warnings = warnings(scene, report);
