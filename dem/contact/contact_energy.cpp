@@ -1,7 +1,5 @@
 #include "dem/contact/contact_energy.h"
 
-#include <algorithm>
-
 #include "core/parallel.h"
 
 namespace lahar::dem {
