@@ -102,14 +102,17 @@ Vec3 momentum_given_to_bodies(const lbm::FluidGrid<Real>& grid) {
   return ordered_sum<Vec3>(
       active.size(),
       [&](std::size_t k) {
-        Vec3 sum = Vec3::Zero();
         const lbm::BodyFields<Real>* f = grid.block(active[k]).body;
-        if (!f) return sum;
-        for (int n = 0; n < lbm::kBlockCells; ++n) {
-          if (f->exchange_weight[n] == 0) continue;
-          sum += Vec3(static_cast<double>(f->momentum_exchange_x[n]), static_cast<double>(f->momentum_exchange_y[n]),
-                      static_cast<double>(f->momentum_exchange_z[n]));
-        }
+        if (!f) return Vec3(Vec3::Zero());
+        const Real* const given[3] = {f->momentum_exchange_x, f->momentum_exchange_y, f->momentum_exchange_z};
+        double sums[3][lbm::kBlockWidth]{};  // by place in a row
+        for (int n = 0; n < lbm::kBlockCells; n += lbm::kBlockWidth)
+          for (int a = 0; a < 3; ++a)
+            for (int c = 0; c < lbm::kBlockWidth; ++c)
+              sums[a][c] += f->exchange_weight[n + c] != 0 ? static_cast<double>(given[a][n + c]) : 0.0;
+        Vec3 sum = Vec3::Zero();
+        for (int a = 0; a < 3; ++a)
+          for (const double x : sums[a]) sum[a] += x;
         return sum;
       },
       16, Vec3(Vec3::Zero()));

@@ -22,7 +22,7 @@ class ViewOf final : public FluidView {
   [[nodiscard]] double max_speed_lu() const override { return fluid_.max_speed_lu(); }
   [[nodiscard]] std::size_t limited_cells() const override { return fluid_.limited_cells(); }
   [[nodiscard]] double liquid_mass() const override { return fluid_.liquid_mass(); }
-  [[nodiscard]] double mass_drift() const override { return fluid_.mass_drift(); }
+  [[nodiscard]] double mass_drift(double liquid_mass) const override { return fluid_.mass_drift(liquid_mass); }
   [[nodiscard]] LiquidTransfers transfers() const override {
     const double mass = units().mass();
     const lbm::LiquidAccount& account = fluid_.account();
@@ -33,6 +33,10 @@ class ViewOf final : public FluidView {
   [[nodiscard]] const std::vector<lbm::WallLoad>& wall_loads() const override { return fluid_.wall_loads(); }
   void for_each_wet_cell(const std::function<void(const lbm::WetCell&)>& visit) const override {
     fluid_.for_each_wet_cell(visit);
+  }
+  [[nodiscard]] std::size_t wet_block_count() const override { return fluid_.wet_block_count(); }
+  void for_each_wet_block(const std::function<void(std::size_t, std::span<const lbm::WetCell>)>& visit) const override {
+    fluid_.for_each_wet_block(visit);
   }
   [[nodiscard]] std::optional<lbm::WetCell> cell_at(const Vec3& p) const override { return fluid_.cell_at(p); }
   [[nodiscard]] lbm::FluidSnapshot snapshot() const override { return fluid_.snapshot(); }

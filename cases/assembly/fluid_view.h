@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -49,8 +50,8 @@ class FluidView {
 
   /// kg in the domain. A sum over all cells.
   [[nodiscard]] virtual double liquid_mass() const = 0;
-  /// (in the domain + left - come in - rescaled - at the start) / (come in + at the start). A sum over all cells.
-  [[nodiscard]] virtual double mass_drift() const = 0;
+  /// (in the domain + left - come in - rescaled - at the start) / (come in + at the start), of that liquid_mass().
+  [[nodiscard]] virtual double mass_drift(double liquid_mass) const = 0;
   [[nodiscard]] virtual LiquidTransfers transfers() const = 0;
 
   /// From now on books what the walls get.
@@ -60,6 +61,10 @@ class FluidView {
 
   /// Calls visit for every wet cell in a fixed order.
   virtual void for_each_wet_cell(const std::function<void(const lbm::WetCell&)>& visit) const = 0;
+  [[nodiscard]] virtual std::size_t wet_block_count() const = 0;
+  /// Calls visit(k, wet cells of the k-th block) side by side: what it writes must belong to k.
+  virtual void for_each_wet_block(
+      const std::function<void(std::size_t k, std::span<const lbm::WetCell> cells)>& visit) const = 0;
   /// The wet cell at a point, if any.
   [[nodiscard]] virtual std::optional<lbm::WetCell> cell_at(const Vec3& p) const = 0;
   [[nodiscard]] virtual lbm::FluidSnapshot snapshot() const = 0;

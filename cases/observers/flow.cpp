@@ -1,15 +1,29 @@
 #include "cases/observers/flow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace lahar::cases {
 
 namespace {
 
-/// Profiles along x: volume of the mixture, and momentum of the liquid, per column of cells across the flow.
+constexpr std::size_t kWidth = lbm::FluidSnapshot::block_width;
+
+/// Sums over the wet cells of a block, or over columns of them across the flow: by x, from the block's first cell.
+struct BlockFigures {
+  double kinetic = 0, potential = 0, outflow_power = 0, outflow_rate = 0;
+  Vec3 momentum = Vec3::Zero();
+  std::size_t x = 0, y = 0;  ///< of the block's first cell
+  /// m^3 of mixture and of liquid, m^4/s of the liquid's volume times velocity.
+  std::array<double, kWidth> volume{}, liquid{}, flow{};
+  std::array<double, kWidth> foremost{};  ///< m from the domain's end: bed cells more than half full, by y
+};
+
+/// The same along the whole channel.
 struct Profiles {
-  std::vector<double> volume, liquid, momentum;
+  std::vector<double> volume, liquid, flow, foremost;
 };
 
 double& at(std::vector<double>& v, std::size_t k) {
@@ -17,47 +31,84 @@ double& at(std::vector<double>& v, std::size_t k) {
   return v[k];
 }
 
+/// What does not change from cell to cell.
+struct Look {
+  explicit Look(const Observed& observed)
+      : run(observed),
+        dx(observed.scene.fluid.cell_size),
+        rho(observed.scene.fluid.density),
+        g(observed.scene.gravity.magnitude),
+        lower(observed.scene.domain.lower),
+        outflow_x(observed.section.value_or(0.0) + observed.scene.measure.outflow_distance) {}
+
+  const Observed& run;
+  double dx, rho, g;
+  Vec3 lower;
+  double outflow_x;
+
+  [[nodiscard]] BlockFigures at_block(std::span<const lbm::WetCell> cells) const {
+    BlockFigures f;
+    const Vec3i first = run.simulation.fluid()->domain().cell_at(cells.front().centre);
+    f.x = static_cast<std::size_t>(first.x()) / kWidth * kWidth;
+    f.y = static_cast<std::size_t>(first.y()) / kWidth * kWidth;
+    for (const lbm::WetCell& c : cells) add(c, f);
+    return f;
+  }
+
+  void add(const lbm::WetCell& c, BlockFigures& f) const {
+    const double mass = rho * c.liquid_volume, square = c.velocity.squaredNorm(), height = run.height(c.centre);
+    f.kinetic += 0.5 * mass * square;
+    f.potential += mass * g * height;
+    f.momentum += mass * c.velocity;
+    const Vec3i cell = run.simulation.fluid()->domain().cell_at(c.centre);
+    const std::size_t x = static_cast<std::size_t>(cell.x()) % kWidth, y = static_cast<std::size_t>(cell.y()) % kWidth;
+    f.volume[x] += c.fill_level * dx * dx * dx;
+    f.liquid[x] += c.liquid_volume;
+    f.flow[x] += c.liquid_volume * c.velocity.x();
+    if (c.fill_level > 0.5 && c.centre.z() - lower.z() < dx) {
+      f.foremost[y] = std::max(f.foremost[y], c.centre.x() + dx / 2 - lower.x());
+    }
+    if (run.section && std::abs(c.centre.x() - outflow_x) <= dx / 2) {
+      f.outflow_rate += mass * c.velocity.x() / dx;
+      f.outflow_power += mass * (0.5 * square + g * height) * c.velocity.x() / dx;
+    }
+  }
+};
+
 void find_deepest(const Profiles& profile, double dx, double width, FlowFigures& f) {
   for (std::size_t x = 0; x < profile.volume.size(); ++x) {
     const double depth = profile.volume[x] / (dx * width);
     if (depth <= f.deepest || profile.liquid[x] <= 0) continue;
     f.deepest = depth;
-    f.deepest_speed = profile.momentum[x] / profile.liquid[x];
+    f.deepest_speed = profile.flow[x] / profile.liquid[x];
   }
 }
 
 }  // namespace
 
 FlowFigures look_at_flow(const Observed& run) {
+  const Look look(run);
+  const FluidView& fluid = *run.simulation.fluid();
+  std::vector<BlockFigures> blocks(fluid.wet_block_count());
+  fluid.for_each_wet_block(
+      [&](std::size_t k, std::span<const lbm::WetCell> cells) { blocks[k] = look.at_block(cells); });
   FlowFigures f;
-  const scene::Scene& scene = run.scene;
-  const double dx = scene.fluid.cell_size, rho = scene.fluid.density, g = scene.gravity.magnitude;
-  const Vec3 lower = scene.domain.lower;
-  const double outflow_x = run.section.value_or(0.0) + scene.measure.outflow_distance;
   Profiles profile;
-  std::vector<double> foremost;
-  run.simulation.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) {
-    const double mass = rho * c.liquid_volume, energy = 0.5 * c.velocity.squaredNorm() + g * run.height(c.centre);
-    f.kinetic += 0.5 * mass * c.velocity.squaredNorm();
-    f.potential += mass * g * run.height(c.centre);
-    f.momentum += mass * c.velocity;
-    const auto x = static_cast<std::size_t>(std::max(0.0, (c.centre.x() - lower.x()) / dx));
-    at(profile.volume, x) += c.fill_level * dx * dx * dx;
-    at(profile.liquid, x) += c.liquid_volume;
-    at(profile.momentum, x) += c.liquid_volume * c.velocity.x();
-    if (c.fill_level > 0.5 && c.centre.z() - lower.z() < dx) {
-      const auto y = static_cast<std::size_t>(std::max(0.0, (c.centre.y() - lower.y()) / dx));
-      at(foremost, y) = std::max(at(foremost, y), c.centre.x() + dx / 2 - lower.x());
+  for (const BlockFigures& block : blocks) {
+    f.kinetic += block.kinetic, f.potential += block.potential, f.momentum += block.momentum;
+    f.outflow_rate += block.outflow_rate, f.outflow_power += block.outflow_power;
+    for (std::size_t k = 0; k < kWidth; ++k) {
+      at(profile.volume, block.x + k) += block.volume[k];
+      at(profile.liquid, block.x + k) += block.liquid[k];
+      at(profile.flow, block.x + k) += block.flow[k];
+      double& foremost = at(profile.foremost, block.y + k);
+      foremost = std::max(foremost, block.foremost[k]);
     }
-    if (run.section && std::abs(c.centre.x() - outflow_x) <= dx / 2) {
-      f.outflow_rate += mass * c.velocity.x() / dx;
-      f.outflow_power += mass * energy * c.velocity.x() / dx;
-    }
-  });
-  const double width = scene.domain.upper.y() - lower.y();
-  for (const double x : foremost) f.front += x * dx / width;
-  f.front += lower.x();
-  find_deepest(profile, dx, width, f);
+  }
+  const double width = run.scene.domain.upper.y() - look.lower.y();
+  for (const double x : profile.foremost) f.front += x * look.dx / width;
+  f.front += look.lower.x();
+  find_deepest(profile, look.dx, width, f);
   return f;
 }
 

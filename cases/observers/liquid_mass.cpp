@@ -4,11 +4,11 @@ namespace lahar::cases {
 
 LiquidMass::LiquidMass(const Observed& run) : Observer(run) {
   const FluidView& fluid = *run.simulation.fluid();
-  column("liquid_mass_kg", "kg", "liquid in the domain", [&] { return fluid.liquid_mass(); });
+  column("liquid_mass_kg", "kg", "liquid in the domain", [this] { return now_; });
   column("outflow_mass_kg", "kg", "liquid that left through open faces", [&] { return fluid.transfers().left; });
   column("liquid_mass_drift_rel", "1",
          "(in the domain + left - come in - rescaled - at the start) / (at the start + come in)",
-         [&] { return fluid.mass_drift(); })
+         [this, &fluid] { return fluid.mass_drift(now_); })
       .peak_magnitude("liquid_mass_drift_rel", "largest `liquid_mass_drift_rel` of the rows, without its sign");
   result("liquid_mass_start_kg", "kg", "liquid at the start", [&] {
     const LiquidTransfers t = fluid.transfers();

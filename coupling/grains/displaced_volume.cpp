@@ -1,9 +1,12 @@
 // Compiled without contraction of products and sums, as grain_volumes.cpp is.
 #include "coupling/grains/displaced_volume.h"
 
+#include <bit>
+#include <optional>
+
 #include "coupling/grains/sphere_rows.h"
 #include "lbm/free_surface/covered_cells.h"
-#include "lbm/free_surface/touching.h"
+#include "lbm/grid/row_types.h"
 
 namespace lahar::coupling {
 
@@ -14,20 +17,79 @@ using lbm::kBlockWidth;
 
 namespace {
 
-/// What an interface cell lacks to be full, lu; not below 0.
+/// 1 for the wet cells of a block, else 0.
 template <class Real>
-Real room_of(const Block<Real>& block, int cell) {
-  return std::max(Real(0), Real(1) + block.surface->density[cell] - block.surface->mass[cell]);
+struct WetMask {
+  alignas(64) Real wet[lbm::kBlockCells];
+
+  explicit WetMask(const Block<Real>& block) {
+    for (int row = 0; row < lbm::kBlockCells / kBlockWidth; ++row) {
+      const auto cells = Row<Real>::mask_type::from_bits(lbm::wet_cells(block, row));
+      store_aligned(wet + kBlockWidth * row, select(cells, Row<Real>(1), Row<Real>(0)));
+    }
+  }
+};
+
+/// What the interface cells of a block hold for grains that do not cover them: 1, what is missing to a full cell, and
+/// their liquid, lu. 0 elsewhere.
+template <class Real>
+struct SurfaceLiquid {
+  alignas(64) Real surface[lbm::kBlockCells]{}, room[lbm::kBlockCells]{}, liquid[lbm::kBlockCells]{};
+  bool any_open = false;
+  bool any_covered = false;  ///< there are interface cells that a grain covers
+
+  explicit SurfaceLiquid(const Block<Real>& block) {
+    if (!block.surface) return;
+    const Row<Real> one(1), none(0);
+    for (std::uint64_t rows = block.surface->rows; rows != 0; rows &= rows - 1) {
+      const int row = std::countr_zero(rows), n = kBlockWidth * row;
+      const unsigned interface = lbm::interface_cells(block, row);
+      const unsigned covered = block.body ? block.body->covered[static_cast<std::size_t>(row)] : 0U;
+      any_covered = any_covered || (interface & covered) != 0;
+      any_open = any_open || (interface & ~covered) != 0;
+      const auto open = Row<Real>::mask_type::from_bits(interface & ~covered);
+      const auto mass = load_aligned<Row<Real>>(block.surface->mass + n);
+      const auto density = load_aligned<Row<Real>>(block.surface->density + n);
+      const auto solid = block.body ? load_aligned<Row<Real>>(block.body->solid_fraction + n) : none;
+      store_aligned(surface + n, select(open, one, none));
+      store_aligned(room + n, select(open, max(none, one + density - mass), none));
+      store_aligned(liquid + n, select(open, max(none, mass - solid), none));
+    }
+  }
+};
+
+template <class Real>
+double sum_in_double(const Row<Real>& row) {
+  double sum = 0;
+  for (std::size_t c = 0; c < kBlockWidth; ++c) sum += static_cast<double>(static_cast<Real>(row[c]));
+  return sum;
 }
 
-/// Calls visit(cell, eps) for the cells of the rows of a block that a sphere covers.
-template <class Real, class Visit>
-[[gnu::always_inline]] inline void for_cells(const GridSphere<Real>& sphere, const Vec3i& lowest, const Visit& visit) {
-  for_covered_rows(sphere, lowest, [&](int row, const Row<Real>& cover) {
-    alignas(64) Real eps[kBlockWidth];
-    store_aligned(eps, cover);
-    for (int c = 0; c < kBlockWidth; ++c) visit(row + c, eps[c]);
-  });
+/// Volume of a sphere in the wet cells of a block. By copy, so that the sphere stays in registers.
+template <class Real>
+double wet_volume_in(const GridSphere<Real> sphere, const Vec3i& lowest, const WetMask<Real>& cells) {
+  Row<Real> wet(0);
+  for_covered_rows(
+      sphere, lowest, [&](int row, const Row<Real>& eps) __attribute__((always_inline)) {
+        wet += eps * load_aligned<Row<Real>>(cells.wet + row);
+      });
+  return sum_in_double(wet);
+}
+
+/// All sums of eps times what the cells hold over the rows of a block that a sphere covers.
+template <class Real, class Share>
+void measure_rows(const GridSphere<Real> sphere, const Vec3i& lowest, const WetMask<Real>& cells,
+                  const SurfaceLiquid<Real>& open, Share& share) {
+  Row<Real> wet(0), surface(0), room(0), liquid(0);
+  for_covered_rows(
+      sphere, lowest, [&](int row, const Row<Real>& eps) __attribute__((always_inline)) {
+        wet += eps * load_aligned<Row<Real>>(cells.wet + row);
+        surface += eps * load_aligned<Row<Real>>(open.surface + row);
+        room += eps * load_aligned<Row<Real>>(open.room + row);
+        liquid += eps * load_aligned<Row<Real>>(open.liquid + row);
+      });
+  share.wet = sum_in_double(wet), share.surface = sum_in_double(surface);
+  share.room = sum_in_double(room), share.liquid = sum_in_double(liquid);
 }
 
 }  // namespace
@@ -35,19 +97,26 @@ template <class Real, class Visit>
 template <class Real>
 void DisplacedVolume<Real>::measure_former(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map) {
   make_room_for(map);
-  parallel_for(0, map.grains().size(), 64, [&](std::size_t k) {
-    const MappedGrain& g = map.grains()[k];
-    double sum = 0;
-    for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) {
-      const GrainInBlock& pair = map.pairs()[p];
+  shares_.resize(map.pairs().size());
+  map.by_block().for_each_block([&](std::size_t index) {
+    const auto pairs = map.by_block().in(index);
+    const auto b = static_cast<BlockIndex>(index);
+    const Block<Real>* const block = fluid.grid().exists(b) ? &fluid.grid().block(b) : nullptr;
+    const bool whole = block && block->wet_cells == lbm::kBlockCells;
+    std::optional<WetMask<Real>> cells;
+    if (block && !whole) cells.emplace(*block);
+    for (const std::uint32_t k : pairs) {
+      const GrainInBlock& pair = map.pairs()[k];
+      shares_[k] = {};
       if (!map.is_alive(fluid, pair)) continue;
-      const Block<Real>& block = fluid.grid().block(pair.block);
-      Share share{.wet = pair.volume};
-      if (block.wet_cells < lbm::kBlockCells) measure_wet(block, map.sphere(k), pair.lowest, share);
-      sum += share.wet;
+      if (whole)
+        shares_[k].wet = pair.volume;
+      else
+        shares_[k].wet = wet_volume_in<Real>(map.sphere(pair.grain), pair.lowest, *cells);
     }
-    former_wet_[g.id] = sum;
   });
+  parallel_for(0, map.grains().size(), 256,
+               [&](std::size_t k) { former_wet_[map.grains()[k].id] = wet_volume_of(map.grains()[k]); });
 }
 
 template <class Real>
@@ -69,10 +138,16 @@ void DisplacedVolume<Real>::measure_block(lbm::Fluid<Real>& fluid, const GrainMa
   const auto pairs = map.by_block().in(index);
   for (const std::uint32_t k : pairs) shares_[k] = {.wet = map.pairs()[k].volume};
   if (block.wet_cells == lbm::kBlockCells && !block.surface) return;
+  const WetMask<Real> cells(block);
+  const SurfaceLiquid<Real> open(block);
   for (const std::uint32_t k : pairs) {
     const GrainInBlock& pair = map.pairs()[k];
-    measure_wet(block, map.sphere(pair.grain), pair.lowest, shares_[k]);
-    if (block.surface) settle_covered(block, map.sphere(pair.grain), pair.lowest, shares_[k]);
+    const GridSphere<Real>& sphere = map.sphere(pair.grain);
+    if (open.any_open)
+      measure_rows<Real>(sphere, pair.lowest, cells, open, shares_[k]);
+    else
+      shares_[k].wet = wet_volume_in<Real>(sphere, pair.lowest, cells);
+    if (open.any_covered) settle_covered(block, sphere, pair.lowest, shares_[k]);
   }
 }
 
@@ -89,32 +164,21 @@ double DisplacedVolume<Real>::wet_volume_of(const MappedGrain& grain) const {
   return sum;
 }
 
-template <class Real>
-void DisplacedVolume<Real>::measure_wet(const Block<Real>& block, const GridSphere<Real>& sphere, const Vec3i& lowest,
-                                        Share& share) {
-  share = {};
-  for_cells(sphere, lowest, [&](int cell, Real cover) {
-    const CellType t = block.type[static_cast<std::size_t>(cell)];
-    const auto eps = static_cast<double>(cover);
-    if (lbm::is_wet(t)) share.wet += eps;
-    if (t != CellType::interface || eps <= 0 || lbm::is_covered(block, cell)) return;
-    share.surface += eps;
-    share.room += eps * static_cast<double>(room_of(block, cell));
-    share.liquid += eps * static_cast<double>(lbm::liquid_of(block, cell));
-  });
-}
-
 /// Interface cells that a grain covers hold what they are whole; what they gained or lost goes to the grain's others.
 template <class Real>
 void DisplacedVolume<Real>::settle_covered(const Block<Real>& block, const GridSphere<Real>& sphere,
                                            const Vec3i& lowest, Share& share) {
-  for_cells(sphere, lowest, [&](int cell, Real eps) {
-    if (block.type[static_cast<std::size_t>(cell)] != CellType::interface || eps <= 0 || !lbm::is_covered(block, cell))
-      return;
-    Real& mass = block.surface->mass[cell];
-    const Real whole = Real(1) + block.surface->density[cell];
-    share.drift += static_cast<double>(mass) - static_cast<double>(whole);
-    mass = whole;
+  for_covered_rows(sphere, lowest, [&](int row, const Row<Real>& eps) {
+    for (int c = 0; c < kBlockWidth; ++c) {
+      const int cell = row + c;
+      if (block.type[static_cast<std::size_t>(cell)] != CellType::interface || !lbm::is_covered(block, cell) ||
+          eps[static_cast<std::size_t>(c)] <= 0)
+        continue;
+      Real& mass = block.surface->mass[cell];
+      const Real whole = Real(1) + block.surface->density[cell];
+      share.drift += static_cast<double>(mass) - static_cast<double>(whole);
+      mass = whole;
+    }
   });
 }
 
@@ -156,25 +220,26 @@ template <class Real>
 void DisplacedVolume<Real>::hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t index) const {
   Block<Real>& block = fluid.grid().block(static_cast<BlockIndex>(index));
   if (!block.surface) return;
-  alignas(64) std::array<Real, lbm::kBlockCells> gain{};  // of all grains: each looks at what the cells had before
-  bool any = false;
-  for (const std::uint32_t k : map.by_block().in(index)) {
+  const auto pairs = map.by_block().in(index);
+  if (std::none_of(pairs.begin(), pairs.end(),
+                   [&](std::uint32_t k) { return handouts_[map.pairs()[k].grain].per_able != 0; }))
+    return;
+  const SurfaceLiquid<Real> cells(block);  // each grain looks at what the cells had before
+  if (!cells.any_open) return;
+  alignas(64) std::array<Real, lbm::kBlockCells> gain{};  // of all grains: rounded once where it is added
+  for (const std::uint32_t k : pairs) {
     const GrainInBlock& pair = map.pairs()[k];
     const Handout& handout = handouts_[pair.grain];
     if (handout.per_able == 0) continue;
-    any = true;
-    const auto per_able = static_cast<Real>(handout.per_able);
-    for_cells(map.sphere(pair.grain), pair.lowest, [&](int cell, Real eps) {
-      if (block.type[static_cast<std::size_t>(cell)] != CellType::interface || eps <= 0 || lbm::is_covered(block, cell))
-        return;
-      const Real able = handout.alike ? Real(1) : per_able > 0 ? room_of(block, cell) : lbm::liquid_of(block, cell);
-      Real& sum = gain[static_cast<std::size_t>(cell)];
-      sum = multiply_add(per_able, eps * able, sum);
-    });
+    const Row<Real> per_able(static_cast<Real>(handout.per_able));
+    const Real* const able = handout.alike ? cells.surface : handout.per_able > 0 ? cells.room : cells.liquid;
+    for_covered_rows(
+        map.sphere(pair.grain), pair.lowest, [&](int row, const Row<Real>& eps) __attribute__((always_inline)) {
+          add_to_row(gain.data() + row, per_able * (eps * load_aligned<Row<Real>>(able + row)));
+        });
   }
-  if (!any) return;
-  for (std::size_t cell = 0; cell < gain.size(); ++cell)
-    if (gain[cell] != 0) block.surface->mass[cell] += gain[cell];
+  for (std::size_t n = 0; n < gain.size(); n += kBlockWidth)
+    add_to_row(block.surface->mass + n, load_aligned<Row<Real>>(gain.data() + n));
 }
 
 template class DisplacedVolume<float>;

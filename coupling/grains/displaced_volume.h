@@ -56,8 +56,6 @@ class DisplacedVolume {
   };
 
   void make_room_for(const GrainMap<Real>& map);
-  static void measure_wet(const lbm::Block<Real>& block, const GridSphere<Real>& sphere, const Vec3i& lowest,
-                          Share& share);
   static void settle_covered(const lbm::Block<Real>& block, const GridSphere<Real>& sphere, const Vec3i& lowest,
                              Share& share);
   void hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const;

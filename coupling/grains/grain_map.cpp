@@ -205,6 +205,10 @@ void GrainMap<Real>::transfer(Archive& archive) {
   archive.pieces<std::int32_t>("pair_lowest", pairs, 3, [&](std::size_t k, std::int32_t* at) {
     for (int a = 0; a < 3; ++a) carry(pairs_[k].lowest[a], at[a]);
   });
+  if (!loading) return;
+  std::size_t blocks = 0;
+  for (const GrainInBlock& pair : pairs_) blocks = std::max(blocks, static_cast<std::size_t>(pair.block) + 1);
+  by_block_.sort(pairs_, blocks);
 }
 
 template class GrainMap<float>;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
+#include "core/simd_math.h"
 #include "lbm/free_surface/touching.h"
 #include "lbm/grid/row_types.h"
 #include "lbm/step/gather.h"
@@ -12,11 +14,23 @@ namespace lahar::lbm {
 namespace {
 
 constexpr double kThreshold = 0.01;  ///< beyond full or empty before a cell converts: damps flicker
-constexpr double kThinFill = 0.1;    ///< liquid share under which a draining cell with no liquid neighbour is given up
+/// More where a body moves: its share of a cell changes by up to its speed in a step, and the mixture follows a step or
+/// two later. In lu by its speed; and the most that is added (docs/decisions/0052).
+constexpr double kThresholdBySpeed = 2, kLargestAtBodies = 0.1;
+constexpr double kThinFill = 0.1;  ///< liquid share under which a draining cell with no liquid neighbour is given up
 
 constexpr int kSharpBend = 7;  ///< of 18 neighbours: more gas than liquid around a spike, less in a pit
 
 enum class Verdict { stay, fill, empty };
+
+/// What a body adds to kThreshold in a cell that it has a share of.
+template <class Real>
+Real threshold_at_body(const BodyFields<Real>& body, int cell) {
+  const Real w[3] = {body.weighted_velocity_x[cell], body.weighted_velocity_y[cell], body.weighted_velocity_z[cell]};
+  const Real speed =
+      std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]) / std::max(body.exchange_weight[cell], Real(1e-6));
+  return std::min(static_cast<Real>(kLargestAtBodies), static_cast<Real>(kThresholdBySpeed) * speed);
+}
 
 /// A thin cell that gains liquid is the front of a drop or sheet on its way: it is kept. Not so at bodies, whose motion
 /// changes the cells' liquid too: films that were kept there held a sinking sphere back at the surface.
@@ -24,8 +38,12 @@ template <class Real>
 Verdict judge(const FluidGrid<Real>& grid, CellPlace place, Real mass, Real rho, bool at_rim, bool draining) {
   const Real eps = body_share(grid.block(place.block), place.cell), room = std::max(Real(0), Real(1) - eps);
   const Real liquid = mass - eps;
-  if (liquid < Real(-kThreshold)) return Verdict::empty;
-  if (!at_rim && mass > Real(1 + kThreshold) * rho) return Verdict::fill;
+  constexpr auto least = static_cast<Real>(kThreshold);
+  if (liquid < -least || (!at_rim && mass > (Real(1) + least) * rho)) {
+    const Real threshold = eps > 0 ? least + threshold_at_body(*grid.block(place.block).body, place.cell) : least;
+    if (liquid < -threshold) return Verdict::empty;
+    if (!at_rim && mass > (Real(1) + threshold) * rho) return Verdict::fill;
+  }
   const bool thin = (draining || eps > 0) && liquid<Real(kThinFill) * room, thick = mass> Real(1 - kThinFill) * rho;
   if (!thin && !thick) return Verdict::stay;
   if (thick && !at_rim && !touches_gas(grid, place)) return Verdict::fill;
@@ -72,24 +90,30 @@ class BlockJudge {
         moving_(moving),
         flagged_(flagged) {}
 
-  /// A row without bodies and open faces. Few of its cells can convert: the others only get their fill level.
+  /// A row without open faces. Few of its cells can convert: the others only get their fill level.
+  template <bool kBody>
   void run_row(int row) {
     using V = Row<Real>;
     const int n = kBlockWidth * row;
     const auto real = [](double x) { return V(static_cast<Real>(x)); };
     const V mass = load<V>(surface_.mass + n), before = load<V>(surface_.fill_level + n);
     const V rho = V(1) + load<V>(surface_.density + n);
+    V eps(0), room(1);
+    if constexpr (kBody) eps = load<V>(block_.body->solid_fraction + n), room = max(V(0), V(1) - eps);
     V fill = mass / rho;
     fill = select(fill < V(0), V(0), fill);
     fill = select(fill > V(1), V(1), fill);
+    const V liquid = mass - eps;
     const auto draining = fill <= before;
-    const auto empty = mass<real(-kThreshold), full = mass> real(1 + kThreshold) * rho;
-    const auto thin = draining && mass<real(kThinFill), thick = mass> real(1 - kThinFill) * rho;
+    const auto empty = liquid<real(-kThreshold), full = mass> real(1 + kThreshold) * rho;
+    const auto thin =
+        (draining || eps > V(0)) && liquid<real(kThinFill) * room, thick = mass> real(1 - kThinFill) * rho;
     const unsigned interface = interface_cells(block_, row);
     alignas(64) Real levels[kBlockWidth];
     store_aligned(levels, fill);
     const unsigned drains = draining.bits();
     unsigned judged = interface & (empty || full || thin || thick).bits();
+    if (kBody) judged |= interface & block_.body->covered[static_cast<std::size_t>(row)];
     if (moving_) judged |= interface & alone(row);
     for (unsigned cells = interface; cells != 0; cells &= cells - 1) {
       const int k = std::countr_zero(cells);
@@ -159,8 +183,11 @@ double flag_conversions(FluidGrid<Real>& grid, BlockIndex b, Parity parity, std:
   double left = 0;
   for (std::uint64_t rows = block.surface->rows; rows != 0; rows &= rows - 1) {
     const int row = std::countr_zero(rows);
-    if (!block.body && !at_rim(row)) {
-      judge_block.run_row(row);
+    if (!at_rim(row)) {
+      if (block.body)
+        judge_block.template run_row<true>(row);
+      else
+        judge_block.template run_row<false>(row);
       continue;
     }
     for (unsigned cells = interface_cells(block, row); cells != 0; cells &= cells - 1)

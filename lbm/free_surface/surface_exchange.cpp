@@ -1,6 +1,7 @@
 #include "lbm/free_surface/surface_exchange.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "lbm/collision/equilibrium.h"
@@ -21,11 +22,13 @@ namespace {
 /// surface or in a film on a wall 5.
 constexpr int kExposedSides = 9;
 
-/// The interface cells of one row, eight at a time; lanes that hold other cells compute along and write nothing.
-template <class Real>
+/// The interface cells of one row, or of two at y and y + 1, y even; lanes that hold other cells compute along and
+/// write nothing. V: a pack of 8 numbers or of 16.
+template <class V>
 class RowExchange {
  public:
-  using V = Row<Real>;
+  using Real = typename V::value_type;
+  static constexpr int kRows = static_cast<int>(V::size()) / kBlockWidth;
 
   RowExchange(const std::array<Block<Real>*, 27>& around, const Surroundings<Real>& near, Parity parity,
               const SurfacePhysics<Real>& physics, const Real* capillary)
@@ -44,12 +47,12 @@ class RowExchange {
     }
   }
 
-  /// `shear` is null where the viscous stress does not count.
+  /// `row` (y + 8 z): the first. `shear`, of one row, is null where the viscous stress does not count.
   void run(int row, const ShearRow<Real>* shear) {
     load_pairs(row);
     const V fill = load<V>(block_.surface->fill_level + 8 * row);
     const int place = Surroundings<Real>::at(0, row & 7, row >> 3);
-    const auto interface = load<V>(near_.half + place) > V(0);
+    const auto interface = see(near_.half, place) > V(0);
     V gain(0), empty(0), fullest(0);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
@@ -64,7 +67,8 @@ class RowExchange {
     if (none(open)) return;
     const SurfacePressure pressure = surface_pressure(row, place, open);
     rebuild_from_gas(row, place, open, pressure);
-    if (shear) add_shear(row, place, open && empty < V(kExposedSides), pressure, *shear);
+    if constexpr (kRows == 1)
+      if (shear) add_shear(row, place, open && empty < V(kExposedSides), pressure, *shear);
   }
 
  private:
@@ -77,11 +81,16 @@ class RowExchange {
     V depth, x, y, z;
   };
 
-  [[gnu::always_inline]] static V see(const Real* field, int place) { return load<V>(field + place); }
+  [[gnu::always_inline]] static V see(const Real* field, int place) {
+    if constexpr (kRows == 1)
+      return load<V>(field + place);
+    else
+      return join(load<Row<Real>>(field + place), load<Row<Real>>(field + place + Surroundings<Real>::pitch_y));
+  }
 
-  /// The four values of every pair (streaming.h) for the eight cells.
+  /// The four values of every pair (streaming.h) for the cells.
   [[gnu::always_inline]] void load_pairs(int row) {
-    const Rows rows = Rows::at(kBlockWidth * row, 1);
+    const Rows rows = Rows::at(kBlockWidth * row, kRows);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       incoming_a_[P] = load<V>(home_[P] + rows.n);
       outgoing_b_[P] = load<V>(away_[P] + rows.n);
@@ -94,7 +103,7 @@ class RowExchange {
   template <class Mask>
   void rebuild_from_gas(int row, int place, const Mask& open, const SurfacePressure& s) {
     const Velocity u = outgoing_velocity(row);
-    const Rows rows = Rows::at(kBlockWidth * row, 1);
+    const Rows rows = Rows::at(kBlockWidth * row, kRows);
     const V gas = capillary_ ? V(gas_drho_ + load<V>(capillary_ + 8 * row)) : gas_drho_;
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
@@ -212,13 +221,23 @@ void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
   SurfaceFields<Real>& surface = *block.surface;
   surface.exposed = 0;
   Surroundings<Real> near;
-  LookAround<Real>(grid, b, parity).run(surface.rows, near);
   Real capillary[kBlockCells];
   const bool tense = physics.surface_tension > 0;
   if (tense) capillary_densities(grid, b, physics.surface_tension, capillary);
-  RowExchange<Real> exchange(grid.around(b), near, parity, physics, tense ? capillary : nullptr);
-  for (int row = 0; row < 64; ++row)
-    if (surface.rows >> row & 1) exchange.run(row, shear ? shear++ : nullptr);
+  const Real* const drho = tense ? capillary : nullptr;
+  if constexpr (kNativeLanes<Real> == 2 * kBlockWidth)
+    if (!shear) {
+      constexpr std::uint64_t even = 0x5555555555555555U;
+      const std::uint64_t pairs = (surface.rows | surface.rows >> 1) & even;
+      LookAround<Real>(grid, b, parity).run(pairs | pairs << 1, near);
+      RowExchange<Pack<Real, 2 * kBlockWidth>> exchange(grid.around(b), near, parity, physics, drho);
+      for (std::uint64_t rows = pairs; rows != 0; rows &= rows - 1) exchange.run(std::countr_zero(rows), nullptr);
+      return;
+    }
+  LookAround<Real>(grid, b, parity).run(surface.rows, near);
+  RowExchange<Row<Real>> exchange(grid.around(b), near, parity, physics, drho);
+  for (std::uint64_t rows = surface.rows; rows != 0; rows &= rows - 1)
+    exchange.run(std::countr_zero(rows), shear ? shear++ : nullptr);
 }
 
 template <class Real>

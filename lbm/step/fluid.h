@@ -2,6 +2,7 @@
 // The fluid and its ordered step.
 #include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/step_clock.h"
@@ -82,6 +83,8 @@ class Fluid {
   [[nodiscard]] double rescaled_mass() const { return account_.rescaled * level_.units.mass(); }
   /// (in the domain + left - come in - rescaled - at the start) / (come in + at the start); 0 without liquid.
   [[nodiscard]] double mass_drift() const;
+  /// The same from a liquid_mass() that is known.
+  [[nodiscard]] double mass_drift(double liquid_mass) const;
   [[nodiscard]] std::size_t wet_cells() const;
   /// Cells with at least one update so far (sum over steps of wet cells).
   [[nodiscard]] double cell_updates() const { return cell_updates_; }
@@ -101,6 +104,10 @@ class Fluid {
 
   /// Calls visit for every wet cell in a fixed order.
   void for_each_wet_cell(const std::function<void(const WetCell&)>& visit) const;
+  /// Blocks of 8^3 cells that hold wet cells.
+  [[nodiscard]] std::size_t wet_block_count() const;
+  /// Calls visit(k, wet cells of the k-th such block) side by side: what it writes must belong to k.
+  void for_each_wet_block(const std::function<void(std::size_t k, std::span<const WetCell> cells)>& visit) const;
   /// The wet cell at a point, if any.
   [[nodiscard]] std::optional<WetCell> cell_at(const Vec3& p) const;
   [[nodiscard]] FluidSnapshot snapshot() const;
@@ -130,7 +137,10 @@ class Fluid {
   void require_neighbours(const std::vector<CellPlace>& cells);
   void initialize(CellPlace place, double drho, const Vec3& velocity_lu, const Mat3& stress = Mat3::Zero());
   [[nodiscard]] Mat3 flow_stress(const std::function<Vec3(const Vec3&)>& velocity_lu, const Vec3& centre) const;
-  [[nodiscard]] WetCell describe(CellPlace place) const;
+  [[nodiscard]] std::vector<BlockIndex> wet_blocks() const;
+  [[nodiscard]] WetCell describe(CellPlace place, const CellMoments<Real>& m) const;
+  template <class Visit>
+  void describe_block(BlockIndex b, const Visit& visit) const;
 
   FluidOptions options_;
   FluidLevel<Real> level_;

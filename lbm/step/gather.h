@@ -83,6 +83,14 @@ class ShiftedVelocity {
     }
   }
 
+  /// The same for two rows.
+  [[gnu::always_inline]] void store_chosen(const Rows& rows, const Two& values,
+                                           const typename Two::mask_type& chosen) const {
+    const Rows first = Rows::at(rows.n, 1), second = Rows::at(rows.n + kBlockWidth, 1);
+    store_chosen(first, half_of<0>(values), One::mask_type::from_bits(chosen.bits() & One::mask_type::kAll));
+    store_chosen(second, half_of<1>(values), One::mask_type::from_bits(chosen.bits() >> kBlockWidth));
+  }
+
   /// The reverse of load.
   template <class V>
   [[gnu::always_inline]] void store(const Rows& rows, const V& values) const {

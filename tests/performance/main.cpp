@@ -38,7 +38,7 @@ double best_seconds(int repeats, const std::function<void()>& body) {
 
 std::vector<Benchmark> all_benchmarks() {
   std::vector<Benchmark> all;
-  for (auto group : {fluid_benchmarks, bodies_benchmarks, solids_benchmarks})
+  for (auto group : {fluid_benchmarks, bodies_benchmarks, solids_benchmarks, debris_flow_benchmarks})
     for (Benchmark& b : group()) all.push_back(std::move(b));
   return all;
 }
@@ -83,7 +83,8 @@ std::vector<Benchmark> select(const std::vector<Benchmark>& all, const std::vect
   }
   std::vector<Benchmark> chosen;
   for (const Benchmark& b : all)
-    if (names.empty() || std::find(wanted.begin(), wanted.end(), b.name) != wanted.end()) chosen.push_back(b);
+    if ((names.empty() && !b.by_name_only) || std::find(wanted.begin(), wanted.end(), b.name) != wanted.end())
+      chosen.push_back(b);
   return chosen;
 }
 
@@ -102,6 +103,17 @@ std::string line_of(const Figure& f) {
                      f.name, f.value, f.unit, f.ratio, f.at_least ? ">=" : "<=", f.bar, f.against);
 }
 
+/// "fluid.sweep 15 %, fluid.surface 9 %", largest first.
+std::string shares_text(const Figure& f) {
+  std::vector<std::pair<double, std::string>> parts;
+  for (const auto& [name, share] : f.shares) parts.emplace_back(share, name);
+  std::sort(parts.rbegin(), parts.rend());
+  std::string text;
+  for (const auto& [share, name] : parts)
+    text += fmt::format("{}{} {:.0f} %", text.empty() ? "      " : ", ", name, 100 * share);
+  return text.empty() ? text : text + "\n";
+}
+
 std::string json_of(const Session& session) {
   nlohmann::json entries = nlohmann::json::array();
   for (const Figure& f : session.figures)
@@ -113,8 +125,11 @@ std::string json_of(const Session& session) {
                        {"bar", f.bar},
                        {"at_least", f.at_least},
                        {"pass", f.pass()}});
-  for (std::size_t k = 0; k < session.figures.size(); ++k)
-    if (!session.figures[k].measured()) entries[k]["not_measured"] = session.figures[k].missing;
+  for (std::size_t k = 0; k < session.figures.size(); ++k) {
+    const Figure& f = session.figures[k];
+    if (!f.measured()) entries[k]["not_measured"] = f.missing;
+    if (!f.shares.empty()) entries[k]["shares"] = f.shares;
+  }
   return nlohmann::json({{"machine",
                           {{"name", cases::machine_name()},
                            {"stream_gb_s_1", session.limits.stream_one},
@@ -129,7 +144,8 @@ int run(const Arguments& a) {
   if (!a.common.set.empty()) refuse("--set " + a.common.set.front() + ": benchmarks have no keys to set");
   const auto chosen = select(all_benchmarks(), a.names);
   if (a.list) {
-    for (const Benchmark& b : chosen) fmt::print("{}\n", b.name);
+    for (const Benchmark& b : a.names.empty() ? all_benchmarks() : chosen)
+      fmt::print("{}{}\n", b.name, b.by_name_only ? " (by name only)" : "");
     return cases::exit_done;
   }
   const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
@@ -137,6 +153,7 @@ int run(const Arguments& a) {
   cases::watch_for_interrupt();
   Session session;
   session.repeats = a.repeats;
+  session.folder = a.common.out.empty() ? "results/benchmark" : a.common.out;
   bool all_pass = true;
   for (const Benchmark& b : chosen) {
     if (cases::interrupted()) return cases::exit_interrupted;
@@ -147,7 +164,7 @@ int run(const Arguments& a) {
     if (figure.of_memory_rate) figure.ratio *= before / session.limits.stream_all;
     session.figures.push_back(figure);
     all_pass = all_pass && session.figures.back().pass();
-    if (!a.common.quiet) fmt::print("{}", line_of(session.figures.back()));
+    if (!a.common.quiet) fmt::print("{}{}", line_of(figure), shares_text(figure));
     std::fflush(stdout);
     if (!a.json.empty()) cases::replace_text_file(a.json, json_of(session));
   }
@@ -165,7 +182,8 @@ int main(int argc, char** argv) {
   CLI::App app("Measures Lahar's speed against what the machine can do", "benchmark");
   app.set_version_flag("--version", "benchmark " + cases::version() + " (" + cases::commit() + ")");
   performance::Arguments arguments;
-  app.add_option("names", arguments.names, "Entries or groups (default: all)")->type_name("NAME|GROUP");
+  app.add_option("names", arguments.names, "Entries or groups (default: all but those that only run by name)")
+      ->type_name("NAME|GROUP");
   app.add_flag("--list", arguments.list, "List the entries and do not run them");
   app.add_option("--repeats", arguments.repeats, "Best of so many (default 3)")
       ->check(CLI::Range(1, 100))

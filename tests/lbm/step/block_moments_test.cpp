@@ -1,0 +1,48 @@
+#include "lbm/step/block_moments.h"
+
+#include <gtest/gtest.h>
+
+#include "lbm/step/cell_moments.h"
+#include "lbm/step/fluid.h"
+
+namespace lahar::lbm {
+namespace {
+
+/// A column that collapses: rows that are dry, whole and in part, blocks without neighbours, both parities.
+template <class Real>
+void expect_the_moments_of_the_cells() {
+  FluidOptions o;
+  o.domain.cell_size = 0.01;
+  o.domain.upper = Vec3(0.3, 0.13, 0.24);
+  o.domain.faces[5] = FaceKind::open;
+  o.gravity = Vec3(0, 0, -9.81);
+  o.time_step = 3e-4;
+  Fluid<Real> fluid(o);
+  fluid.fill({{Vec3::Zero(), Vec3(0.15, 0.13, 0.2)}});
+  for (int s = 0; s < 41; ++s) {
+    if (s >= 39) {
+      std::size_t seen = 0;
+      for (const BlockIndex b : fluid.grid().owned()) {
+        BlockMoments<Real> m;
+        find_moments(fluid.grid(), b, fluid.parity(), m);
+        for (int n = 0; n < kBlockCells; ++n) {
+          if (!is_wet(fluid.grid().type({b, n}))) continue;
+          ++seen;
+          const auto cell = outgoing_moments(fluid.grid(), {b, n}, fluid.parity());
+          ASSERT_EQ(m.drho[n], cell.drho);
+          for (int a = 0; a < 3; ++a) ASSERT_EQ(m.u[a][n], cell.u[a]);
+        }
+      }
+      EXPECT_EQ(seen, fluid.wet_cells());
+    }
+    fluid.step();
+  }
+}
+
+TEST(BlockMoments, AreThoseOfTheCells) {
+  expect_the_moments_of_the_cells<float>();
+  expect_the_moments_of_the_cells<double>();
+}
+
+}  // namespace
+}  // namespace lahar::lbm
