@@ -149,24 +149,34 @@ template <class Real>
 void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles,
                                      SolidFields<Real>& fields) {
   auto& grid = fluid.grid();
-  for (Bead& bead : beads_) {
-    bead.near = false;
-    if (bead.length <= 0) continue;
-    const WireKernel kernel = kernel_at(fluid, particles, particles.index(bead.id));
-    bead.lowest = lbm::block_of(kernel.lowest());
-    const Vec3i more = lbm::block_of(kernel.highest()) - bead.lowest;
-    bead.blocks.fill(kNoBlock);
-    for (int x = 0; x <= more.x(); ++x)
-      for (int y = 0; y <= more.y(); ++y)
-        for (int z = 0; z <= more.z(); ++z) {
-          const BlockIndex b = grid.topology().find(bead.lowest + Vec3i(x, y, z));
-          if (b == kNoBlock || grid.block(b).wet_cells == 0) continue;
-          bead.blocks[static_cast<std::size_t>(9 * x + 3 * y + z)] = b;
-          fields.reach(grid, b);
-          grid.require_impulse(b);
-          bead.near = true;
-        }
+  parallel_for(0, beads_.size(), 128, [&](std::size_t k) { look_up_blocks(fluid, particles, beads_[k]); });
+  for (const Bead& bead : beads_) {
+    if (!bead.near) continue;
+    for (const BlockIndex b : bead.blocks) {
+      if (b == kNoBlock) continue;
+      fields.reach(grid, b);
+      grid.require_impulse(b);
+    }
   }
+}
+
+template <class Real>
+void WireDrag<Real>::look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, Bead& bead) {
+  const auto& grid = fluid.grid();
+  bead.near = false;
+  if (bead.length <= 0) return;
+  const WireKernel kernel = kernel_at(fluid, particles, particles.index(bead.id));
+  bead.lowest = lbm::block_of(kernel.lowest());
+  const Vec3i more = lbm::block_of(kernel.highest()) - bead.lowest;
+  bead.blocks.fill(kNoBlock);
+  for (int x = 0; x <= more.x(); ++x)
+    for (int y = 0; y <= more.y(); ++y)
+      for (int z = 0; z <= more.z(); ++z) {
+        const BlockIndex b = grid.topology().find(bead.lowest + Vec3i(x, y, z));
+        if (b == kNoBlock || grid.block(b).wet_cells == 0) continue;
+        bead.blocks[static_cast<std::size_t>(9 * x + 3 * y + z)] = b;
+        bead.near = true;
+      }
 }
 
 template <class Real>

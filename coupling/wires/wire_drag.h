@@ -59,6 +59,7 @@ class WireDrag {
   static Vec3 tangent_of(const dem::Particles& particles, const Bead& bead);
   void look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   void allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles, SolidFields<Real>& fields);
+  static void look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, Bead& bead);
   [[nodiscard]] Sample sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const Bead& bead) const;
 
   std::vector<Bead> beads_;                // by id, ascending

@@ -3,10 +3,10 @@
 // excess mass goes to neighbours (excess_mass.h). Nothing is lost: what finds no taker goes to a pool that is paid back
 // (isolated_liquid.h).
 //
-// Koerner et al. 2005, section 2.3, with: thresholds 1.01 and -0.01; filling wins over emptying; refilling by
-// equilibrium (refilling.h). Where a body covers part of a cell the mass of the cell includes the body's share: empty
-// means that only the body is left (docs/coupling.md). Spray moves on as a whole (drop_moves.h). Voids are closed
-// (voids.h).
+// Koerner et al. 2005, section 2.3, with: thresholds 1.01 and -0.01, wider at moving bodies (cell_flags.cpp); filling
+// wins over emptying; refilling by equilibrium (refilling.h). Where a body covers part of a cell the mass of the cell
+// includes the body's share: empty means that only the body is left (docs/coupling.md). Spray moves on as a whole
+// (drop_moves.h). Voids are closed (voids.h).
 #include <memory>
 #include <vector>
 

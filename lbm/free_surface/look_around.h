@@ -4,35 +4,9 @@
 #include "lbm/free_surface/surroundings.h"
 #include "lbm/grid/fluid_grid.h"
 #include "lbm/grid/row_types.h"
-#include "lbm/step/gather.h"
+#include "lbm/step/row_moments.h"
 
 namespace lahar::lbm {
-
-/// Velocity (CX, CY, CZ) seen ahead of the row that starts with cell `first`: the numbers at n + (CX, CY, CZ). A
-/// missing block reads as rest at density 1.
-template <int CX, int CY, int CZ, class Real>
-[[gnu::always_inline]] inline Row<Real> row_ahead(const std::array<Block<Real>*, 27>& around, int velocity, int first) {
-  const auto p = cell_position(first);
-  const int y = p[1] + CY, z = p[2] + CZ, there = cell_index(0, y & 7, z & 7);
-  const auto slot = static_cast<std::size_t>(neighbour_slot(0, y >> 3, z >> 3));
-  const auto numbers = [&](const Block<Real>* block) __attribute__((always_inline)) {
-    return load<Row<Real>>(block ? block->f(velocity) + there : kRest<Real>);
-  };
-  const Row<Real> near = numbers(around[slot]);
-  if constexpr (CX == 1) return shuffle<1, 2, 3, 4, 5, 6, 7, 8>(near, numbers(around[slot + 9]));
-  return near;
-}
-
-/// rho - 1 after the last collision in the row that starts with cell `first` of a block with these neighbours.
-template <class Real>
-Row<Real> outgoing_density(const std::array<Block<Real>*, 27>& around, int first, Parity parity) {
-  Row<Real> drho = load<Row<Real>>(around[13]->f(0) + first);
-  for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-    drho += row_ahead<CX, CY, CZ>(around, parity.home(D3Q19::forward(P)), first) +
-            load<Row<Real>>(around[13]->f(parity.away(D3Q19::forward(P))) + first);
-  });
-  return drho;
-}
 
 /// What a missing block holds.
 alignas(64) inline constexpr CellType kNoCells[kBlockCells] = {};
@@ -111,31 +85,19 @@ class LookAround {
     for (std::size_t k = 0; k < 3; ++k) std::memcpy(&types[k], views[k].type + first, sizeof(types[k]));
     const Types seen{types[0] >> 48 | types[1] << 16, types[1] >> 48 | types[2] << 16};
     const int place = Surroundings<Real>::at(-2, y, z);
-    const auto put = [&](Real * field, const Sixteen& values) __attribute__((always_inline)) {
-      store(field + place, values);
-    };
     const Sixteen zero(0), one(1), half(Real(0.5));
-    if (seen.all(CellType::gas)) {
-      put(s.full, zero), put(s.half, zero), put(s.empty, one), put(s.wet, zero), put(s.density, zero);
-      return;
-    }
+    const unsigned wet = seen.wet(), interface = seen.interface();
+    s.wet.set_row(y, z, wet), s.interface.set_row(y, z, interface), s.empty.set_row(y, z, seen.empty());
+    if (wet == 0) return store(s.full + place, zero);
     alignas(64) Real buffer[3][kBlockWidth];
-    const Sixteen density = row_and_sides(densities(views[0], first, buffer[0]), densities(views[1], first, buffer[1]),
-                                          densities(views[2], first, buffer[2]));
-    if (seen.all(CellType::liquid)) {
-      put(s.full, one), put(s.half, zero), put(s.empty, zero), put(s.wet, one), put(s.density, density);
-      return;
-    }
+    store(s.density + place, row_and_sides(densities(views[0], first, buffer[0]), densities(views[1], first, buffer[1]),
+                                           densities(views[2], first, buffer[2])));
     using Lanes = typename Sixteen::mask_type;
-    const auto wet = Lanes::from_bits(seen.wet()), interface = Lanes::from_bits(seen.interface()),
-               empty = Lanes::from_bits(seen.empty());
+    const Sixteen liquid = select(Lanes::from_bits(wet), one, zero);
+    if (interface == 0) return store(s.full + place, liquid);
     const Sixteen fill =
         row_and_sides(views[0].fill_level + first, views[1].fill_level + first, views[2].fill_level + first);
-    put(s.full, select(interface, half * fill, select(wet, one, zero)));
-    put(s.half, select(interface, half, zero));
-    put(s.empty, select(empty, one, zero));
-    put(s.wet, select(wet, one, zero));
-    put(s.density, select(wet, density, zero));
+    store(s.full + place, select(Lanes::from_bits(interface), half * fill, liquid));
   }
 
   /// The sweep keeps no density of blocks without a surface: it is computed into `buffer` where cells are wet.
@@ -157,13 +119,10 @@ class LookAround {
   /// The types of a row and two cells to either side, one to a byte; more in the upper half of the second word.
   struct Types {
     std::uint64_t first, second;
-    bool all(CellType t) const {
-      const std::uint64_t eight = 0x0101010101010101U * static_cast<std::uint64_t>(t);
-      return first == eight && static_cast<std::uint32_t>(second) == static_cast<std::uint32_t>(eight);
-    }
-    unsigned wet() const { return wet_cells(first) | wet_cells(second) << 8; }
-    unsigned interface() const { return interface_cells(first) | interface_cells(second) << 8; }
-    unsigned empty() const { return empty_cells(first) | empty_cells(second) << 8; }
+    unsigned wet() const { return kTwelve & (wet_cells(first) | wet_cells(second) << 8); }
+    unsigned interface() const { return kTwelve & (interface_cells(first) | interface_cells(second) << 8); }
+    unsigned empty() const { return kTwelve & (empty_cells(first) | empty_cells(second) << 8); }
+    static constexpr unsigned kTwelve = 0xFFFU;
   };
 
   FluidGrid<Real>& grid_;

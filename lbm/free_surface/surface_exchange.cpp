@@ -50,25 +50,27 @@ class RowExchange {
   /// `row` (y + 8 z): the first. `shear`, of one row, is null where the viscous stress does not count.
   void run(int row, const ShearRow<Real>* shear) {
     load_pairs(row);
-    const V fill = load<V>(block_.surface->fill_level + 8 * row);
-    const int place = Surroundings<Real>::at(0, row & 7, row >> 3);
-    const auto interface = see(near_.half, place) > V(0);
+    const V half_fill = V(Real(0.5)) * load<V>(block_.surface->fill_level + 8 * row), one(1);
+    const Sight<V> sight(near_, row & 7, row >> 3);
+    const auto interface = sight.template interface<0, 0, 0>();
     V gain(0), empty(0), fullest(0);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
-      const V full_ahead = see(near_.full, place + step), full_behind = see(near_.full, place - step);
-      gain += (full_ahead + see(near_.half, place + step) * fill) * (incoming_b_[P] - outgoing_a_[P]);
-      gain += (full_behind + see(near_.half, place - step) * fill) * (incoming_a_[P] - outgoing_b_[P]);
-      empty += see(near_.empty, place + step) + see(near_.empty, place - step);
+      const V full_ahead = sight.template full<CX, CY, CZ>(), full_behind = sight.template full<-CX, -CY, -CZ>();
+      const V share_ahead = select(sight.template interface<CX, CY, CZ>(), full_ahead + half_fill, full_ahead);
+      const V share_behind = select(sight.template interface<-CX, -CY, -CZ>(), full_behind + half_fill, full_behind);
+      gain += share_ahead * (incoming_b_[P] - outgoing_a_[P]);
+      gain += share_behind * (incoming_a_[P] - outgoing_b_[P]);
+      empty = select(sight.template empty<CX, CY, CZ>(), empty + one, empty);
+      empty = select(sight.template empty<-CX, -CY, -CZ>(), empty + one, empty);
       fullest = max(fullest, max(full_ahead, full_behind));
     });
     note(row, interface, gain, empty, fullest);
     const auto open = interface && empty > V(0);
     if (none(open)) return;
-    const SurfacePressure pressure = surface_pressure(row, place, open);
-    rebuild_from_gas(row, place, open, pressure);
+    const SurfacePressure pressure = surface_pressure(row, sight, open);
+    rebuild_from_gas(row, sight, open, pressure);
     if constexpr (kRows == 1)
-      if (shear) add_shear(row, place, open && empty < V(kExposedSides), pressure, *shear);
+      if (shear) add_shear(row, sight, open && empty < V(kExposedSides), pressure, *shear);
   }
 
  private:
@@ -80,13 +82,6 @@ class RowExchange {
   struct SurfacePressure {
     V depth, x, y, z;
   };
-
-  [[gnu::always_inline]] static V see(const Real* field, int place) {
-    if constexpr (kRows == 1)
-      return load<V>(field + place);
-    else
-      return join(load<Row<Real>>(field + place), load<Row<Real>>(field + place + Surroundings<Real>::pitch_y));
-  }
 
   /// The four values of every pair (streaming.h) for the cells.
   [[gnu::always_inline]] void load_pairs(int row) {
@@ -101,14 +96,13 @@ class RowExchange {
 
   /// Populations that would come from the gas, in the cells `open` to it.
   template <class Mask>
-  void rebuild_from_gas(int row, int place, const Mask& open, const SurfacePressure& s) {
+  void rebuild_from_gas(int row, const Sight<V>& sight, const Mask& open, const SurfacePressure& s) {
     const Velocity u = outgoing_velocity(row);
     const Rows rows = Rows::at(kBlockWidth * row, kRows);
     const V gas = capillary_ ? V(gas_drho_ + load<V>(capillary_ + 8 * row)) : gas_drho_;
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
-      const auto from_ahead = open && see(near_.empty, place + step) > V(0);
-      const auto from_behind = open && see(near_.empty, place - step) > V(0);
+      const auto from_ahead = open && sight.template empty<CX, CY, CZ>();
+      const auto from_behind = open && sight.template empty<-CX, -CY, -CZ>();
       const V half_way = V(Real(0.5)) * (V(Real(CX)) * s.x + V(Real(CY)) * s.y + V(Real(CZ)) * s.z);
       const auto even = [&](const V& height) __attribute__((always_inline)) {
         return equilibrium_pair_sum(D3Q19::forward(P), V(gas + V(3) * height), u.x, u.y, u.z);
@@ -121,7 +115,8 @@ class RowExchange {
 
   /// What the shear stress adds to these populations in the cells `chosen`, so that it vanishes on the surface.
   template <class Mask>
-  void add_shear(int row, int place, const Mask& chosen, const SurfacePressure& s, const ShearRow<Real>& shear) {
+  void add_shear(int row, const Sight<V>& sight, const Mask& chosen, const SurfacePressure& s,
+                 const ShearRow<Real>& shear) {
     const auto from = [](const Real* p) __attribute__((always_inline)) { return load<V>(p); };
     const Symmetric<V> stress{from(shear.stress[0]), from(shear.stress[1]), from(shear.stress[2]),
                               from(shear.stress[3]), from(shear.stress[4]), from(shear.stress[5])};
@@ -130,10 +125,9 @@ class RowExchange {
                             {s.x, s.y, s.z}, s.depth, weight_);
     const Rows rows = Rows::at(kBlockWidth * row, 1);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      constexpr int step = Surroundings<Real>::step(CX, CY, CZ);
       constexpr double w = D3Q19::w(D3Q19::forward(P));
-      const auto from_ahead = chosen && see(near_.empty, place + step) > V(0);
-      const auto from_behind = chosen && see(near_.empty, place - step) > V(0);
+      const auto from_ahead = chosen && sight.template empty<CX, CY, CZ>();
+      const auto from_behind = chosen && sight.template empty<-CX, -CY, -CZ>();
       const auto& ahead = away_ahead_.template pair<P>();
       if (any(from_ahead))
         ahead.store_chosen(rows, V(ahead.template load<V>(rows) + t.template missing<CX, CY, CZ>(w, 1)), from_ahead);
@@ -143,10 +137,10 @@ class RowExchange {
   }
 
   template <class Mask>
-  SurfacePressure surface_pressure(int row, int place, const Mask& open) const {
+  SurfacePressure surface_pressure(int row, const Sight<V>& sight, const Mask& open) const {
     if (largest_gradient_ <= 0) return {V(0), V(0), V(0), V(0)};
     V a[3];
-    pressure_gradient(near_, place, see, a);
+    pressure_gradient(sight, a);
     const V size = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]), largest(largest_gradient_);
     const V share = largest / max(size, largest);
     for (V& component : a) component *= share;

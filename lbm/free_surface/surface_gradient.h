@@ -25,31 +25,31 @@ void solve_symmetric(const V (&m)[6], const V (&b)[3], V (&x)[3]) {
 ///   sum_i w_i c_i (c_i . a - (rho_far - rho_here) / (3 n_i)) = 0,  n_i = 1 or 2,
 /// exact where the pressure is linear. Two links, because a sound wave of two cells, which differences over one link
 /// see best, is then not seen at all: the surface fed such waves until they drowned a gravity wave
-/// (docs/decisions/0007). `see(field, place)` reads the cells at a place of the surroundings as a V.
-template <class V, class Real, class See>
-void pressure_gradient(const Surroundings<Real>& near, int place, const See& see, V (&a)[3]) {
-  const V none = number<V>(1e-6);  // in directions without wet cells the gradient is 0
-  const V here = see(near.density, place);
-  V m[6] = {none, none, none, V(0), V(0), V(0)}, b[3] = {V(0), V(0), V(0)};
-  const auto add = [&]<int I>() __attribute__((always_inline)) {
-    constexpr const int* c = D3Q19::c[I];
-    constexpr int step = Surroundings<Real>::step(D3Q19::c[I][0], D3Q19::c[I][1], D3Q19::c[I][2]);
-    const V once = see(near.wet, place + step), twice = once * see(near.wet, place + 2 * step);
-    const V rise_once = see(near.density, place + step) - here, rise_twice = see(near.density, place + 2 * step) - here;
-    const V w = number<V>(D3Q19::w(I)) * once;
-    const V slope = w * (rise_once * number<V>(1.0 / 3.0) +
-                         twice * (rise_twice * number<V>(1.0 / 6.0) - rise_once * number<V>(1.0 / 3.0)));
+/// (docs/decisions/0007).
+template <class V>
+[[gnu::always_inline]] inline void pressure_gradient(const Sight<V>& sight, V (&a)[3]) {
+  const V none = number<V>(1e-6), zero(0);  // in directions without wet cells the gradient is 0
+  const V here = sight.template density<0, 0, 0>();
+  V m[6] = {none, none, none, zero, zero, zero}, b[3] = {zero, zero, zero};
+  const auto add = [&]<int CX, int CY, int CZ>(double weight) __attribute__((always_inline)) {
+    const auto once = sight.template wet<CX, CY, CZ>(), twice = once && sight.template wet<2 * CX, 2 * CY, 2 * CZ>();
+    const V rise_once = sight.template density<CX, CY, CZ>() - here,
+            rise_twice = sight.template density<2 * CX, 2 * CY, 2 * CZ>() - here;
+    const V slope =
+        select(once, select(twice, number<V>(weight / 6) * rise_twice, number<V>(weight / 3) * rise_once), zero);
+    const V w = select(once, number<V>(weight), zero);
+    constexpr int c[3] = {CX, CY, CZ};
     for (int k = 0; k < 3; ++k) {
       if (c[k] == 0) continue;
       b[k] += number<V>(c[k]) * slope;
       m[k] += w;
     }
-    if constexpr (c[0] * c[1] != 0) m[3] += number<V>(c[0] * c[1]) * w;
-    if constexpr (c[0] * c[2] != 0) m[4] += number<V>(c[0] * c[2]) * w;
-    if constexpr (c[1] * c[2] != 0) m[5] += number<V>(c[1] * c[2]) * w;
+    if constexpr (CX * CY != 0) m[3] += number<V>(CX * CY) * w;
+    if constexpr (CX * CZ != 0) m[4] += number<V>(CX * CZ) * w;
+    if constexpr (CY * CZ != 0) m[5] += number<V>(CY * CZ) * w;
   };
   [&]<std::size_t... I>(std::index_sequence<I...>) __attribute__((always_inline)) {
-    (add.template operator()<static_cast<int>(I) + 1>(), ...);
+    (add.template operator()<D3Q19::c[I + 1][0], D3Q19::c[I + 1][1], D3Q19::c[I + 1][2]>(D3Q19::w(I + 1)), ...);
   }
   (std::make_index_sequence<D3Q19::q - 1>{});
   solve_symmetric(m, b, a);

@@ -5,9 +5,9 @@
 #include "lbm/collision/newtonian.h"
 #include "lbm/collision/smagorinsky.h"
 #include "lbm/collision/stress_limit.h"
-#include "lbm/free_surface/look_around.h"
 #include "lbm/grid/row_types.h"
 #include "lbm/rheology/herschel_bulkley.h"
+#include "lbm/step/row_moments.h"
 
 namespace lahar::lbm {
 

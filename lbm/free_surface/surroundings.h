@@ -1,27 +1,99 @@
 #pragma once
 // What the interface cells of a block see around them: the block's cells and two cells beyond, laid out so that a row
-// of cells sees its neighbours in any direction at a constant offset.
+// of cells sees its neighbours in any direction at a constant offset. What is yes or no is kept as bits: less to load.
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+
+#include "core/simd.h"
 
 namespace lahar::lbm {
+
+/// A bit per cell; rows along x in words, bit x + 2.
+class SeenCells {
+ public:
+  static constexpr int at(int y, int z) { return (y + 2) + 12 * (z + 2); }
+  void set_row(int y, int z, unsigned bits) { rows_[at(y, z)] = static_cast<std::uint16_t>(bits); }
+  /// The eight cells from (x, y, z) on, as bits.
+  [[nodiscard]] [[gnu::always_inline]] unsigned row(int x, int y, int z) const {
+    return rows_[at(y, z)] >> (x + 2) & 0xFFU;
+  }
+  /// The same of the rows at y and y + 1.
+  [[nodiscard]] [[gnu::always_inline]] unsigned two_rows(int x, int y, int z) const {
+    const std::uint16_t* const first = rows_ + at(y, z);
+    const unsigned both = (first[0] | static_cast<unsigned>(first[1]) << 16) >> (x + 2);
+    return (both & 0xFFU) | (both >> 8 & 0xFF00U);
+  }
+
+ private:
+  std::uint16_t rows_[12 * 12];
+};
 
 template <class Real>
 struct Surroundings {
   static constexpr int rim = 2, pitch_y = 16, pitch_z = 12 * pitch_y;
   static constexpr int size = 12 * pitch_z;
-  /// Share of a link's flux that is mass of an interface cell of fill level F: full + half F. Liquid 1 and 0, interface
-  /// half of its own fill level and 1/2, all else 0 and 0.
+  /// Share of a link's flux that is mass of an interface cell of fill level F: full, and F/2 more for interface cells.
+  /// Liquid 1, interface half of its own fill level, all else 0.
   alignas(64) Real full[size];
-  alignas(64) Real half[size];
-  alignas(64) Real empty[size];    ///< 1 in gas and sinks
-  alignas(64) Real wet[size];      ///< 1 in liquid and interface
-  alignas(64) Real density[size];  ///< rho - 1 in wet cells, else 0
+  alignas(64) Real density[size];   ///< rho - 1 in wet cells; not to be used in others
+  SeenCells interface, wet, empty;  ///< empty: gas and sinks
 
   /// Place of cell (x, y, z), each -2..9.
   static constexpr int at(int x, int y, int z) { return (x + rim) + pitch_y * (y + rim) + pitch_z * (z + rim); }
-  static constexpr int step(int cx, int cy, int cz) { return cx + cy * pitch_y + cz * pitch_z; }
+};
+
+/// What the cells of a row, or of two at y and y + 1, see at an offset of up to two cells. V: a pack of 8 numbers or of
+/// 16. `y`, `z` of the (first) row.
+template <class V>
+class Sight {
+ public:
+  using Real = typename V::value_type;
+  using Mask = typename V::mask_type;
+
+  Sight(const Surroundings<Real>& near, int y, int z) : near_(near), y_(y), z_(z) {}
+
+  template <int CX, int CY, int CZ>
+  [[nodiscard]] [[gnu::always_inline]] V full() const {
+    return numbers<CX, CY, CZ>(near_.full);
+  }
+  template <int CX, int CY, int CZ>
+  [[nodiscard]] [[gnu::always_inline]] V density() const {
+    return numbers<CX, CY, CZ>(near_.density);
+  }
+  template <int CX, int CY, int CZ>
+  [[nodiscard]] [[gnu::always_inline]] Mask interface() const {
+    return cells<CX, CY, CZ>(near_.interface);
+  }
+  template <int CX, int CY, int CZ>
+  [[nodiscard]] [[gnu::always_inline]] Mask wet() const {
+    return cells<CX, CY, CZ>(near_.wet);
+  }
+  template <int CX, int CY, int CZ>
+  [[nodiscard]] [[gnu::always_inline]] Mask empty() const {
+    return cells<CX, CY, CZ>(near_.empty);
+  }
+
+ private:
+  static constexpr bool kTwo = V::size() == 2 * kRow;
+  static_assert(kTwo || V::size() == kRow);
+
+  template <int CX, int CY, int CZ>
+  [[gnu::always_inline]] V numbers(const Real* field) const {
+    const Real* const first = field + Surroundings<Real>::at(CX, y_ + CY, z_ + CZ);
+    if constexpr (kTwo)
+      return join(load<Row<Real>>(first), load<Row<Real>>(first + Surroundings<Real>::pitch_y));
+    else
+      return load<V>(first);
+  }
+  template <int CX, int CY, int CZ>
+  [[gnu::always_inline]] Mask cells(const SeenCells& seen) const {
+    return Mask::from_bits(kTwo ? seen.two_rows(CX, y_ + CY, z_ + CZ) : seen.row(CX, y_ + CY, z_ + CZ));
+  }
+
+  const Surroundings<Real>& near_;
+  const int y_, z_;
 };
 
 /// Bits y + 2 of the rows z = -2..9 within two rows of the given ones (bit y + 8 z), themselves included.

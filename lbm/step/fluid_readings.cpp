@@ -4,7 +4,7 @@
 
 #include "core/parallel.h"
 #include "lbm/grid/block_sum.h"
-#include "lbm/step/block_moments.h"
+#include "lbm/step/row_moments.h"
 #include "lbm/step/fluid.h"
 
 namespace lahar::lbm {

@@ -30,7 +30,7 @@ struct State {
 };
 
 /// Each is gone on from to make the next.
-const std::vector<State> kStates{{"packed", 0.05}, {"in_flight", 0.6}, {"at_net", 1.5}};
+const std::vector<State> kStates{{"packed", 0.05}, {"in_flight", 0.6}, {"at_net", 1.2}};
 constexpr double kSlice = 0.05;  ///< s
 
 const fs::path kScene = fs::path(LAHAR_CASES_FOLDER) / "debris_flow" / "scene.toml";

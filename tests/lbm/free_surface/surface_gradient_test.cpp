@@ -34,8 +34,9 @@ void gradient_at(Fluid<double>& fluid, CellPlace place, double (&a)[3]) {
   Surroundings<double> near;
   LookAround<double>(fluid.grid(), place.block, fluid.parity()).run(~std::uint64_t{0}, near);
   const auto p = cell_position(place.cell);
-  const auto see = [](const double* field, int at) { return field[at]; };
-  pressure_gradient(near, Surroundings<double>::at(p[0], p[1], p[2]), see, a);
+  Row<double> row[3];
+  pressure_gradient(Sight<Row<double>>(near, p[1], p[2]), row);
+  for (int k = 0; k < 3; ++k) a[k] = row[k][static_cast<std::size_t>(p[0])];
 }
 
 /// Exact for a linear pressure in every interface cell, at walls and in corners too.

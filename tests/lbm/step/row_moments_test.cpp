@@ -1,4 +1,4 @@
-#include "lbm/step/block_moments.h"
+#include "lbm/step/row_moments.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ void expect_the_moments_of_the_cells() {
   }
 }
 
-TEST(BlockMoments, AreThoseOfTheCells) {
+TEST(RowMoments, AreThoseOfTheCells) {
   expect_the_moments_of_the_cells<float>();
   expect_the_moments_of_the_cells<double>();
 }
