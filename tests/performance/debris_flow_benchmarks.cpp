@@ -30,7 +30,7 @@ struct State {
 };
 
 /// Each is gone on from to make the next.
-const std::vector<State> kStates{{"packed", 0.05}, {"in_flight", 0.6}, {"at_net", 1.2}};
+const std::vector<State> kStates{{"packed", 0.05}, {"in_flight", 0.5}, {"at_net", 1.25}};
 constexpr double kSlice = 0.05;  ///< s
 
 const fs::path kScene = fs::path(LAHAR_CASES_FOLDER) / "debris_flow" / "scene.toml";
@@ -110,11 +110,16 @@ std::optional<Timers> time_slice(const Session& session, const fs::path& from, d
   return spent;
 }
 
-/// Sections without a dot hold those that begin with their name.
+/// A section that is divided further is the sum of those that begin with its name and a dot.
+bool is_divided(const Timers& timers, const std::string& name) {
+  const auto next = timers.upper_bound(name + ".");
+  return next != timers.end() && next->first.starts_with(name + ".");
+}
+
 double whole(const Timers& timers) {
   double sum = 0;
   for (const auto& [name, seconds] : timers)
-    if (name.find('.') == std::string::npos) sum += seconds;
+    if (!is_divided(timers, name)) sum += seconds;
   return sum;
 }
 
@@ -145,7 +150,7 @@ Figure slice(std::size_t k, Session& session) {
   const double seconds = whole(best), lammps = lammps_rate_of(session);
   figure.value = seconds / kSlice;
   for (const auto& [name, part] : best)
-    if (part > 0.01 * seconds) figure.shares[name] = part / seconds;
+    if (part > 0.01 * seconds && !is_divided(best, name)) figure.shares[name] = part / seconds;
   if (lammps == 0) {
     figure.missing = "LAMMPS was not measured";
     return figure;
