@@ -16,6 +16,14 @@ template <class Real>
   store_aligned(field, load_aligned<Row<Real>>(field) + more);
 }
 
+/// Sum of the lanes in double precision, in their order.
+template <class Real>
+double sum_in_double(const Row<Real>& row) {
+  double sum = 0;
+  for (std::size_t c = 0; c < kRow; ++c) sum += static_cast<double>(static_cast<Real>(row[c]));
+  return sum;
+}
+
 /// 1 for the cells of a block for which `holds`, 0 for the others.
 template <class Real>
 struct CellMask {

@@ -58,13 +58,6 @@ struct SurfaceLiquid {
   }
 };
 
-template <class Real>
-double sum_in_double(const Row<Real>& row) {
-  double sum = 0;
-  for (std::size_t c = 0; c < kBlockWidth; ++c) sum += static_cast<double>(static_cast<Real>(row[c]));
-  return sum;
-}
-
 /// Volume of a sphere in the wet cells of a block. By copy, so that the sphere stays in registers.
 template <class Real>
 double wet_volume_in(const GridSphere<Real> sphere, const Vec3i& lowest, const WetMask<Real>& cells) {

@@ -5,8 +5,6 @@
 
 namespace lahar::coupling {
 
-using lbm::kBlockWidth;
-
 namespace {
 
 /// Volume of a sphere in a block, in cells; by copy, so that it stays in registers.
@@ -15,9 +13,7 @@ double volume_in(const GridSphere<Real> sphere, const Vec3i& lowest) {
   Row<Real> lanes(0);
   for_covered_rows(
       sphere, lowest, [&](int, const Row<Real>& eps) __attribute__((always_inline)) { lanes += eps; });
-  double sum = 0;
-  for (std::size_t c = 0; c < kBlockWidth; ++c) sum += static_cast<double>(static_cast<Real>(lanes[c]));
-  return sum;
+  return sum_in_double(lanes);
 }
 
 }  // namespace
