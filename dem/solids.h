@@ -131,7 +131,7 @@ class Solids {
   ContactForces slow_forces_;
   Vec3Field slow_force_, slow_torque_;
   MeanMotion mean_;
-  double slow_step_ = 0;  // s, length of the last long step
+  double slow_step_ = 0;                      // s, length of the last long step
   Vec3Field applied_force_, applied_torque_;  // external ones contained in the forces and torques
   std::size_t known_particles_ = 0, known_bonds_ = 0;
   std::vector<std::uint8_t> known_intact_;  // bonds that were whole when the lists were built

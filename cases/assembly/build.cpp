@@ -84,11 +84,13 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
   o.domain.upper = scene.domain.upper;
   o.domain.cell_size = scene.fluid.cell_size;
   for (int face = 0; face < 6; ++face) o.domain.faces[static_cast<std::size_t>(face)] = face_kind(scene, face);
+  o.domain.slip = scene.domain.slip;
   o.domain.walls = scene::make_walls(scene);
   o.domain.placement = scene.fluid.wall_placement;
   o.time_step = fluid_time_step(scene);
   o.adaptive_time_step = scene.fluid.adaptive_time_step;
   o.lattice_velocity = scene.fluid.lattice_velocity;
+  o.uncounted_share = scene.fluid.uncounted_share;
   o.density = scene.fluid.density;
   o.kinematic_viscosity = scene.fluid.kinematic_viscosity;
   o.gravity = scene.gravity.vector();
@@ -105,9 +107,48 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
   return o;
 }
 
+namespace {
+
+/// Whether there is no room right beyond a face of a box: walls, or the end of the domain.
+bool ends_at_walls(const scene::Scene& scene, const Walls& walls, const lbm::LiquidRegion& box, int axis, bool upper) {
+  constexpr int n = 9;  // points along an edge
+  const double beyond = 1e-3 * scene.fluid.cell_size;
+  const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+  for (int i = 0; i < n * n; ++i) {
+    Vec3 p = upper ? box.upper : box.lower;
+    p[axis] += upper ? beyond : -beyond;
+    p[a] = box.lower[a] + (i % n + 0.5) / n * (box.upper[a] - box.lower[a]);
+    p[b] = box.lower[b] + (i / n + 0.5) / n * (box.upper[b] - box.lower[b]);
+    if (scene.domain.contains(p) && (walls.empty() || walls.nearest(p).distance > 0)) return false;
+  }
+  return true;
+}
+
+/// A box of liquid that ends at walls fills the cells that they cut: walls are felt at the faces of cells, or farther
+/// out, and a strip of gas before them would be filled by sloshing.
+lbm::LiquidRegion up_to_walls(const scene::Scene& scene, const Walls& walls, lbm::LiquidRegion box) {
+  const double dx = scene.fluid.cell_size;
+  const lbm::LiquidRegion given = box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto face = [&](double x) { return (x - scene.domain.lower[axis]) / dx; };
+    constexpr double rounding = 1e-6;  // of a cell
+    if (ends_at_walls(scene, walls, given, axis, false))
+      box.lower[axis] = scene.domain.lower[axis] + dx * std::floor(face(given.lower[axis]) + rounding);
+    if (ends_at_walls(scene, walls, given, axis, true))
+      box.upper[axis] = scene.domain.lower[axis] + dx * std::ceil(face(given.upper[axis]) - rounding);
+  }
+  return box;
+}
+
+}  // namespace
+
 std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene) {
+  const Walls walls = scene::make_walls(scene);
   std::vector<lbm::LiquidRegion> regions;
-  for (const auto& r : scene.fluid.regions) regions.push_back({r.lower, r.upper, r.velocity, scene::make_body(r)});
+  for (const auto& r : scene.fluid.regions) {
+    lbm::LiquidRegion region{r.lower, r.upper, r.velocity, scene::make_body(r)};
+    regions.push_back(region.body ? region : up_to_walls(scene, walls, region));
+  }
   return regions;
 }
 

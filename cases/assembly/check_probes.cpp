@@ -2,8 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "cases/assembly/cross_checks.h"
+#include "cases/assembly/measured_names.h"
 #include "cases/scene/names.h"
 
 namespace lahar::scene {
@@ -44,11 +46,31 @@ void check_flux_section(const Scene& scene, std::size_t i, Findings& findings) {
     findings.mistake(path + ".point_m", path + ".point_m lies outside the domain, expected it inside [domain]");
 }
 
+/// Nothing that a probe or a section measures is called as something else is.
+void check_measured_names(const Scene& scene, Findings& findings) {
+  std::map<std::string, std::string> owners;
+  for (const std::string& name : own_names()) owners.emplace(name, "the program");
+  const auto claim = [&](const auto& measurement, const std::string& path) {
+    if (!findings.sound({path})) return;
+    std::string clash;
+    for (const std::string& name : names_of(measurement)) {
+      const auto [known, is_new] = owners.emplace(name, path);
+      if (!is_new && clash.empty() && known->second != path) clash = name + "\", a name of " + known->second;
+    }
+    if (!clash.empty())
+      findings.mistake(path + ".name", fmt::format("{}.name is \"{}\" and would write \"{}, expected another name",
+                                                   path, measurement.name, clash));
+  };
+  for (std::size_t i = 0; i < scene.probes.size(); ++i) claim(scene.probes[i], fmt::format("probe[{}]", i));
+  for (std::size_t i = 0; i < scene.sections.size(); ++i) claim(scene.sections[i], fmt::format("section[{}]", i));
+}
+
 }  // namespace
 
 void check_probes(const Scene& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.probes.size(); ++i) check_probe(scene, i, findings);
   for (std::size_t i = 0; i < scene.sections.size(); ++i) check_flux_section(scene, i, findings);
+  check_measured_names(scene, findings);
 }
 
 }  // namespace lahar::scene

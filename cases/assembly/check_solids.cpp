@@ -7,8 +7,10 @@
 
 #include "cases/assembly/check_gradings.h"
 #include "cases/assembly/cross_checks.h"
+#include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_sizes.h"
+#include "cases/assembly/memory.h"
 #include "cases/assembly/net_spec.h"
 #include "dem/time_step.h"
 
@@ -176,6 +178,20 @@ void check_bond_steps(const Scene& scene, Findings& findings) {
   if (!scene.barrier.bonds.dissipator_stiffness.empty()) refuse(spec.dissipator, "dissipator_stiffness_N_m3");
 }
 
+void check_memory_of_particles(const Scene& scene, Findings& findings) {
+  if (!findings.sound({"barrier", "grains"})) return;
+  const std::int64_t beads = scene.barrier.enabled ? cases::barrier_beads(scene) : 0,
+                     grains = cases::grain_count(scene);
+  const auto have = static_cast<double>(physical_memory());
+  const double need = kBytesPerParticle * (static_cast<double>(beads) + static_cast<double>(grains));
+  const std::string path = beads > grains ? "barrier.net" : "grains";
+  if (need > have)
+    findings.mistake(path,
+                     fmt::format("{}: {} beads and {} grains need about {:.0f} GB, more than the {:.0f} GB of this "
+                                 "machine, expected fewer",
+                                 path, beads, grains, need * 1e-9, have * 1e-9));
+}
+
 void check_section(const Scene& scene, Findings& findings) {
   const Measure& m = scene.measure;
   const std::optional<double> section = section_of(scene);
@@ -214,7 +230,8 @@ void check_barrier(const Scene& scene, Findings& findings) {
 }
 
 void check_net_can_be_built(const Scene& scene, Findings& findings) {
-  if (!scene.barrier.enabled || !findings.mistakes().empty()) return;
+  constexpr std::int64_t most_beads = 500'000;  // a few seconds; of larger nets the run finds it out
+  if (!scene.barrier.enabled || !findings.mistakes().empty() || cases::barrier_beads(scene) > most_beads) return;
   dem::Particles particles;
   dem::Bonds bonds;
   const auto attempt = [&](const std::string& path, const auto& build) {
@@ -252,6 +269,7 @@ void check_uses(const Scene& scene, Findings& findings) {
   if (!scene.fluid.enabled && !scene.has_solids() && findings.sound({"fluid", "grains", "barrier"}))
     findings.mistake("scene", "the scene is empty, expected a fluid, grains or a barrier");
   check_section(scene, findings);
+  check_memory_of_particles(scene, findings);
 }
 
 }  // namespace lahar::scene

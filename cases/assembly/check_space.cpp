@@ -96,6 +96,8 @@ void check_rheology(const Scene& scene, Findings& findings) {
   if (!takes_flow_laws(scene.fluid.collision))
     wrong(".law", fmt::format(" with collision = \"{}\", expected another operator: it is for Newtonian fluids alone",
                               name(scene.fluid.collision)));
+  if (scene.domain.slip == WallSlip::wall_model)
+    return wrong(".law", " with domain.slip = \"wall_model\", expected faces without: its law is that of water");
   for (const WallSettings& w : scene.walls)
     if (w.slip == WallSlip::wall_model)
       return wrong(".law", " with a wall of slip = \"wall_model\", expected walls without: its law is that of water");

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cases/scene/names.h"
+#include "dem/contact/contact_materials.h"
 
 namespace lahar::scene {
 namespace {
@@ -68,6 +69,11 @@ void check_names(const Scene& scene, Findings& findings) {
 void check_materials(const Scene& scene, Findings& findings) {
   // With a mistake in the table of materials, names may be missing for that reason alone.
   if (!findings.sound({"materials"}) && scene.materials.empty()) return;
+  if (scene.materials.size() > dem::ContactMaterials::kMost) {
+    findings.mistake("materials", fmt::format("materials has {} tables, expected at most {}", scene.materials.size(),
+                                              dem::ContactMaterials::kMost));
+    return;
+  }
   for (std::size_t i = 0; i < scene.walls.size(); ++i)
     check_reference(scene, scene.walls[i].material, fmt::format("wall[{}].material", i), !scene.has_solids(), findings);
   for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {

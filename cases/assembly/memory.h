@@ -1,5 +1,5 @@
 #pragma once
-// How much memory a fluid takes, and how much there is.
+// How much memory a fluid and particles take, and how much there is.
 #include <cstddef>
 
 #include "cases/scene/scene.h"
@@ -8,6 +8,9 @@ namespace lahar::scene {
 
 /// Bytes that a cell of an active block takes at most: 19 populations, surface and body fields, flags.
 std::size_t fluid_bytes_per_cell(Precision precision);
+
+/// Bytes that a grain or a bead takes, with its neighbours, contacts and bonds.
+inline constexpr double kBytesPerParticle = 1000;
 
 /// Cells of the liquid at the start (the sum over regions; overlaps count twice).
 double liquid_cells(const Scene& scene);

@@ -13,6 +13,8 @@ std::string read_bytes(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) throw ShapeFileError("there is no such file");
   if (!std::filesystem::is_regular_file(file, error)) throw ShapeFileError("is no ordinary file");
+  constexpr std::uintmax_t most = 1U << 30;
+  if (std::filesystem::file_size(file, error) > most) throw ShapeFileError("is larger than 1 GiB");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (!in || (std::filesystem::file_size(file, error) > 0 && !(text << in.rdbuf())))

@@ -8,6 +8,8 @@ namespace lahar::cases {
 
 namespace {
 
+const std::string kFile = "particles.h5";
+
 template <class T>
 constexpr XdmfType xdmf_type() {
   if constexpr (std::is_same_v<T, float>) return XdmfType::float32;
@@ -24,11 +26,20 @@ std::vector<std::uint8_t> as_bytes(const std::vector<Enum>& values) {
 
 }  // namespace
 
-ParticleWriter::ParticleWriter(const std::filesystem::path& directory) : directory_(directory) {}
+ParticleWriter::ParticleWriter(const std::filesystem::path& directory)
+    : directory_(directory), grown_(directory / kFile) {}
+
+ParticleWriter::~ParticleWriter() {
+  try {
+    close();
+  } catch (const std::exception&) {
+    // Nobody left to tell: whoever wants to know calls close().
+  }
+}
 
 template <class T>
 XdmfArray ParticleWriter::store(const std::string& name, const std::vector<T>& values, int width, const char* unit) {
-  XdmfArray array{"particles.h5:" + name, values.size() / static_cast<std::size_t>(width), width, xdmf_type<T>()};
+  XdmfArray array{kFile + ":" + name, values.size() / static_cast<std::size_t>(width), width, xdmf_type<T>()};
   std::vector<std::uint64_t> dimensions{array.rows};
   if (width > 1) dimensions.push_back(static_cast<std::uint64_t>(width));
   file_->write(name, std::span<const T>(values), dimensions);
@@ -97,9 +108,20 @@ void ParticleWriter::transfer(Archive& archive) {
   archive.text("bond_grids", bond_grids_);
   if (!archive.loading()) return;
   constants_from_ = frames_;
-  if (frames_ == 0) return;
-  file_ = Hdf5File::open_for_appending(directory_ / "particles.h5");
-  drop_later_frames();
+  if (frames_ > 0) open_earlier();
+}
+
+void ParticleWriter::open_earlier() {
+  try {
+    grown_.take_up();
+    file_ = Hdf5File::open_for_appending(grown_.open_name());
+    drop_later_frames();
+  } catch (const FileError& e) {
+    file_.reset();
+    particle_grids_.clear(), bond_grids_.clear();
+    lost_ = std::string(e.what()) + ": particles begin anew";
+    if (const auto aside = grown_.set_aside(); !aside.empty()) lost_ += ", the former file is now " + aside.string();
+  }
 }
 
 void ParticleWriter::drop_later_frames() {
@@ -114,7 +136,7 @@ void ParticleWriter::write(double time_s, const dem::Particles& particles, const
     by_id.renumber(by_id.numbering.to_ids(by_id.size()));
     return write(time_s, by_id, bonds);
   }
-  if (!file_) file_ = Hdf5File::create(directory_ / "particles.h5");
+  if (!file_) file_ = Hdf5File::create(grown_.open_name());
   if (frames_ == constants_from_ || particles.size() != particles_ || bonds.size() != bonds_)
     write_constants(particles, bonds);
   const std::string group = fmt::format("/frames/{:06}/", frames_);
@@ -126,13 +148,31 @@ void ParticleWriter::write(double time_s, const dem::Particles& particles, const
   grid.name = "particles", bond_grid.name = "bonds";
   write_particles(group, grid, particles);
   write_bonds(group, bond_grid, bonds);
-  file_->flush();
   ++frames_;
   // A grid without elements upsets the readers: such a time is left out.
   if (particles.size() > 0) particle_grids_ += xdmf_grid(grid);
   if (bonds.size() > 0) bond_grids_ += xdmf_grid(bond_grid);
+  if (grown_.copy_due()) flush();
+}
+
+void ParticleWriter::write_xdmf() const {
   replace_text_file(directory_ / "particles.xmf", xdmf_document("particles", particle_grids_));
   if (!bond_grids_.empty()) replace_text_file(directory_ / "bonds.xmf", xdmf_document("bonds", bond_grids_));
+}
+
+void ParticleWriter::flush() {
+  if (!file_) return;
+  file_->flush();
+  grown_.copy();
+  write_xdmf();
+}
+
+void ParticleWriter::close() {
+  if (!file_) return;
+  file_->close();
+  file_.reset();
+  grown_.finish();
+  write_xdmf();
 }
 
 }  // namespace lahar::cases

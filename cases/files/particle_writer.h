@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/files/growing_file.h"
 #include "cases/files/hdf5_file.h"
 #include "cases/files/xdmf.h"
 #include "dem/bonds/bonds.h"
@@ -18,24 +19,30 @@
 
 namespace lahar::cases {
 
-/// Writes one frame at a time. After each frame the HDF5 file is flushed and the .xmf files are replaced, so that
-/// everything up to that frame can be looked at while the run goes on or after it was killed.
+/// Writes one frame at a time. particles.h5 is whole at any time (growing_file.h), and the .xmf files tell of the
+/// frames that it holds: a killed run loses at most the frames since the last copy.
 class ParticleWriter {
  public:
-  /// Starts particles.h5 in an existing directory. Throws FileError.
+  /// For an existing directory.
   explicit ParticleWriter(const std::filesystem::path& directory);
+  ParticleWriter(const ParticleWriter&) = delete;
+  ParticleWriter& operator=(const ParticleWriter&) = delete;
+  ~ParticleWriter();
 
   /// State of a checkpoint. Loading goes on with the file in the directory: frames that came later are dropped,
-  /// constants are stored again with the next frame. Throws FileError.
+  /// constants are stored again with the next frame. If it cannot be read it is set aside, the frames begin anew, and
+  /// lost() tells so. Throws FileError.
   void transfer(Archive& archive);
+  /// What of the earlier run could not be read; empty if all could.
+  [[nodiscard]] const std::string& lost() const { return lost_; }
 
   /// Adds a frame. Throws FileError.
   void write(double time_s, const dem::Particles& particles, const dem::Bonds& bonds);
   [[nodiscard]] std::uint64_t frames() const { return frames_; }
-  /// Flushes and closes; nothing may be written afterwards.
-  void close() {
-    if (file_) file_->close();
-  }
+  /// Puts all frames into the files. Throws FileError.
+  void flush();
+  /// The same, and closes; nothing may be written afterwards. Throws FileError.
+  void close();
 
  private:
   template <class T>
@@ -44,16 +51,19 @@ class ParticleWriter {
   XdmfArray store_scalars(const std::string& name, const std::vector<double>& values, const char* unit);
   void write_constants(const dem::Particles& particles, const dem::Bonds& bonds);
   void write_particles(const std::string& group, XdmfGrid& grid, const dem::Particles& particles);
+  void open_earlier();
   void drop_later_frames();
+  void write_xdmf() const;
   void write_bonds(const std::string& group, XdmfGrid& grid, const dem::Bonds& bonds);
 
   std::filesystem::path directory_;
+  GrowingFile grown_;
   std::optional<Hdf5File> file_;                   ///< none until the first frame
   std::uint64_t frames_ = 0, constants_from_ = 0;  ///< written; the frame that needs constants whatever is known
   std::size_t particles_ = 0, bonds_ = 0;          // sizes that the constants belong to
   XdmfArray ids_, connectivity_;
   std::vector<XdmfField> particle_constants_, bond_constants_;
-  std::string particle_grids_, bond_grids_;
+  std::string particle_grids_, bond_grids_, lost_;
 };
 
 }  // namespace lahar::cases

@@ -70,6 +70,7 @@ Header read_header(TextLines& lines) {
 class Values {
  public:
   Values(std::string_view data, Format format) : data_(data), format_(format) {}
+  [[nodiscard]] std::size_t bytes_left() const { return data_.size(); }
   double next(const std::string& type) { return format_ == Format::text ? next_word() : next_binary(type); }
 
  private:
@@ -149,6 +150,10 @@ TriangleMesh parse_ply(const std::string& bytes) {
     const bool lists = std::any_of(element.properties.begin(), element.properties.end(),
                                    [](const Property& p) { return !p.count_type.empty(); });
     const bool vertices = element.name == "vertex" && !lists;
+    if (element.properties.empty()) continue;
+    if (static_cast<std::size_t>(element.count) > values.bytes_left())  // each takes a byte at least
+      throw ShapeFileError(
+          fmt::format("says that it has {} of \"{}\" and ends too early", element.count, element.name.substr(0, 40)));
     for (long k = 0; k < element.count; ++k) {
       if (vertices)
         read_vertex(values, element, mesh);

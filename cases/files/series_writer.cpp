@@ -19,26 +19,38 @@ bool usable_name(const std::string& name) {
 
 }  // namespace
 
-SeriesWriter::SeriesWriter(Hdf5File file, std::size_t rows_per_flush)
-    : file_(std::move(file)),
-      rows_per_flush_(std::max<std::size_t>(1, rows_per_flush)),
+SeriesWriter::SeriesWriter(std::filesystem::path path, Hdf5File file, std::size_t rows_per_write)
+    : grown_(std::move(path)),
+      file_(std::move(file)),
+      rows_per_write_(std::max<std::size_t>(1, rows_per_write)),
       last_time_s_(-std::numeric_limits<double>::infinity()) {}
 
-SeriesWriter::SeriesWriter(const std::filesystem::path& path, std::size_t rows_per_flush)
-    : SeriesWriter(Hdf5File::create(path), rows_per_flush) {
+SeriesWriter::SeriesWriter(const std::filesystem::path& path, std::size_t rows_per_write)
+    : SeriesWriter(path, Hdf5File::create(GrowingFile(path).open_name()), rows_per_write) {
   time_.push_back({file_.create_column(kTime, kChunkRows), "s", {}});
   file_.set_attribute(kTime, "unit", std::string("s"));
   file_.set_attribute(kTime, "description", std::string("simulated time"));
 }
 
-SeriesWriter SeriesWriter::resume(const std::filesystem::path& path, double until_s, std::size_t rows_per_flush) {
-  SeriesWriter writer(Hdf5File::open_for_appending(path), rows_per_flush);
+SeriesWriter SeriesWriter::resume(const std::filesystem::path& path, double until_s, std::size_t rows_per_write) {
+  const GrowingFile grown(path);
+  grown.take_up();
+  SeriesWriter writer(path, Hdf5File::open_for_appending(grown.open_name()), rows_per_write);
   const std::vector<double> times = writer.file_.read<double>(kTime);
   const auto kept = std::upper_bound(times.begin(), times.end(), until_s) - times.begin();
   writer.rows_ = static_cast<std::size_t>(kept);
   if (kept > 0) writer.last_time_s_ = times[writer.rows_ - 1];
-  for (const std::string& name : writer.file_.members(kGroup))
-    writer.file_.open_column(kGroup + "/" + name).truncate(writer.rows_);
+  for (const std::string& name : writer.file_.members(kGroup)) {
+    const std::string column = kGroup + "/" + name;
+    try {
+      (void)writer.file_.read<double>(column);
+      writer.file_.open_column(column).truncate(writer.rows_);
+    } catch (const FileError&) {
+      if (column == kTime) throw;
+      writer.file_.remove(column);
+      writer.lost_.push_back(name);
+    }
+  }
   writer.time_.push_back({writer.file_.open_column(kTime), "s", {}});
   return writer;
 }
@@ -83,7 +95,9 @@ void SeriesWriter::append(double time_s, std::span<const double> values) {
   time_[0].pending.push_back(time_s);
   for (std::size_t c = 0; c < values.size(); ++c) columns_[c].pending.push_back(values[c]);
   ++rows_;
-  if (time_[0].pending.size() >= rows_per_flush_) flush();
+  if (time_[0].pending.size() < rows_per_write_) return;
+  write_rows();
+  if (grown_.copy_due()) flush();
 }
 
 void SeriesWriter::write_pending(Column& column) {
@@ -91,19 +105,25 @@ void SeriesWriter::write_pending(Column& column) {
   column.pending.clear();
 }
 
-void SeriesWriter::flush() {
-  if (time_.empty()) return;
+void SeriesWriter::write_rows() {
   for (Column& column : columns_) write_pending(column);
   write_pending(time_[0]);
+}
+
+void SeriesWriter::flush() {
+  if (time_.empty()) return;
+  write_rows();
   file_.flush();
+  grown_.copy();
 }
 
 void SeriesWriter::close() {
   if (time_.empty()) return;
-  flush();
+  write_rows();
   columns_.clear();
   time_.clear();
   file_.close();
+  grown_.finish();
 }
 
 }  // namespace lahar::cases

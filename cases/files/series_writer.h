@@ -7,18 +7,21 @@
 #include <string>
 #include <vector>
 
+#include "cases/files/growing_file.h"
 #include "cases/files/hdf5_file.h"
 
 namespace lahar::cases {
 
-/// Writes series.h5 row by row. Rows are gathered and written together; a killed run loses at most the rows since the
-/// last flush. Every function throws FileError when the file cannot be written.
+/// Writes series.h5 row by row. Whatever happens the file is whole: a killed run loses at most the rows of its last
+/// second, or of 50 times as long as a copy takes, and those that were not yet gathered. Every function throws
+/// FileError when the file cannot be written.
 class SeriesWriter {
  public:
-  /// Starts a new file. `rows_per_flush` rows are gathered before they go to disk.
-  explicit SeriesWriter(const std::filesystem::path& path, std::size_t rows_per_flush = 64);
-  /// Goes on with the file of an earlier run; rows later than `until_s` are dropped.
-  static SeriesWriter resume(const std::filesystem::path& path, double until_s, std::size_t rows_per_flush = 64);
+  /// Starts a new file. `rows_per_write` rows are gathered before they are written.
+  explicit SeriesWriter(const std::filesystem::path& path, std::size_t rows_per_write = 64);
+  /// Goes on with the file of an earlier run; rows later than `until_s` are dropped, and columns that cannot be read,
+  /// see lost().
+  static SeriesWriter resume(const std::filesystem::path& path, double until_s, std::size_t rows_per_write = 64);
   SeriesWriter(SeriesWriter&&) = default;
   SeriesWriter& operator=(SeriesWriter&&) = delete;
   ~SeriesWriter();
@@ -35,13 +38,15 @@ class SeriesWriter {
     append(time_s, std::span<const double>(values.begin(), values.size()));
   }
 
-  /// Puts all rows on disk.
+  /// Puts all rows into the file.
   void flush();
-  /// Flushes and closes; nothing may be appended afterwards.
+  /// The same, and closes; nothing may be appended afterwards.
   void close();
 
   [[nodiscard]] std::size_t columns() const { return columns_.size(); }
   [[nodiscard]] std::size_t rows() const { return rows_; }
+  /// Columns of the earlier run that could not be read.
+  [[nodiscard]] const std::vector<std::string>& lost() const { return lost_; }
 
  private:
   struct Column {
@@ -49,11 +54,14 @@ class SeriesWriter {
     std::string unit;
     std::vector<double> pending;
   };
-  SeriesWriter(Hdf5File file, std::size_t rows_per_flush);
-  void write_pending(Column& column);
+  SeriesWriter(std::filesystem::path path, Hdf5File file, std::size_t rows_per_write);
+  static void write_pending(Column& column);
+  void write_rows();
 
+  GrowingFile grown_;
   Hdf5File file_;
-  std::size_t rows_per_flush_, rows_ = 0;
+  std::size_t rows_per_write_, rows_ = 0;
+  std::vector<std::string> lost_;
   double last_time_s_;
   std::vector<Column> time_;  // one element, none once closed
   std::vector<Column> columns_;

@@ -26,7 +26,6 @@ struct Arguments {
 };
 
 int run_with_options(const scene::Scene& scene, const RunOptions& options) {
-  watch_for_interrupt();
   const RunResult result = run_to_folder(scene, options, run_scene);
   if (!options.quiet)
     fmt::print("{}{}results are in {}\n", results_table(result.summary), result.interrupted ? "interrupted; " : "",

@@ -12,4 +12,8 @@ double depth_over(const FluidView& fluid, const Vec3& point, double top);
 /// what a gauge flush with the wall reads is the pressure in the cells next to it.
 double pressure_at(const FluidView& fluid, const Vec3& point);
 
+/// Velocity of the liquid at a point, m/s: interpolated between the centres of those of the eight cells around it that
+/// hold liquid; NaN where none does.
+Vec3 velocity_at(const FluidView& fluid, const Vec3& point);
+
 }  // namespace lahar::cases

@@ -18,6 +18,7 @@ Probes::Probes(const Observed& run) : Observer(run) {
   for (const auto& p : run.scene.probes) {
     if (p.kind == scene::ProbeKind::height) declare_level(p);
     if (p.kind == scene::ProbeKind::pressure) declare_pressure(p);
+    if (p.kind == scene::ProbeKind::velocity) declare_velocity(p);
     if (p.kind == scene::ProbeKind::force) declare_force(p);
   }
   if (!forces_.empty() && run.simulation.fluid()) run.simulation.fluid()->measure_walls();
@@ -41,6 +42,20 @@ void Probes::declare_pressure(const scene::Probe& probe) {
          [this, point = probe.position] { return pressure_at(*run_.simulation.fluid(), point); })
       .peak(of_probe(probe.name, "_peak_Pa"), "Pa", "largest pressure of the rows")
       .peak_time(of_probe(probe.name, "_peak_time_s"));
+}
+
+void Probes::declare_velocity(const scene::Probe& probe) {
+  const std::size_t k = currents_.size();
+  currents_.push_back({probe.position, Vec3::Zero()});
+  for (int a = 0; a < 3; ++a)
+    column(
+        {probe.name + "_" + kAxes[a] + "_m_s", "PROBE_AXIS_m_s"}, "m/s",
+        "velocity probe: of the liquid, between the centres of the wet ones of the eight cells around the point; NaN "
+        "where all are dry",
+        [this, k, a] { return currents_[k].velocity[a]; });
+  hidden([this, k] { return currents_[k].velocity.norm(); })
+      .peak(of_probe(probe.name, "_speed_peak_m_s"), "m/s", "largest speed of the rows")
+      .peak_time(of_probe(probe.name, "_speed_peak_time_s"));
 }
 
 void Probes::declare_force(const scene::Probe& probe) {
@@ -91,6 +106,7 @@ Probes::Load Probes::mean_load(const Load& sum, double interval, const Vec3& poi
 void Probes::sample(double interval) {
   for (Level& level : levels_)
     level.depth = depth_over(*run_.simulation.fluid(), level.point, run_.scene.domain.upper.z());
+  for (Current& current : currents_) current.velocity = velocity_at(*run_.simulation.fluid(), current.point);
   for (ForceProbe& probe : forces_) {
     probe.both = {};
     const auto add = [&](Load& mean, const Load& sum) {

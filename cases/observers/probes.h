@@ -1,5 +1,5 @@
 #pragma once
-// The probes of a scene: depth and pressure at points, force and moment on walls.
+// The probes of a scene: depth, pressure and velocity at points, force and moment on walls.
 #include <string>
 #include <vector>
 
@@ -38,13 +38,18 @@ class Probes final : public Observer {
     Vec3 point;
     double depth;  ///< m, at the last row
   };
+  struct Current {
+    Vec3 point, velocity;  ///< m; m/s, at the last row
+  };
   void declare_level(const scene::Probe& probe);
   void declare_pressure(const scene::Probe& probe);
+  void declare_velocity(const scene::Probe& probe);
   void declare_force(const scene::Probe& probe);
   void declare_load(std::size_t probe, const std::string& source, const std::string& who, Load ForceProbe::*load);
   [[nodiscard]] static Load mean_load(const Load& sum, double interval, const Vec3& point);
 
   std::vector<Level> levels_;
+  std::vector<Current> currents_;
   std::vector<ForceProbe> forces_;
 };
 

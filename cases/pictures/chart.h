@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "cases/pictures/axis.h"
 #include "cases/files/image.h"
+#include "cases/pictures/axis.h"
 
 namespace lahar::cases {
 

@@ -3,8 +3,8 @@
 // and walls with a grid, in the true frame where gravity points down.
 #include <string>
 
-#include "cases/pictures/camera.h"
 #include "cases/files/image.h"
+#include "cases/pictures/camera.h"
 #include "cases/pictures/ray.h"
 #include "core/geometry.h"
 #include "dem/bonds/bonds.h"

@@ -1,14 +1,19 @@
 #include "cases/runner/interrupt.h"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
 #include <cstdint>
 #include <ctime>
 
+#include "cases/runner/options.h"
+
 namespace lahar::cases {
 namespace {
 
 std::atomic<bool> flag{false};
+bool watching = false;
 std::atomic<std::int64_t> first_signal_ms{0};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free,
               "only lock-free atomics may be touched in a signal handler");
@@ -31,16 +36,33 @@ void note(int signal) {
   }
 }
 
-}  // namespace
+void end(int) {
+  static constexpr char kText[] = "interrupted before the run began\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
+  _exit(exit_interrupted);
+}
 
-void watch_for_interrupt() {
+void set_handler(void (*handler)(int)) {
   struct sigaction action {};
-  action.sa_handler = note;
+  action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
   sigemptyset(&action.sa_mask);
-  flag.store(false);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+}
+
+}  // namespace
+
+void end_at_interrupt() {
+  watching = false;
+  set_handler(end);
+}
+
+void watch_for_interrupt() {
+  if (watching) return;
+  watching = true;
+  flag.store(false);
+  set_handler(note);
 }
 
 bool interrupted() { return flag.load(std::memory_order_relaxed); }

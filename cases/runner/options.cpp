@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "cases/runner/interrupt.h"
 #include "cases/scene/names.h"
 #include "core/check.h"
 
@@ -58,6 +59,7 @@ int guarded(const std::function<int()>& command) {
 }
 
 int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int()>& command) {
+  end_at_interrupt();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

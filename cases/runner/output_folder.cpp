@@ -21,9 +21,11 @@ namespace fs = std::filesystem;
 
 /// Names of section 1 of the contract with the user, and images.
 bool written_by_run(const std::string& name) {
-  static constexpr std::array<std::string_view, 12> names{
-      "summary.json",  "scene.resolved.toml", "series.h5", "particles.h5",     "particles.xmf",    "bonds.xmf",
-      "checkpoint.h5", "report.html",         "run.log",   "cable_forces.png", "cable_forces.svg", "cable_forces.pdf"};
+  static constexpr std::array<std::string_view, 16> names{
+      "summary.json",      "scene.resolved.toml", "series.h5",         "series.h5.open",
+      "series.damaged.h5", "particles.h5",        "particles.h5.open", "particles.damaged.h5",
+      "particles.xmf",     "bonds.xmf",           "checkpoint.h5",     "report.html",
+      "run.log",           "cable_forces.png",    "cable_forces.svg",  "cable_forces.pdf"};
   if (std::find(names.begin(), names.end(), name) != names.end()) return true;
   return (name.starts_with("fluid_") && name.ends_with(".vdb")) ||
          (name.starts_with("image_") && name.ends_with(".png"));

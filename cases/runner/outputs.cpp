@@ -42,6 +42,7 @@ void Outputs::write_due(Simulation& run) {
 void Outputs::finish(Simulation& run) {
   if (frames_.wants_last(run.time())) write_fields(run);
   if (pictures_.wants_last(run.time())) write_picture(run);
+  if (particles_) particles_->close();
 }
 
 void Outputs::write_fields(Simulation& run) {

@@ -17,10 +17,16 @@ class Outputs {
   Outputs(const scene::Scene& scene, std::filesystem::path folder);
   /// Writes whatever is due at the present time.
   void write_due(Simulation& run);
-  /// Writes a last frame, if one is wanted and the last is older than the present time.
+  /// Writes a last frame, if one is wanted and the last is older than the present time, and closes the files.
   void finish(Simulation& run);
+  /// Puts all that was written into the files. Throws FileError.
+  void flush() {
+    if (particles_) particles_->flush();
+  }
   /// Frame numbers of a checkpoint. Loading drops frames that came later: they will be written again.
   void transfer(Archive& archive);
+  /// What of an earlier part of the run could not be read; empty if all could.
+  [[nodiscard]] std::string lost() const { return particles_ ? particles_->lost() : std::string(); }
 
  private:
   void remove_later_files() const;

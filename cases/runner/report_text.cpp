@@ -21,9 +21,10 @@ std::string fluid_text(const scene::Scene& scene, const FluidFigures& f) {
   if (f.time_step >= longest_capillary_step(scene) * (1 - 1e-9))
     t += line("", "by the surface tension: the shortest ripple may not run farther than half a cell in a step");
   if (scene.fluid.adaptive_time_step)
-    t += line("", fmt::format("this is the first; it then follows the fastest cell, to about {:g} lu ({:.3g} s at the "
-                              "least)",
-                              scene.fluid.lattice_velocity, f.time_step / 32));
+    t +=
+        line("", fmt::format("this is the first; it then follows the liquid, all but the fastest {:g} of its cells, to "
+                             "about {:g} lu ({:.3g} s at the least)",
+                             scene.fluid.uncounted_share, scene.fluid.lattice_velocity, f.time_step / 32));
   t += line("largest speed, depth", fmt::format("{:.4g} m/s, {:.4g} m", f.max_speed, f.depth));
   t += line("tau", fmt::format("1/2 + {:.3g} (viscosity {:.3g} lu)", f.tau - 0.5, f.lattice_viscosity));
   t += line("Ma", fmt::format("{:.3g} (compressibility error about {:.2g} %)", f.mach, 100 * f.compressibility_error));

@@ -1,6 +1,9 @@
 #include "cases/runner/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <optional>
 
@@ -71,16 +74,19 @@ struct Loop {
 SeriesWriter open_series(const std::filesystem::path& path, const std::optional<CheckpointHead>& from,
                          RunMonitor& monitor) {
   if (!from) return SeriesWriter(path);
-  if (std::filesystem::exists(path)) {
-    try {
-      return SeriesWriter::resume(path, from->last_row);
-    } catch (const FileError& e) {
-      throw InputError(std::vector<InputMistake>{
-          {path.string(), 1, 1,
-           std::string("cannot be gone on with (") + e.what() + "), expected the series of the run, or none"}});
-    }
+  if (!std::filesystem::exists(path)) {
+    monitor.warn(fmt::format("{} is gone: the series begins anew", path.string()));
+    return SeriesWriter(path);
   }
-  monitor.log.warn("{} is gone: the series begins anew", path.string());
+  try {
+    SeriesWriter series = SeriesWriter::resume(path, from->last_row);
+    for (const std::string& name : series.lost())
+      monitor.warn(fmt::format("{}: {} cannot be read, its rows begin anew", path.string(), name));
+    return series;
+  } catch (const FileError& e) {
+    const std::filesystem::path aside = GrowingFile(path).set_aside();
+    monitor.warn(fmt::format("{}: the series begins anew, the former file is now {}", e.what(), aside.string()));
+  }
   return SeriesWriter(path);
 }
 
@@ -105,6 +111,7 @@ class SceneRun {
   }
 
   RunResult run() {
+    watch_for_interrupt();
     RunResult result;
     for (;;) {
       const bool due = time() >= loop_.next_sample - 1e-12;
@@ -164,6 +171,7 @@ class SceneRun {
   void save(bool last) {
     const ScopedTimer timer(timers_.section("checkpoints"));
     series_->flush();
+    outputs_->flush();
     loop_.wall_seconds = earlier_seconds_ + monitor_.seconds();
     loop_.peak_rss_bytes = std::max<std::uint64_t>(loop_.peak_rss_bytes, peak_rss_bytes());
     loop_.checkpoints.skip_until(time());
@@ -181,6 +189,7 @@ class SceneRun {
   void load(const CheckpointHead& from) {
     load_checkpoint(options_.out, [&](Archive& archive) { transfer(archive); });
     earlier_seconds_ = loop_.wall_seconds;
+    if (const std::string lost = outputs_->lost(); !lost.empty()) monitor_.warn(lost);
     monitor_.progress.start_from(time());
     monitor_.log.info("goes on from the checkpoint of t = {:.6g} s", time());
     if (from.commit != commit())
@@ -192,6 +201,7 @@ class SceneRun {
     {
       const ScopedTimer timer(timers_.section("outputs"));
       outputs_->finish(*simulation_);
+      series_->close();
       observers_->finish(options_.out);
     }
     result.earlier_seconds = earlier_seconds_;
@@ -218,6 +228,11 @@ class SceneRun {
 };
 
 }  // namespace
+
+void RunMonitor::warn(const std::string& text) {
+  log.warn("{}", text);
+  fmt::print(stderr, "warning: {}\n", text);
+}
 
 RunResult run_scene(const scene::Scene& scene, const RunOptions& options, RunMonitor& monitor) {
   SceneRun run(scene, options, monitor);

@@ -25,6 +25,8 @@ struct RunMonitor {
   Progress& progress;
   spdlog::logger& log;  ///< run.log
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  /// Tells the user and the log.
+  void warn(const std::string& text);
   /// Wall time since the start, s.
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/memory.h"
 
@@ -125,11 +126,83 @@ void add_packings(const scene::Scene& s, List& list) {
   }
 }
 
+/// Whether all points of a lattice in a box lie in walls.
+bool filled_by_walls(const Walls& walls, const Vec3& lower, const Vec3& upper) {
+  constexpr int n = 9;  // points along an edge
+  if (walls.empty()) return false;
+  for (int i = 0; i < n * n * n; ++i) {
+    const Vec3 part((i % n + 0.5) / n, (i / n % n + 0.5) / n, (i / (n * n) + 0.5) / n);
+    if (walls.nearest(lower + (upper - lower).cwiseProduct(part)).distance > 0) return false;
+  }
+  return true;
+}
+
+/// What lies in walls, or over something else.
+void add_places(const scene::Scene& s, List& list) {
+  const Walls walls = scene::make_walls(s);
+  const auto look = [&](const std::string& path, const Vec3& lower, const Vec3& upper) {
+    if (filled_by_walls(walls, lower, upper)) list.push_back(path + " lies in walls: nothing of it is left");
+  };
+  if (s.fluid.enabled) {
+    for (std::size_t i = 0; i < s.fluid.regions.size(); ++i)
+      look(fmt::format("fluid.region[{}]", i), s.fluid.regions[i].lower, s.fluid.regions[i].upper);
+    for (std::size_t i = 0; i < s.fluid.inflows.size(); ++i)
+      look(fmt::format("fluid.inflow[{}]", i), s.fluid.inflows[i].lower, s.fluid.inflows[i].upper);
+  }
+  for (std::size_t i = 0; i < s.probes.size(); ++i) {
+    const scene::Probe& p = s.probes[i];
+    const double slack = s.fluid.enabled ? s.fluid.cell_size : 0.0;
+    if ((p.kind == scene::ProbeKind::pressure || p.kind == scene::ProbeKind::velocity) && !walls.empty() &&
+        walls.nearest(p.position).distance < -slack)
+      list.push_back(fmt::format("probe[{}] lies in a wall", i));
+  }
+  const auto& packings = s.grains.packings;
+  for (std::size_t i = 0; i < packings.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if ((packings[i].lower.array() < packings[k].upper.array()).all() &&
+          (packings[k].lower.array() < packings[i].upper.array()).all())
+        list.push_back(
+            fmt::format("grains.packing[{}] and grains.packing[{}] share space: their grains may overlap", k, i));
+}
+
+/// Faces of the domain and walls along the axes that fall between the faces of cells.
+void add_rounded_walls(const scene::Scene& s, List& list) {
+  const auto acts_at = [&](double x, int axis) {
+    const double from = s.domain.lower[axis];
+    return from + s.fluid.cell_size * std::round((x - from) / s.fluid.cell_size);
+  };
+  const auto tell = [&](const std::string& what, double x, int axis) {
+    constexpr double bearable = 0.01;  // of a cell
+    if (x < s.domain.lower[axis] || x > s.domain.upper[axis]) return;
+    if (std::abs(acts_at(x, axis) - x) > bearable * s.fluid.cell_size)
+      list.push_back(fmt::format("{} at {} = {:.6g} m acts on the liquid at {:.6g} m, the nearest faces of cells", what,
+                                 "xyz"[axis], x, acts_at(x, axis)));
+  };
+  const auto is_between_cells = [&](WallSlip slip) {
+    return s.fluid.wall_placement == scene::WallPlacement::half_way || slip != WallSlip::no_slip;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+    if (is_between_cells(s.domain.slip) && !s.domain.open(static_cast<scene::Face>(2 * axis + 1)) &&
+        !s.domain.periodic(static_cast<scene::Axis>(axis)))
+      tell("domain.upper_m", s.domain.upper[axis], axis);
+  for (const scene::WallSettings& w : s.walls) {
+    if (!is_between_cells(w.slip)) continue;
+    const std::string what = fmt::format("wall \"{}\"", w.name);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (w.shape == scene::WallShape::plane && std::abs(w.normal.normalized()[axis]) > 1 - 1e-9)
+        tell(what, w.point[axis], axis);
+      if (w.shape == scene::WallShape::box) tell(what, w.lower[axis], axis), tell(what, w.upper[axis], axis);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> warnings(const scene::Scene& scene, const CheckReport& figures) {
   List list;
   add_times(scene, list);
+  add_places(scene, list);
+  if (figures.fluid) add_rounded_walls(scene, list);
   if (figures.fluid) add_fluid(scene, *figures.fluid, list);
   if (figures.solids) add_solids(scene, *figures.solids, list);
   if (figures.fluid && figures.solids) add_coupling(scene, *figures.solids, list);

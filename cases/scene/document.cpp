@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <utility>
@@ -25,6 +26,8 @@ std::string read_text(const fs::path& file) {
   if (status.type() == fs::file_type::not_found) fail(name, 0, 0, "there is no such file, expected a scene (TOML)");
   if (fs::is_directory(status)) fail(name, 0, 0, "is a directory, expected a scene file (TOML)");
   if (!fs::is_regular_file(status)) fail(name, 0, 0, "is no ordinary file, expected a scene file (TOML)");
+  constexpr std::uintmax_t most = 16U << 20;
+  if (fs::file_size(file, error) > most) fail(name, 0, 0, "is larger than 16 MiB, expected a scene file (TOML)");
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (!in || (fs::file_size(file, error) > 0 && !(text << in.rdbuf()))) fail(name, 0, 0, "cannot be read");
@@ -33,6 +36,13 @@ std::string read_text(const fs::path& file) {
 
 toml::table parse_file(const fs::path& file) {
   const std::string text = read_text(file);
+  if (const std::size_t key = find_long_key(text); key != std::string::npos) {
+    const std::size_t line =
+        static_cast<std::size_t>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(key), '\n')) + 1;
+    const std::size_t begin = key == 0 ? 0 : text.rfind('\n', key - 1) + 1;
+    fail(file.string(), static_cast<int>(line), static_cast<int>(key - begin + 1),
+         fmt::format("a key has more than {} parts, expected a key of a scene", kMostKeyParts));
+  }
   try {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& e) {

@@ -105,6 +105,7 @@ constexpr auto choices(FootJoint) {
 constexpr auto choices(ProbeKind) {
   return std::to_array<Choice<ProbeKind>>({{"height", ProbeKind::height, "depth of liquid above the point"},
                                            {"pressure", ProbeKind::pressure, "pressure in it"},
+                                           {"velocity", ProbeKind::velocity, "velocity of the liquid at it"},
                                            {"force", ProbeKind::force, "force on a wall"}});
 }
 

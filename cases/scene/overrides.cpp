@@ -68,6 +68,8 @@ void apply(toml::table& root, const std::string& text) {
   if (equals == std::string::npos) throw BadOverride("has no \"=\", expected key.path=value");
   const std::vector<PathStep> path = parse_path(trimmed(text.substr(0, equals)));
   if (path.empty()) throw BadOverride(fmt::format("\"{}\" is no key path, expected a.b[0].c", text.substr(0, equals)));
+  if (path.size() > kMostKeyParts || find_long_key(text) != std::string::npos)
+    throw BadOverride(fmt::format("has a key of more than {} parts, expected a.b[0].c", kMostKeyParts));
   toml::table holder = parse_value(trimmed(text.substr(equals + 1)), "--set " + text);
   toml::node* at = &root;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -80,6 +82,28 @@ void apply(toml::table& root, const std::string& text) {
 }
 
 }  // namespace
+
+std::size_t find_long_key(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  const auto of_word = [](char c) { return bare(c) || c == '"' || c == '\''; };
+  std::size_t start = 0;
+  int dots = 0;
+  char last = '\n';  // but for blanks
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (blank(c)) continue;
+    const bool goes_on = of_word(c) && last != '.' && i > 0 && of_word(text[i - 1]);
+    if (c == '.' && of_word(last)) {
+      if (++dots == kMostKeyParts) return start;
+    } else if (of_word(c) && last != '.' && !goes_on) {
+      dots = 0, start = i;
+    } else if (!of_word(c)) {
+      dots = 0;
+    }
+    last = c;
+  }
+  return std::string_view::npos;
+}
 
 std::vector<PathStep> parse_path(std::string_view text) {
   std::vector<PathStep> path;

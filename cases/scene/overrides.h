@@ -16,6 +16,12 @@ struct PathStep {
   std::size_t index = 0;
 };
 
+/// Parts of a dotted key. Each is a table in a table: a hundred thousand of them are more than a stack takes.
+inline constexpr int kMostKeyParts = 64;
+/// Where a key of more parts begins in a TOML text, npos if there is none. Looks at dots between words whatever they
+/// stand in.
+std::size_t find_long_key(std::string_view text);
+
 /// Splits `wall[0].slip`. Returns an empty list if the text is no path.
 std::vector<PathStep> parse_path(std::string_view text);
 

@@ -40,7 +40,7 @@ enum class Axis { x, y, z };
 enum class WallShape { plane, box, cylinder, sphere, mesh, heightmap };
 enum class RegionShape { box, cylinder, sphere, mesh };
 enum class NetKind { rings, hexagonal };
-enum class ProbeKind { height, pressure, force };
+enum class ProbeKind { height, pressure, velocity, force };
 
 struct Identity {
   std::optional<std::string> base;  ///< only in the file: unset in a loaded scene
@@ -72,6 +72,7 @@ struct Domain {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  ///< m
   std::vector<Face> open_faces;
   std::vector<Axis> periodic_axes;
+  WallSlip slip = WallSlip::no_slip;  ///< of the faces that are neither open nor periodic
   [[nodiscard]] bool open(Face face) const;
   [[nodiscard]] bool periodic(Axis axis) const;
   [[nodiscard]] bool contains(const Vec3& p, double tolerance = 0) const;
@@ -147,6 +148,7 @@ struct Fluid {
   double lattice_velocity = 0.1;
   double max_speed = 0;  ///< m/s, 0 = from the drop height
   bool adaptive_time_step = false;
+  double uncounted_share = 0.001;
   WallPlacement wall_placement = WallPlacement::half_way;
   Rheology rheology;
   std::vector<FluidRegion> regions;

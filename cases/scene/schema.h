@@ -75,8 +75,10 @@ void describe(V& v, Domain& s) {
   v.value("lower_m", s.lower, required(), "Lower corner of the space that is simulated.");
   v.value("upper_m", s.upper, required(), "Upper corner.");
   v.value("open_faces", s.open_faces, {},
-          "Faces through which water may leave (counted as outflow). Every other face is a no-slip wall for the water. "
+          "Faces through which water may leave (counted as outflow). Every other face is a wall for the water. "
           "Grains are held by [[wall]] alone and removed once they have left the domain.");
+  v.value("slip", s.slip, {},
+          "How water slides along the faces that are walls, smooth ones. A [[wall]] in the same place goes before.");
   v.value("periodic_axes", s.periodic_axes, {}, "Axes along which the fluid repeats; only without grains and barrier.");
 }
 
@@ -186,9 +188,13 @@ void describe(V& v, Fluid& s) {
     v.value("max_speed_m_s", s.max_speed, {non_negative()},
             "Largest expected speed; 0 = from the drop height, sqrt(v0^2 + 2 g h).");
     v.value("adaptive_time_step", s.adaptive_time_step, {},
-            "Whether the time step follows the liquid, so that its fastest cell stays about lattice_velocity: shorter "
+            "Whether the time step follows the liquid, so that its largest speed stays about lattice_velocity: shorter "
             "at once where it is too fast, longer when it has been calm. The largest expected speed then sets the "
             "first step alone.");
+    v.value(
+        "uncounted_share", s.uncounted_share, {between(0, 0.1)},
+        "Share of the wet cells, the fastest, that adaptive_time_step does not count: drops and jets of a splash. 0 "
+        "= the fastest cell counts.");
     v.value("wall_placement", s.wall_placement, {}, "Where no-slip walls are felt.");
     v.table("rheology", s.rheology, Presence::optional, "Flow law of mud and slurry. Newtonian when left out.");
     v.array("region", s.regions, "Where the liquid is at the start.");

@@ -69,6 +69,9 @@ std::string read(const toml::node& node, const Rule& rule, double& value) {
   if (!node.is_number()) return "is " + kind_text(node);
   const double number = *node.value<double>();
   if (!std::isfinite(number) || !rule.range.contains(number)) return "is " + quote(node);
+  constexpr double least = 1e-30, most = 1e30;  // beyond, squares and cubes leave what a double holds
+  if (number != 0 && (std::abs(number) < least || std::abs(number) > most))
+    return "is " + quote(node) + ", which makes sense in no unit";
   value = number;
   return {};
 }

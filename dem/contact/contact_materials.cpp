@@ -8,7 +8,8 @@
 namespace lahar::dem {
 
 ContactMaterials::ContactMaterials(const Materials& materials) : count_(materials.size()) {
-  require(2 * count_ * count_ <= std::numeric_limits<std::uint16_t>::max(), "too many materials");
+  static_assert(2 * kMost * kMost <= std::numeric_limits<std::uint16_t>::max());
+  require(count_ <= kMost, "ContactMaterials: too many materials");
   rows_.resize(2 * count_ * count_);
   for (const bool frictionless : {false, true})
     for (int a = 0; a < static_cast<int>(count_); ++a)

@@ -10,6 +10,9 @@ namespace lahar::dem {
 /// All pairs of materials, then the same once more without friction, for beads of one body.
 class ContactMaterials {
  public:
+  static constexpr std::size_t kMost = 181;  ///< materials: pairs are numbered in 16 bits
+
+  /// Throws std::logic_error for more materials.
   explicit ContactMaterials(const Materials& materials);
 
   /// Where the pair (a, b) is found.

@@ -25,7 +25,7 @@ Domain::Domain(DomainSpec spec) : spec_(std::move(spec)) {
     const int axis = face / 2;
     Vec3 normal = Vec3::Zero();
     normal[axis] = face % 2 == 0 ? 1 : -1;
-    spec_.walls.add({"domain face", HalfSpace{face % 2 == 0 ? spec_.lower : spec_.upper, normal}});
+    spec_.walls.add({"domain face", HalfSpace{face % 2 == 0 ? spec_.lower : spec_.upper, normal}, spec_.slip});
   }
 }
 

@@ -24,7 +24,8 @@ struct DomainSpec {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Ones();  ///< m; rounded outwards to whole cells from `lower`
   double cell_size = 0;                             ///< m
   std::array<FaceKind, 6> faces{};
-  Walls walls;  ///< signed distances; the closed faces are added as planes
+  WallSlip slip = WallSlip::no_slip;  ///< of closed faces; a wall in the same place goes before
+  Walls walls;                        ///< signed distances; the closed faces are added as planes
   WallPlacement placement = WallPlacement::half_way;
 };
 

@@ -8,6 +8,7 @@
 #include "lbm/grid/block_sum.h"
 #include "lbm/step/dry_blocks.h"
 #include "lbm/step/rescale.h"
+#include "lbm/step/speed_census.h"
 
 namespace lahar::lbm {
 
@@ -75,7 +76,11 @@ template <class Real>
 void Fluid<Real>::look() {
   looked_at_ = steps();
   watch();
-  const double chosen = control_->choose(level_.units.time_step, survey_);
+  const SpeedCensus census = take_speed_census(level_.grid, level_.parity());
+  const double uncounted = control_->limits().uncounted;
+  const double chosen = control_->choose(
+      level_.units.time_step,
+      {census.speed.cells() > 0, census.speed.exceeded_by(uncounted), census.reach.exceeded_by(uncounted)});
   if (chosen != level_.units.time_step) set_time_step(chosen);
 }
 

@@ -45,6 +45,7 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
 TimeStepLimits time_step_limits(const FluidOptions& o) {
   TimeStepLimits limits;
   limits.target = o.lattice_velocity;
+  limits.uncounted = o.uncounted_share;
   limits.cell_size = o.domain.cell_size;
   limits.shortest = kShortestStep * o.time_step;
   const double viscosity = o.rheology.law == FlowLaw::newtonian ? o.kinematic_viscosity : o.rheology.limit_viscosity;

@@ -16,6 +16,7 @@ struct FluidOptions {
   double time_step = 0;               ///< s; the first, where it adapts
   bool adaptive_time_step = false;    ///< follows the speed of the liquid (time_step_control.h)
   double lattice_velocity = 0.1;      ///< lu, largest speed that an adaptive step aims at
+  double uncounted_share = 0.001;     ///< of the wet cells, the fastest, that an adaptive step does not count
   double density = 1000;              ///< kg/m^3
   double kinematic_viscosity = 1e-6;  ///< m^2/s
   Vec3 gravity = Vec3::Zero();        ///< m/s^2

@@ -4,8 +4,8 @@
 
 #include "core/parallel.h"
 #include "lbm/grid/block_sum.h"
-#include "lbm/step/row_moments.h"
 #include "lbm/step/fluid.h"
+#include "lbm/step/row_moments.h"
 
 namespace lahar::lbm {
 

@@ -17,7 +17,6 @@ Survey survey_of(const std::vector<SweepNote>& notes, const std::vector<BlockInd
     all.held_back += static_cast<std::size_t>(note.held_back);
     all.limited += static_cast<std::size_t>(note.limited);
     all.exposed += static_cast<std::size_t>(note.exposed);
-    all.compression = std::max(all.compression, note.compression);
     if (note.speed_square <= fastest) continue;
     fastest = note.speed_square;
     all.fastest = blocks[k];

@@ -1,5 +1,5 @@
 #pragma once
-// What the sweeps of all blocks saw in a step, taken together: the fastest cell, the strongest pressure, whether all is
+// What the sweeps of all blocks saw in a step, taken together: the fastest cell, how many were limited, whether all is
 // finite.
 #include "core/archive.h"
 #include "lbm/grid/fluid_grid.h"
@@ -10,7 +10,6 @@ namespace lahar::lbm {
 /// Extremes and counts over the wet cells of a step, lattice units.
 struct Survey {
   double speed = 0;               ///< of the fastest cell as it left; kNotFinite where numbers have gone wrong
-  double compression = 0;         ///< largest |rho - 1|
   BlockIndex fastest = kNoBlock;  ///< the first block, in their order, that holds such a cell
   std::size_t wet = 0;            ///< cells
   std::size_t held_back = 0;      ///< cells whose speed was limited (collision/cell_state.h)
@@ -19,7 +18,6 @@ struct Survey {
 
   void transfer(Archive& archive) {
     archive.value("speed", speed);
-    archive.value("compression", compression);
     archive.value("fastest", fastest);
     archive.value("wet", wet);
     archive.value("held_back", held_back);

@@ -33,7 +33,6 @@ struct SweepNote {
   int exposed = 0;          ///< interface cells with a bound on their relaxation rate
   int held_back = 0;        ///< cells whose speed was limited
   double speed_square = 0;  ///< of the fastest before it was limited, lu; infinite if one is not a number
-  double compression = 0;   ///< largest |rho - 1|
 };
 
 /// One step of one block. `around` are the 27 blocks by neighbour_slot, null where there is none.

@@ -85,12 +85,11 @@ class BlockKernel {
  private:
   /// What the collisions of a block see.
   struct Watch {
-    V fastest{0}, compression{0};
+    V fastest{0};
     int limited = 0, held_back = 0;
     bool broken = false;
 
-    [[gnu::always_inline]] void see(const Moments<V>& m, const Departure<V>& d) {
-      compression = max(compression, abs(m.drho));
+    [[gnu::always_inline]] void see(const Departure<V>& d) {
       fastest = max(fastest, d.square);
       const auto over = too_fast(d);
       if (none(over)) [[likely]]
@@ -102,8 +101,7 @@ class BlockKernel {
     [[nodiscard]] SweepNote note(const Block<Real>& block) const {
       const double square =
           broken ? std::numeric_limits<double>::infinity() : static_cast<double>(greatest_lane(fastest));
-      return {block.wet_cells, limited, block.surface ? block.surface->exposed : 0,
-              held_back,       square,  static_cast<double>(greatest_lane(compression))};
+      return {block.wet_cells, limited, block.surface ? block.surface->exposed : 0, held_back, square};
     }
   };
 
@@ -160,7 +158,7 @@ class BlockKernel {
     } else {
       after = Operator::collide(f, m, force, uniform.viscosity);
     }
-    watch.see(m, after);
+    watch.see(after);
     if constexpr (kBody) record_exchange(block, n, m, force, uniform, after);
     // Dry cells store what came of rest: it goes to places that walls or the surface set before a wet cell reads them.
     store_aligned(block.f(0) + n, f[0]);

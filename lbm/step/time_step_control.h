@@ -1,10 +1,12 @@
 #pragma once
 // How long the next fluid step may be (docs/decisions/0010).
 //
-// Too fast: a cell beyond 1.5 times the target speed shortens the step at once, so that the fastest comes to the
-// target, by at most half. Calm: when at 16 looks in a row the largest of
-//   the fastest cell, what its pressure can give to the liquid (Bernoulli, u^2 = 2 p / rho = 2/3 (rho - 1)), a fall by
-//   one cell, walls and inflows
+// A stated share of the wet cells, the fastest, is not counted: drops and jets of a splash, whose speed is limited
+// (collision/cell_state.h) and says little about the flow.
+// Too fast: a speed beyond 1.5 times the target shortens the step at once, so that it comes to the target, by at most
+// half. Calm: when at 16 looks in a row the largest of
+//   the speed, what its pressure can give to the liquid (Bernoulli, u^2 = 2 p / rho = 2/3 (rho - 1)), a fall by one
+//   cell, walls and inflows
 // stayed under 0.7 times the target, the step grows, by at most a quarter, so that this speed comes to 0.85 times the
 // target. The gap between 0.85 and 1.5 keeps the step from swinging (Thuerey et al. 2006 use one number for both). The
 // pressure shortens a step only at the first look: later it may be a hammer of the lattice fluid, which is sound. That
@@ -14,7 +16,6 @@
 #include <cstdint>
 
 #include "core/archive.h"
-#include "lbm/step/survey.h"
 
 namespace lahar::lbm {
 
@@ -22,7 +23,8 @@ inline constexpr std::int64_t kLookEvery = 8;  ///< steps between two looks
 
 /// SI, but for the target.
 struct TimeStepLimits {
-  double target = 0.1;     ///< lu, of the largest speed
+  double target = 0.1;     ///< lu, of the largest speed that counts
+  double uncounted = 0;    ///< share of the wet cells, the fastest, that do not count
   double cell_size = 0;    ///< m
   double shortest = 0;     ///< s
   double longest = 0;      ///< s: by the viscosity, see fluid.cpp
@@ -48,22 +50,28 @@ struct TimeStepRecord {
   }
 };
 
+/// What a look at the liquid found over the wet cells that count, lattice units.
+struct LiquidSpeed {
+  bool any = false;  ///< whether there is liquid
+  double speed = 0;  ///< of the fastest
+  double reach = 0;  ///< the largest of speeds and what pressures can give
+};
+
 class TimeStepControl {
  public:
   explicit TimeStepControl(const TimeStepLimits& limits) : limits_(limits) {}
 
   /// s: the step to go on with, after a look at the liquid at the end of a step of length `time_step`.
-  double choose(double time_step, const Survey& look) {
-    if (look.wet == 0) return time_step;
-    const double pressure_speed = std::sqrt(2.0 / 3.0 * look.compression);
-    const double fast = first_ ? std::max(look.speed, pressure_speed) : look.speed;
+  double choose(double time_step, const LiquidSpeed& look) {
+    if (!look.any) return time_step;
+    const double fast = first_ ? look.reach : look.speed;
     const double largest_cut = first_ ? 0 : kLargestCut;
     first_ = false;
     if (fast > kTooFast * limits_.target) {
       calm_looks_ = 0;
       return bounded(time_step, std::max(largest_cut, limits_.target / fast));
     }
-    const double speed = std::max({look.speed, pressure_speed, other_speed(time_step)});
+    const double speed = std::max(look.reach, other_speed(time_step));
     calm_looks_ = speed < kCalm * limits_.target ? calm_looks_ + 1 : 0;
     if (calm_looks_ < kCalmLooks) return time_step;
     calm_looks_ = 0;

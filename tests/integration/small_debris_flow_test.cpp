@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
+#include "cases/assembly/load.h"
 #include "cases/files/series_reader.h"
 #include "cases/runner/run.h"
-#include "cases/assembly/load.h"
 #include "tests/cases/files/test_folder.h"
 
 namespace lahar::cases {

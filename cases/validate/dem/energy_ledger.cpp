@@ -78,8 +78,7 @@ void ask_net(std::vector<Row>& rows, bool breaks, double time) {
   const double radius = 0.06;
   p.add(grain(Vec3(0.12, 0.12, radius + 0.02), radius, Vec3(0.3, 0.2, breaks ? -12 : -6)));
   const dem::Materials m = one_material(10e9, 0.3, 0.1, 0.3);
-  const double step = std::min((breaks ? 0.25 : 0.5) * dem::bond_time_step(b, p),
-                               0.2 * dem::rayleigh_time_step(p, m));
+  const double step = std::min((breaks ? 0.25 : 0.5) * dem::bond_time_step(b, p), 0.2 * dem::rayleigh_time_step(p, m));
   dem::Solids solids(p, b, m, {}, solids_options(step, Vec3(0, 0, -kGravity)));
   LedgerWatch watch(solids);
   advance_watched(solids, watch, static_cast<int>(time / step), 20);

@@ -13,7 +13,7 @@ TEST_P(Gauges, IsTheOneMistake) { expect_rejection(case_file("dam_break/scene.to
 INSTANTIATE_TEST_SUITE_P(
     CrossChecks, Gauges,
     testing::Values(
-        Rejection{{"probe[0].kind=depth"}, "probe[0].kind", "one of \"height\", \"pressure\", \"force\""},
+        Rejection{{"probe[0].kind=depth"}, "probe[0].kind", "one of \"height\", \"pressure\", \"velocity\", \"force\""},
         Rejection{{"probe[0].position_m=[9, 0, 0]"}, "probe[0].position_m", "outside the domain"},
         Rejection{{"probe[0].wall=near_side"}, "probe[0].wall", "expected only with kind = \"force\""},
         Rejection{{"probe[0].kind=force"}, "probe[0].wall", "is missing"},
@@ -23,6 +23,12 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"probe[0].kind=force", "probe[0].wall=far_side", "wall[0].name=far_side"},
                   "probe[0].wall",
                   "the name of 2 walls"},
+        Rejection{{"probe[0].name=time_s"}, "probe[0].name", "would write \"time_s\", a name of the program"},
+        Rejection{{"probe[0].name=wet_cells"}, "probe[0].name", "\"wet_cells\", a name of the program"},
+        Rejection{{"section[0].name=s", "probe[0].name=s_volume_m3", "section[0].point_m=[1, 0.1, 0.1]",
+                   "section[0].normal=[1, 0, 0]"},
+                  "section[0].name",
+                  "\"s_volume_m3\", a name of probe[0]"},
         Rejection{{"section[0].name=s", "section[0].point_m=[1, 0.1, 0.1]"}, "section[0].normal", "is missing"},
         Rejection{{"section[0].name=s", "section[0].point_m=[1, 0.1, 0.1]", "section[0].normal=[0, 0, 0]"},
                   "section[0].normal",

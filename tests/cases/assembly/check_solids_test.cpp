@@ -12,6 +12,10 @@ TEST_P(SolidsMistake, IsTheOneMistake) { expect_rejection(case_file("debris_flow
 INSTANTIATE_TEST_SUITE_P(
     CrossChecks, SolidsMistake,
     testing::Values(
+        Rejection{{"barrier.net.ring_diameter_m=0.0000427", "barrier.net.ring_pitch_m=0.0000366",
+                   "barrier.net.wire_diameter_m=0.000003"},
+                  "barrier.net",
+                  "GB of this machine"},
         Rejection{{"grains.packing[0].upper_m=[0.75, 1.8, -1]"}, "grains.packing[0].upper_m", "is not above lower_m"},
         Rejection{
             {"grains.packing[0].upper_m=[0.75, 1.8, 1.6]"}, "grains.packing[0] reaches outside the domain", "expected"},

@@ -36,6 +36,17 @@ TEST(CrossChecks, WallsNeedNoMaterialWithoutSolids) {
   EXPECT_EQ(mistakes_in(case_file("dam_break/scene.toml"), {"wall[0].material=x"}).size(), 1u);
 }
 
+TEST(CrossChecks, MoreMaterialsThanContactsTellApart) {
+  std::vector<std::string> set;
+  for (int k = 0; k < 1000; ++k) {
+    set.push_back("materials.m" + std::to_string(k) + ".youngs_modulus_Pa=1e9");
+    set.push_back("materials.m" + std::to_string(k) + ".poisson_ratio=0.3");
+  }
+  const auto all = mistakes_in(case_file("bouncing_sphere/scene.toml"), set);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_NE(all[0].find("tables, expected at most 181"), std::string::npos) << all[0];
+}
+
 TEST(CrossChecks, AMistakeDoesNotBreedOthers) {
   // The domain is unreadable: nothing is said about what lies outside of it.
   EXPECT_EQ(mistakes_in(case_file("debris_flow/scene.toml"), {"domain.upper_m=[1, 2]"}).size(), 1u);

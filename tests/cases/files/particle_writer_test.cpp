@@ -86,7 +86,9 @@ TEST(ParticleWriter, FramesReadBack) {
   writer.write(1.5, s.particles, s.bonds);
   EXPECT_EQ(writer.frames(), 2U);
 
-  // Not closed: after each frame the file must be readable.
+  // Not closed.
+  EXPECT_EQ(Hdf5File::open_for_reading(folder / "particles.h5").members("/frames").size(), 1U);
+  writer.flush();
   const Hdf5File file = Hdf5File::open_for_reading(folder / "particles.h5");
   EXPECT_EQ(file.number_attribute("/frames/000001", "time_s"), 1.5);
   EXPECT_EQ(file.dimensions("/frames/000000/position"), (std::vector<std::uint64_t>{4, 3}));
@@ -125,6 +127,7 @@ TEST(ParticleWriter, XdmfIsWellFormedAndMatchesTheArrays) {
   const System s = three_beads_and_a_grain();
   ParticleWriter writer(folder.path());
   for (int n = 0; n < 3; ++n) writer.write(0.1 * n, s.particles, s.bonds);
+  writer.close();
   const std::string points = content(folder / "particles.xmf"), lines = content(folder / "bonds.xmf");
   EXPECT_EQ(elements(points)["Grid"], 4);
   EXPECT_EQ(elements(lines)["Time"], 3);
@@ -143,6 +146,7 @@ TEST(ParticleWriter, NewParticlesBringNewConstants) {
   s.particles.add({.position = Vec3(1, 1, 1), .radius = 0.25, .density = 2600});
   writer.write(1, s.particles, s.bonds);
   writer.write(2, s.particles, s.bonds);
+  writer.flush();
   const Hdf5File file = Hdf5File::open_for_reading(folder / "particles.h5");
   EXPECT_EQ(file.members("/constant"), (std::vector<std::string>{"000000", "000001"}));
   EXPECT_EQ(file.read<float>("/constant/000001/radius")[4], 0.25F);
@@ -156,6 +160,7 @@ TEST(ParticleWriter, WorksWithoutParticlesOrBonds) {
   dem::Particles one;
   one.add({.position = Vec3::Zero(), .radius = 1, .density = 1});
   writer.write(1, one, {});
+  writer.flush();
   EXPECT_EQ(elements(content(folder / "particles.xmf"))["Time"], 1);
   EXPECT_FALSE(std::filesystem::exists(folder / "bonds.xmf"));
 }

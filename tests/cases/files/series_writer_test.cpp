@@ -4,9 +4,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <fstream>
+#include <thread>
 
 #include "cases/files/series_reader.h"
 #include "tests/cases/files/test_folder.h"
@@ -21,6 +24,19 @@ std::vector<double> plain_column(const std::filesystem::path& path, const char* 
   H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
   H5Sclose(space), H5Dclose(dataset), H5Fclose(file);
   return values;
+}
+
+/// As if a program had been killed while it replaced the packed rows of a column.
+void overwrite_chunk(const std::filesystem::path& path, const char* name) {
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), dataset = H5Dopen2(file, name, H5P_DEFAULT);
+  const hid_t space = H5Dget_space(dataset);
+  haddr_t at = 0;
+  hsize_t bytes = 0, offset = 0;
+  H5Dget_chunk_info(dataset, space, 0, &offset, nullptr, &at, &bytes);
+  H5Sclose(space), H5Dclose(dataset), H5Fclose(file);
+  std::fstream out(path, std::ios::in | std::ios::out | std::ios::binary);
+  out.seekp(static_cast<std::streamoff>(at));
+  out << std::string(bytes, 'x');
 }
 
 TEST(SeriesWriter, ColumnsReadBackWithUnits) {
@@ -94,6 +110,53 @@ TEST(SeriesWriter, AKilledRunKeepsItsFlushedRows) {
   }
   waitpid(child, nullptr, 0);
   EXPECT_EQ(read_series(folder / "series.h5").find("a")->values, (std::vector<double>{0, 2, 4, 6}));
+}
+
+TEST(SeriesWriter, IsWholeWheneverTheRunIsKilled) {
+  const TestFolder folder;
+  const auto path = folder / "series.h5";
+  std::fflush(nullptr);
+  for (int k = 0; k < 40; ++k) {
+    const pid_t child = fork();
+    if (child == 0) {
+      SeriesWriter writer = k == 0 ? SeriesWriter(path) : SeriesWriter::resume(path, 1e9);
+      for (const char* name : {"a", "b", "c"}) writer.declare(name, "m", "");
+      for (auto n = static_cast<double>(writer.rows());; ++n) {
+        writer.append(n, {n, 2 * n, 3 * n});
+        writer.flush();
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(k == 0 ? 100000 : 3000 + 731 * k));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    const Series series = read_series(path);
+    ASSERT_FALSE(series.time_s.empty());
+    for (std::size_t n = 0; n < series.time_s.size(); ++n)
+      ASSERT_EQ(series.find("c")->values[n], 3.0 * static_cast<double>(n)) << "after " << k << " kills";
+  }
+}
+
+TEST(SeriesWriter, AColumnThatCannotBeReadIsLeftOut) {
+  const TestFolder folder;
+  const auto path = folder / "series.h5";
+  {
+    SeriesWriter writer(path);
+    writer.declare("a", "m", "");
+    writer.declare("b", "m", "");
+    for (int n = 0; n < 300; ++n) writer.append(n, {1.0 * n, std::sin(n)});
+  }
+  overwrite_chunk(path, "/series/b");
+  {
+    SeriesWriter writer = SeriesWriter::resume(path, 199.5);
+    EXPECT_EQ(writer.lost(), std::vector<std::string>{"b"});
+    writer.declare("a", "m", "");
+    writer.declare("b", "m", "");
+    writer.append(200, {200, 7});
+  }
+  const Series series = read_series(path);
+  EXPECT_EQ(series.find("a")->values[150], 150);
+  EXPECT_TRUE(std::isnan(series.find("b")->values[150]));
+  EXPECT_EQ(series.find("b")->values[200], 7);
 }
 
 TEST(SeriesWriter, RefusesMisuse) {

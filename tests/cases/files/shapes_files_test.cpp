@@ -106,6 +106,9 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"a.ply", "ply\nelement vertex 1\nproperty quad x\n", "unknown type"},
         BadFile{"a.ply", "ply\nsurprise\n", "\"surprise\" is not understood"},
         BadFile{"a.ply", ply_head + "end_header\n", "ends too early"},
+        BadFile{"a.ply", "ply\nelement vertex 1000000000000000000\nend_header\n", "has no triangles"},
+        BadFile{"a.ply", "ply\nelement dust 1000000000000000000\nproperty float x\nend_header\n1 2\n",
+                "says that it has 1000000000000000000 of \"dust\""},
         BadFile{"a.ply", ply_head + "end_header\nwide\n", "\"wide\" is no number"},
         BadFile{"a.ply", ply_head + "element face 1\nproperty list uchar int vertex_indices\nend_header\n0\n3 0 1 2\n",
                 "corner 1 of a face does not exist"}));
@@ -115,6 +118,8 @@ TEST(MeshFile, UnreadableFiles) {
   EXPECT_THROW(read_closed_mesh(scratch.path() / "none.stl"), ShapeFileError);
   std::filesystem::create_directory(scratch.path() / "folder.stl");
   EXPECT_THROW(read_closed_mesh(scratch.path() / "folder.stl"), ShapeFileError);
+  std::filesystem::resize_file(scratch.write("huge.stl", ""), std::uintmax_t{4} << 30);  // no byte of it is stored
+  EXPECT_THROW(read_closed_mesh(scratch.path() / "huge.stl"), ShapeFileError);
 }
 
 const std::string grid_text =

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "cases/assembly/build.h"
 #include "tests/cases/observers/tank_with_ball.h"
 #include "tests/cases/scene/scene_files.h"
@@ -28,6 +30,25 @@ TEST(FluidSamples, PressureInsideAndAtWalls) {
   EXPECT_EQ(depth({0.05, 0.05, 0.35}), 0);
   EXPECT_EQ(depth({0, 0.05, 0.35}), 0);
   EXPECT_NEAR(depth_over(*view, Vec3(0.05, 0.05, 0), 0.4), 0.3, 1e-3);
+}
+
+/// Linear between centres, and of wet cells alone.
+TEST(FluidSamples, VelocityBetweenCells) {
+  const scene::Scene scene = scene::load_text(tank_with_ball);
+  lbm::Fluid<double> fluid(fluid_options(scene));
+  const auto view = view_of(fluid);
+  fluid.fill(liquid_regions(scene));
+  for (int s = 0; s < 50; ++s) fluid.step();
+  const Vec3 a = view->domain().centre(view->domain().cell_at({0.055, 0.055, 0.155}));
+  const double dx = scene.fluid.cell_size;
+  const Vec3 at_a = view->cell_at(a)->velocity, beside = view->cell_at(a + Vec3(0, 0, dx))->velocity;
+  ASSERT_GT((at_a - beside).norm(), 0);
+  EXPECT_LT((velocity_at(*view, a) - at_a).norm(), 1e-12);
+  EXPECT_LT((velocity_at(*view, a + Vec3(0, 0, 0.25 * dx)) - (0.75 * at_a + 0.25 * beside)).norm(), 1e-12);
+  EXPECT_TRUE(std::isnan(velocity_at(*view, {0.05, 0.05, 0.38}).x()));
+  // Half of the cells around a point at the floor are wall.
+  const Vec3 lowest(a.x(), a.y(), 0.5 * dx);
+  EXPECT_LT((velocity_at(*view, {a.x(), a.y(), 0}) - view->cell_at(lowest)->velocity).norm(), 1e-12);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "cases/assembly/measured_names.h"
 #include "cases/files/series_reader.h"
 #include "cases/observers/flow.h"
 #include "cases/observers/fluid_cells.h"
@@ -27,12 +28,31 @@ TEST(ObserverList, NamesAreTheirOwnAndEndInTheirUnit) {
     EXPECT_TRUE(!q->is_column || columns.insert(q->label.name).second) << q->label.name;
     for (const Metric& m : q->metrics) {
       EXPECT_TRUE(metrics.insert(m.label.name).second) << m.label.name;
-      const std::string unit = m.unit == "m^3/s" ? "m3_s" : m.unit == "m^3" ? "m3" : m.unit;
+      const std::string unit = m.unit == "m^3/s" ? "m3_s" : m.unit == "m^3" ? "m3" : m.unit == "m/s" ? "m_s" : m.unit;
       EXPECT_TRUE(unit == "1" || m.label.name.ends_with("_" + unit)) << m.label.name;
     }
   }
   EXPECT_GT(columns.size(), 40u);
   EXPECT_GT(metrics.size(), 50u);
+}
+
+/// What the check of a scene takes for names is what a run writes.
+TEST(ObserverList, NamesAreThoseThatTheSceneIsCheckedFor) {
+  const scene::Scene scene = everything();
+  const auto simulation = build_simulation(scene, Beginning::checkpoint);
+  const ObserverList observers(scene, *simulation);
+  std::set<std::string> of_program, of_scene, written;
+  for (const std::string& name : scene::own_names()) of_program.insert(name);
+  for (const auto& probe : scene.probes)
+    for (const std::string& name : scene::names_of(probe)) of_scene.insert(name);
+  for (const auto& section : scene.sections)
+    for (const std::string& name : scene::names_of(section)) of_scene.insert(name);
+  for (const Quantity* q : observers.quantities()) {
+    if (q->is_column) written.insert(q->label.name);
+    for (const Metric& m : q->metrics) written.insert(m.label.name);
+  }
+  for (const std::string& name : written) EXPECT_TRUE(of_program.contains(name) || of_scene.contains(name)) << name;
+  for (const std::string& name : of_scene) EXPECT_TRUE(written.contains(name)) << name;
 }
 
 /// The row of a moment, and the metrics that follow from it.

@@ -95,6 +95,38 @@ TEST(Warnings, Solids) {
   EXPECT_FALSE(warns(report([](S&) {}), "no [[contact]]"));
 }
 
+TEST(Warnings, WallsBetweenCells) {
+  const auto report = [](std::vector<std::string> set) {
+    return check_scene(load(case_file("dam_break/scene.toml"), set));
+  };
+  EXPECT_FALSE(warns(report({}), "acts on the liquid"));
+  EXPECT_TRUE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]"}),
+                    "domain.upper_m at x = 1.613 m acts on the liquid at 1.62 m, the nearest faces of cells"));
+  EXPECT_FALSE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]", "fluid.wall_placement=interpolated"}), "acts on"));
+  EXPECT_FALSE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]", "domain.open_faces=['x+']"}), "acts on"));
+}
+
+TEST(Warnings, ThingsInWallsOrOverEachOther) {
+  const auto report = [](auto change) {
+    scene::Scene debris = scene::debris_flow();
+    change(debris);
+    return check_scene(debris);
+  };
+  using S = scene::Scene;
+  const auto in_bed = [](S& s) { s.fluid.regions[0].lower.z() = -0.2, s.fluid.regions[0].upper.z() = -0.1; };
+  EXPECT_TRUE(warns(report(in_bed), "fluid.region[0] lies in walls"));
+  EXPECT_FALSE(warns(report([](S&) {}), "lies in walls"));
+  const auto gauge = [](S& s) {
+    scene::Probe probe;
+    probe.kind = scene::ProbeKind::pressure;
+    probe.position = Vec3(1, 1, -0.1);
+    s.probes.push_back(probe);
+  };
+  EXPECT_TRUE(warns(report(gauge), "probe[0] lies in a wall"));
+  EXPECT_TRUE(warns(report([](S& s) { s.grains.packings.push_back(s.grains.packings[0]); }),
+                    "grains.packing[0] and grains.packing[1] share space"));
+}
+
 TEST(Warnings, GrainsWithoutWalls) {
   EXPECT_TRUE(warns(check_scene(load(case_file("bouncing_sphere/scene.toml"), {"wall=[]"})), "nothing holds them"));
   EXPECT_FALSE(warns(check_scene(load(case_file("bouncing_sphere/scene.toml"))), "nothing holds them"));

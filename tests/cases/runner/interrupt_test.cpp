@@ -12,15 +12,29 @@ namespace {
 
 TEST(Interrupt, TheFirstSignalSetsTheFlag) {
   for (const int signal : {SIGINT, SIGTERM}) {
+    end_at_interrupt();
     watch_for_interrupt();
     EXPECT_FALSE(interrupted());
     std::raise(signal);
     EXPECT_TRUE(interrupted());
+    watch_for_interrupt();
+    EXPECT_TRUE(interrupted());
   }
+  end_at_interrupt();
   watch_for_interrupt();
   EXPECT_FALSE(interrupted());
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+}
+
+TEST(InterruptDeathTest, BeforeARunASignalEndsTheProcess) {
+  for (const int signal : {SIGINT, SIGTERM})
+    EXPECT_EXIT(
+        {
+          end_at_interrupt();
+          std::raise(signal);
+        },
+        testing::ExitedWithCode(130), "interrupted before the run began");
 }
 
 TEST(InterruptDeathTest, ASecondSignalEndsTheProcess) {

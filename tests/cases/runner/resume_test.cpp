@@ -34,6 +34,10 @@ class Resume : public testing::Test {
   [[nodiscard]] std::size_t files(const std::string& name) const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder(name)), {}));
   }
+  /// Until the checkpoint.
+  [[nodiscard]] double wall_seconds(const std::string& name) const {
+    return Hdf5File::open_for_reading(folder(name) / kCheckpointFile).read<double>("/loop/wall_seconds").at(0);
+  }
   /// The message of the one mistake that resuming with `set` makes.
   std::string mistake(const std::string& name, const std::vector<std::string>& set = {}) {
     try {
@@ -57,13 +61,14 @@ void expect_same_series(const std::filesystem::path& a, const std::filesystem::p
 
 TEST_F(Resume, ALongerRunIsTheSameAsOneInOnePiece) {
   const RunResult whole = run("whole");
-  const RunResult part = run("part", {"run.duration_s=0.137"});
+  run("part", {"run.duration_s=0.137"});
   const std::size_t frames = files("part");
+  const double before = wall_seconds("part");
   const RunResult rest = resume("part", {"run.duration_s=0.3"});
   EXPECT_EQ(whole.summary.metrics, rest.summary.metrics);
   EXPECT_EQ(whole.summary.simulated_seconds, rest.summary.simulated_seconds);
   EXPECT_EQ(whole.summary.performance.wet_cells_max, rest.summary.performance.wet_cells_max);
-  EXPECT_GT(rest.summary.wall_seconds, part.summary.wall_seconds);
+  EXPECT_GT(rest.summary.wall_seconds, before);
   expect_same_series(folder("whole"), folder("part"));
   EXPECT_GT(files("part"), frames);
   EXPECT_EQ(files("part"), files("whole"));  // the last frame of the part was written again with its own number
@@ -92,7 +97,9 @@ TEST_F(Resume, WhatWasWrittenAfterTheCheckpointIsDropped) {
 TEST_F(Resume, AFinishedRunHasNothingLeftToDo) {
   const RunResult whole = run("out");
   const Series before = read_series(folder("out") / "series.h5");
+  const double earlier = wall_seconds("out");
   const RunResult again = resume("out");
+  EXPECT_GT(again.summary.wall_seconds, earlier);  // its own part is far shorter
   EXPECT_EQ(whole.summary.metrics, again.summary.metrics);
   EXPECT_EQ(before.time_s, read_series(folder("out") / "series.h5").time_s);
 }
@@ -113,6 +120,46 @@ TEST_F(Resume, ParticlesGoOn) {
   ASSERT_EQ(one.members("/frames"), two.members("/frames"));
   for (const std::string& frame : one.members("/frames"))
     EXPECT_EQ(one.read<float>("/frames/" + frame + "/position"), two.read<float>("/frames/" + frame + "/position"));
+}
+
+/// Cuts a file short, as a full disk or a copy that was broken off would.
+void halve(const std::filesystem::path& path) {
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+}
+
+TEST_F(Resume, ADamagedSeriesBeginsAnew) {
+  run("out", {"run.duration_s=0.1"});
+  halve(folder("out") / "series.h5");
+  resume("out", {"run.duration_s=0.2"});
+  EXPECT_TRUE(std::filesystem::exists(folder("out") / "series.damaged.h5"));
+  const Series series = read_series(folder("out") / "series.h5");
+  ASSERT_FALSE(series.time_s.empty());
+  EXPECT_GT(series.time_s.front(), 0.09);
+  EXPECT_NEAR(series.time_s.back(), 0.2, 0.01);
+  EXPECT_NE(scene::file_text(folder("out") / "run.log").find("the series begins anew"), std::string::npos);
+}
+
+TEST_F(Resume, DamagedOrLostParticlesBeginAnew) {
+  const std::vector<std::string> set{"run.duration_s=0.12", "run.output_interval_s=0.05"};
+  for (const bool lost : {true, false}) {
+    const std::string name = lost ? "lost" : "damaged";
+    run_to_folder(scene::load(scene::case_file("bouncing_sphere/scene.toml"), set),
+                  {.out = folder(name), .threads = 1, .quiet = true}, run_scene);
+    const auto file = folder(name) / "particles.h5";
+    if (lost)
+      std::filesystem::remove(file);
+    else
+      halve(file);
+    resume(name, {"run.duration_s=0.2"});
+    EXPECT_EQ(std::filesystem::exists(folder(name) / "particles.damaged.h5"), !lost);
+    EXPECT_NE(scene::file_text(folder(name) / "run.log").find("particles begin anew"), std::string::npos);
+    const std::vector<std::string> frames = Hdf5File::open_for_reading(file).members("/frames");
+    ASSERT_FALSE(frames.empty());
+    EXPECT_GE(frames.front(), "000003");
+    const std::string xmf = scene::file_text(folder(name) / "particles.xmf");
+    EXPECT_EQ(xmf.find("/frames/000000/"), std::string::npos);
+    EXPECT_NE(xmf.find("/frames/" + frames.front() + "/"), std::string::npos);
+  }
 }
 
 TEST_F(Resume, OnlyWhatLeavesThePhysicsAloneMayBeSet) {

@@ -50,7 +50,7 @@ TEST(TimeStep, AdaptsInARun) {
   EXPECT_NEAR(metrics.at("liquid_mass_start_kg") + metrics.at("liquid_rescaled_kg"), 9.6, 0.04 * 9.6);
   const Series series = read_series(scratch.path() / "out/series.h5");
   EXPECT_NEAR(series.find("fluid_time_step_s")->values.back(), metrics.at("fluid_time_step_min_s"), 0.5 * first);
-  EXPECT_NE(report_text(scene, check_scene(scene)).find("follows the fastest cell"), std::string::npos);
+  EXPECT_NE(report_text(scene, check_scene(scene)).find("follows the liquid"), std::string::npos);
 }
 
 /// The same with a fixed step is stopped.

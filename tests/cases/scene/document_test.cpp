@@ -1,5 +1,6 @@
 #include "cases/scene/document.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -65,9 +66,34 @@ TEST(Document, TenMegabytesOfNoise) {
   EXPECT_TRUE(text.starts_with("scene.toml:1:2: syntax: ")) << text.substr(0, 200);
 }
 
+TEST(Document, HugeFile) {
+  const ScratchFolder scratch;
+  const auto file = scratch.write("huge.toml", "");
+  std::filesystem::resize_file(file, std::uintmax_t{4} << 30);  // no byte of it is stored
+  EXPECT_EQ(the_mistake(mistakes_in(file)), "huge.toml:0:0: is larger than 16 MiB, expected a scene file (TOML)");
+}
+
 TEST(Document, DeepNesting) {
-  const std::string text = the_mistake(mistakes_in_text("a = " + std::string(1 << 20, '[')));
+  const std::string text = the_mistake(mistakes_in_text(fmt::format("a = {}", std::string(1 << 20, '['))));
   EXPECT_NE(text.find("syntax: "), std::string::npos) << text.substr(0, 200);
+}
+
+TEST(Document, LongKeysAreRefused) {
+  const auto repeated = [](const std::string& text, int times) {
+    std::string all;
+    for (int k = 0; k < times; ++k) all += text;
+    return all;
+  };
+  const std::string expected = "a key has more than 64 parts, expected a key of a scene";
+  const auto refused = [&](const std::string& text) { return the_mistake(mistakes_in_text(text)); };
+  EXPECT_EQ(refused(fmt::format("[scene]\n  {}a = 1\n", repeated("a.", 100000))), "scene.toml:2:3: " + expected);
+  EXPECT_EQ(refused(fmt::format("[{}a]\n", repeated("a . ", 1000000))), "scene.toml:1:2: " + expected);
+  EXPECT_EQ(refused(fmt::format("x = {{{}a = 1}}\n", repeated("'a'.", 100))), "scene.toml:1:6: " + expected);
+  EXPECT_NE(refused(fmt::format("[{}]\n", repeated(".", 1000000))).find("syntax: "), std::string::npos);
+  // Dots that are no keys.
+  for (const std::string& mistake :
+       mistakes_in_text(fmt::format("# {}\nx = [{}]\n", repeated("...", 100), repeated("1.5, ", 200))))
+    EXPECT_EQ(mistake.find("parts"), std::string::npos);
 }
 
 TEST(Document, BaseFillsWhatIsLeftOpenAndListsAreReplaced) {

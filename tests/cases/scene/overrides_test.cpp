@@ -61,6 +61,16 @@ TEST(Overrides, WrongValuesAreLocatedAtTheOverride) {
       << unknown[0];
 }
 
+TEST(Overrides, LongKeysAreRefused) {
+  std::string key = "a";
+  for (int k = 0; k < 50000; ++k) key += ".a";
+  for (const std::string& text : {key + "=1", "run.duration_s={" + key + "=1}"}) {
+    const auto all = mistakes_in_text(small_scene, {text});
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_NE(all[0].find("a key of more than 64 parts"), std::string::npos);
+  }
+}
+
 TEST(Overrides, SenselessOnesAreAllReported) {
   const auto all = mistakes_in_text(small_scene, {"run.duration_s", "=1", "run.duration_s=[1", "run.duration_s.x=1",
                                                   "grains.sphere[5].fixed=true", "run[0]=1", "run.seed=1\nx=2"});

@@ -12,10 +12,18 @@ std::string read_text(const std::string& text, T& value, const Rule& rule = {}) 
 }
 
 TEST(Value, NumbersReadBackExactly) {
-  for (const double number : {0.0, -0.0, 1.0, 0.1, 1e-6, 1.0 / 3.0, 6.02214076e23, 5e-324, 1.7976931348623157e308}) {
+  for (const double number : {0.0, -0.0, 1.0, 0.1, 1e-6, 1.0 / 3.0, 6.02214076e23, 1e-30, 1e30}) {
     double back = 7;
     EXPECT_EQ(read_text(number_text(number), back), "");
     EXPECT_EQ(back, number) << number_text(number);
+  }
+}
+
+TEST(Value, NumbersBeyondSenseAreRefused) {
+  for (const double number : {5e-324, -1e-31, 1.1e30, 1.7976931348623157e308}) {
+    double back = 7;
+    EXPECT_NE(read_text(number_text(number), back).find("makes sense in no unit"), std::string::npos) << number;
+    EXPECT_EQ(back, 7);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "tests/lbm/flows.h"
 
@@ -29,6 +31,32 @@ TEST(SlipWall, HalfAChannelIsExact) {
     });
     EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
   }
+}
+
+/// Faces of the domain that slip are walls in their place, and a wall there goes before.
+TEST(SlipWall, FacesSlipAsWallsInTheirPlaceDo) {
+  const auto sheet = [](WallSlip faces, std::optional<WallSlip> bed) {
+    FluidOptions o = lattice_options({32, 8, 12}, 0.01);
+    o.domain.faces = {FaceKind::closed,   FaceKind::closed, FaceKind::periodic,
+                      FaceKind::periodic, FaceKind::closed, FaceKind::closed};
+    o.domain.slip = faces;
+    if (bed)
+      for (const auto& [point, normal] :
+           {std::pair{Vec3(0, 0, 0), Vec3(0, 0, 1)}, std::pair{Vec3(0, 0, 12), Vec3(0, 0, -1)},
+            std::pair{Vec3(0, 0, 0), Vec3(1, 0, 0)}, std::pair{Vec3(32, 0, 0), Vec3(-1, 0, 0)}})
+        o.domain.walls.add({"wall", HalfSpace{point, normal}, *bed});
+    Fluid<double> fluid(o);
+    fluid.fill({{Vec3(4, 0, 0), Vec3(20, 8, 4), Vec3(0.05, 0, 0)}});
+    for (int s = 0; s < 200; ++s) fluid.step();
+    std::vector<double> speeds;
+    fluid.for_each_wet_cell([&](const WetCell& c) { speeds.push_back(c.velocity.x()); });
+    return speeds;
+  };
+  const auto slipping = sheet(WallSlip::free_slip, {});
+  EXPECT_EQ(slipping, sheet(WallSlip::no_slip, WallSlip::free_slip));
+  EXPECT_EQ(slipping, sheet(WallSlip::free_slip, WallSlip::free_slip));
+  EXPECT_NE(slipping, sheet(WallSlip::no_slip, {}));
+  EXPECT_EQ(sheet(WallSlip::no_slip, {}), sheet(WallSlip::free_slip, WallSlip::no_slip));
 }
 
 /// A sheet slides over a slipping bed: its centre of mass moves as fast as its momentum says, however thin it is, and

@@ -1,0 +1,36 @@
+#pragma once
+// A result file that grows during a run and can be read at any time, whenever the run is killed. HDF5 changes a file in
+// place, and a program that is killed meanwhile leaves one that nobody can read: so the file grows under another name,
+// and copies of it replace the one that others see in single strokes.
+#include <chrono>
+#include <filesystem>
+
+namespace lahar::cases {
+
+class GrowingFile {
+ public:
+  /// NAME is what others see.
+  explicit GrowingFile(std::filesystem::path name) : name_(std::move(name)) {}
+
+  [[nodiscard]] const std::filesystem::path& name() const { return name_; }
+  /// NAME.open, which grows.
+  [[nodiscard]] std::filesystem::path open_name() const;
+  /// Starts from the file that others see. Throws FileError.
+  void take_up() const;
+  /// Whether a copy is due: one a second, or as seldom as they take a fiftieth of the time.
+  [[nodiscard]] bool copy_due() const { return Clock::now() >= next_copy_; }
+  /// Replaces what others see by a copy of what has grown, which must be flushed. Throws FileError.
+  void copy();
+  /// Replaces it by what has grown itself, which must be closed. Throws FileError.
+  void finish() const;
+  /// Gives a file that others see and nobody can read another name, NAME.damaged.EXTENSION, which is returned; empty if
+  /// there is no such file. Throws FileError.
+  [[nodiscard]] std::filesystem::path set_aside() const;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::filesystem::path name_;
+  Clock::time_point next_copy_ = Clock::time_point::min();
+};
+
+}  // namespace lahar::cases
