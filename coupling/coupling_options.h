@@ -6,8 +6,15 @@
 namespace lahar::coupling {
 
 /// Added to the radius (cells) at which the fluid comes to rest, with BodyWeighting::wall_distance; the volume stays
-/// that of the body. Fitted on arrays of spheres (docs/decisions/0021).
-inline constexpr double kRadiusShift = -0.06;
+/// that of the body. In creeping flow, fitted on arrays of spheres (docs/decisions/0021); and where the flow past the
+/// body is fast beside the cells, fitted on a packed bed (docs/decisions/0054).
+inline constexpr double kRadiusShift = -0.06, kRadiusShiftFast = -0.2;
+
+/// The shift between them, cells: for a velocity of the flow past the body U with U dx / nu = `cell_reynolds`.
+constexpr double radius_shift_at(double cell_reynolds) {
+  constexpr double half_way = 2.5;
+  return kRadiusShift + (kRadiusShiftFast - kRadiusShift) * cell_reynolds / (cell_reynolds + half_way);
+}
 
 /// Grains displace and stop the fluid cell by cell: immersed moving boundary (grains/resolved_exchange.h).
 struct ResolvedGrains {

@@ -4,21 +4,11 @@
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/net_spec.h"
-#include "coupling/grains/seepage.h"
 #include "dem/packing/packing.h"
 
 namespace lahar::cases {
 
 namespace {
-
-/// Sum of d^3 over sum of d^2 of all grains, m.
-double sauter_diameter(const scene::Scene& scene) {
-  double volume = 0, area = 0;
-  const auto add = [&](double d, double count) { volume += count * d * d * d, area += count * d * d; };
-  for (const auto& s : scene::grain_sizes(scene)) add(s.diameter, static_cast<double>(s.count));
-  for (const auto& s : scene.grains.spheres) add(s.diameter, 1);
-  return area > 0 ? volume / area : scene.fluid.cell_size;
-}
 
 lbm::InflowOptions inflow_of(const scene::Inflow& s) {
   lbm::InflowOptions inflow{s.name, s.lower, s.upper, s.velocity, {}};
@@ -98,9 +88,6 @@ lbm::FluidOptions fluid_options(const scene::Scene& scene) {
   o.collision = scene.fluid.collision;
   o.weighting = scene.coupling.body_weighting;
   o.solid_operator = scene.coupling.solid_operator;
-  if (o.weighting == lbm::BodyWeighting::seepage)
-    o.seepage_constant = coupling::seepage_constant(sauter_diameter(scene), o.kinematic_viscosity, o.gravity.norm(),
-                                                    {o.domain.cell_size, o.time_step, o.density});
   o.smagorinsky = scene.fluid.smagorinsky;
   o.rheology = scene.fluid.rheology;
   for (const scene::Inflow& inflow : scene.fluid.inflows) o.inflows.push_back(inflow_of(inflow));

@@ -86,6 +86,32 @@ double smallest_grain(const scene::Scene& scene) {
   return smallest;
 }
 
+double settling_speed(double diameter, double density_ratio, double viscosity, double gravity) {
+  const double weight = 4.0 / 3 * std::abs(density_ratio - 1) * gravity * diameter;  // = Cd v^2
+  double slow = 0, fast = std::sqrt(weight / 0.44);
+  for (int k = 0; k < 60; ++k) {
+    const double v = (slow + fast) / 2, re = v * diameter / viscosity;
+    const double drag = re > 1000 ? 0.44 * v * v : 24 * viscosity * v / diameter * (1 + 0.15 * std::pow(re, 0.687));
+    (drag < weight ? slow : fast) = v;
+  }
+  return slow;
+}
+
+std::optional<double> settling_speed(const scene::Scene& scene) {
+  if (!scene.fluid.enabled || scene.fluid.rheology.law != scene::FlowLaw::newtonian) return std::nullopt;
+  double volume = 0, sum = 0;
+  const auto add = [&](double diameter, double density, double count) {
+    const double share = count * diameter * diameter * diameter;
+    volume += share;
+    sum += share * settling_speed(diameter, density / scene.fluid.density, scene.fluid.kinematic_viscosity,
+                                  scene.gravity.vector().norm());
+  };
+  for (const scene::GrainSize& s : scene::grain_sizes(scene)) add(s.diameter, s.density, static_cast<double>(s.count));
+  for (const scene::GrainSphere& s : scene.grains.spheres) add(s.diameter, s.density, 1);
+  if (volume <= 0) return std::nullopt;
+  return sum / volume;
+}
+
 SolidsLimits solids_limits(const scene::Scene& scene) {
   const dem::Materials materials = scene::make_materials(scene);
   const auto rayleigh = [&](double diameter, double density, const std::string& material) {

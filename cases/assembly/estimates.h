@@ -1,6 +1,7 @@
 #pragma once
 // What a scene's numbers imply before anything runs: speeds, time steps, counts.
 #include <cstdint>
+#include <optional>
 
 #include "cases/scene/scene.h"
 
@@ -27,6 +28,12 @@ std::int64_t grain_count(const scene::Scene& scene);
 
 /// Diameter of the smallest grain, m; infinity without grains.
 double smallest_grain(const scene::Scene& scene);
+
+/// m/s: at which a sphere sinks or rises in still liquid, `density_ratio` its density over the liquid's; drag of
+/// Schiller & Naumann 1935 up to Re 1000, Cd = 0.44 beyond.
+double settling_speed(double diameter, double density_ratio, double viscosity, double gravity);
+/// Mean of it over the grains' volume; none without grains, without fluid or where a flow law makes the viscosity.
+std::optional<double> settling_speed(const scene::Scene& scene);
 
 /// Largest stable time steps by cause, s; infinity where there is nothing of the kind.
 struct SolidsLimits {

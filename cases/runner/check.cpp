@@ -100,6 +100,8 @@ SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<Flui
     s.long_step = long_step_of(scene);
     const double grain = smallest_grain(scene);
     if (s.grains > 0) s.cells_per_smallest_grain = grain / scene.fluid.cell_size;
+    if (const auto speed = settling_speed(scene))
+      s.cell_reynolds = *speed * scene.fluid.cell_size / scene.fluid.kinematic_viscosity;
     if (s.beads > 0) s.cells_per_wire = scene.barrier.net.wire_diameter / scene.fluid.cell_size;
   }
   s.steps = std::ceil(scene.run.duration / s.time_step);

@@ -30,6 +30,7 @@ struct SolidsFigures {
   std::int64_t substeps = 0;        ///< in a fluid step; 0 without fluid
   std::int64_t long_step = 1;       ///< of them that make one step of the contacts of grains
   std::optional<double> cells_per_smallest_grain, cells_per_wire;
+  std::optional<double> cell_reynolds;  ///< of settling grains: settling speed x cell size / viscosity
 };
 
 struct CheckReport {

@@ -5,6 +5,7 @@
 
 #include "cases/runner/check.h"
 #include "cases/runner/progress.h"
+#include "coupling/coupling_options.h"
 
 namespace lahar::cases {
 namespace {
@@ -57,6 +58,9 @@ std::string solids_text(const scene::Scene& scene, const SolidsFigures& s) {
   if (s.long_step > 1) t += line("steps in one of the grains' contacts", fmt::format("{}", s.long_step));
   if (s.cells_per_smallest_grain)
     t += line("cells per smallest grain", fmt::format("{:.3g}", *s.cells_per_smallest_grain));
+  if (s.cell_reynolds)
+    t += line("cell Re, settling grains", fmt::format("{:.3g} (radius_shift_cells: {:.2f})", *s.cell_reynolds,
+                                                      coupling::radius_shift_at(*s.cell_reynolds)));
   if (s.cells_per_wire) t += line("cells per wire", fmt::format("{:.3g}", *s.cells_per_wire));
   return t;
 }

@@ -10,6 +10,7 @@
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/memory.h"
+#include "coupling/coupling_options.h"
 
 namespace lahar::cases {
 namespace {
@@ -61,6 +62,14 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
   if (f.cells_per_smallest_grain && *f.cells_per_smallest_grain < 4)
     list.push_back(fmt::format("the smallest grain is {:.1f} cells across: its drag is uncertain below about 4",
                                *f.cells_per_smallest_grain));
+  constexpr double shift_of_note = 0.05;  // cells: a fifth of the drag of grains of 4 cells
+  if (f.cell_reynolds && s.coupling.body_weighting == scene::BodyWeighting::wall_distance)
+    if (const double shift = coupling::radius_shift_at(*f.cell_reynolds);
+        std::abs(shift - s.coupling.radius_shift_cells) > shift_of_note)
+      list.push_back(
+          fmt::format("coupling.radius_shift_cells is {:g}: for grains that settle, with {:.3g} as the "
+                      "Reynolds number of a cell, {:.2f} gives the drag",
+                      s.coupling.radius_shift_cells, *f.cell_reynolds, shift));
   if (f.cells_per_wire && !s.coupling.wire_drag &&
       *f.cells_per_wire < s.coupling.resolve_wires_from_cells.value_or(*f.cells_per_wire + 1))
     list.push_back(fmt::format(

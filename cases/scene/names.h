@@ -79,7 +79,6 @@ constexpr auto choices(BodyWeighting) {
   return std::to_array<Choice<BodyWeighting>>(
       {{"solid_fraction", BodyWeighting::solid_fraction, "the solid fraction"},
        {"noble_torczynski", BodyWeighting::noble_torczynski, "Noble & Torczynski 1998, with tau - 1/2"},
-       {"seepage", BodyWeighting::seepage, "the same form with a constant from the seepage through a packed bed"},
        {"wall_distance", BodyWeighting::wall_distance, "from the distance of the cell's centre to the surface"}});
 }
 constexpr auto choices(SolidOperator) {

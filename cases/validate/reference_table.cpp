@@ -107,10 +107,18 @@ std::vector<std::pair<double, double>> ReferenceTable::points(const std::string&
   return pairs;
 }
 
-double ReferenceTable::number(const std::string& column) const {
+const ReferenceTable::Line& ReferenceTable::only_line(const std::string& column) const {
   if (lines_.size() != 1)
     refuse(names_.number, 1, fmt::format("{} rows to take \"{}\" from, expected one", lines_.size(), column));
-  return numbers(column).front();
+  return lines_.front();
+}
+
+double ReferenceTable::number(const std::string& column) const {
+  return number_in(only_line(column), column_of(column));
+}
+
+const std::string& ReferenceTable::text(const std::string& column) const {
+  return only_line(column).fields[column_of(column)].text;
 }
 
 std::filesystem::path reference_folder() {

@@ -28,6 +28,7 @@ class ReferenceTable {
   [[nodiscard]] std::vector<std::pair<double, double>> points(const std::string& x, const std::string& y) const;
   /// Of a table of one row.
   [[nodiscard]] double number(const std::string& column) const;
+  [[nodiscard]] const std::string& text(const std::string& column) const;
 
  private:
   struct Field {
@@ -41,6 +42,7 @@ class ReferenceTable {
 
   [[noreturn]] void refuse(int line, int column, const std::string& why) const;
   [[nodiscard]] Line fields_of(const std::string& text, int number) const;
+  [[nodiscard]] const Line& only_line(const std::string& column) const;
   [[nodiscard]] std::size_t column_of(const std::string& name) const;
   [[nodiscard]] double number_in(const Line& line, std::size_t column) const;
 

@@ -4,7 +4,6 @@
 // All weightings have this form (docs/coupling.md, docs/decisions/0020):
 //   solid_fraction      g = eps   B = eps
 //   noble_torczynski    g = eps   B = eps t / ((1 - eps) + t), t = tau - 1/2
-//   seepage             g = eps   the same with a constant in place of t
 //   wall_distance       g = h     k = nu h is the drag that the cell needs, B = k / (1 + k/2): with the velocity
 //                                 half-way through the step, (u + u')/2, the exchange is then k times the slip exactly
 #include <algorithm>
@@ -17,7 +16,6 @@ namespace lahar::lbm {
 enum class BodyWeighting {
   solid_fraction,    ///< B = eps
   noble_torczynski,  ///< B = eps (tau - 1/2) / ((1 - eps) + (tau - 1/2)), Noble & Torczynski 1998
-  seepage,           ///< the same form with a constant in place of tau - 1/2, from the seepage through a packed bed
   wall_distance,     ///< from the distance of the cell's centre to the surface (coupling/grains/wall_drag.h)
 };
 
@@ -41,14 +39,12 @@ struct CoverageWeightLaw {
   double alpha = 1, beta = 0, gamma = 1, cap = 1, largest = 1;
 };
 
-/// `constant` is that of BodyWeighting::seepage.
-inline CoverageWeightLaw coverage_weight_law(BodyWeighting weighting, double tau, double constant) {
-  const auto with_slope = [](double r) { return CoverageWeightLaw{1, -r, 1 + r, 1, 1}; };
+inline CoverageWeightLaw coverage_weight_law(BodyWeighting weighting, double tau) {
   switch (weighting) {
-    case BodyWeighting::noble_torczynski:
-      return with_slope(1 / (tau - 0.5));
-    case BodyWeighting::seepage:
-      return with_slope(1 / constant);
+    case BodyWeighting::noble_torczynski: {
+      const double r = 1 / (tau - 0.5);
+      return {1, -r, 1 + r, 1, 1};
+    }
     case BodyWeighting::wall_distance: {
       // In a covered cell B = 2 would be bounce-back: no slip exactly half-way through the step, but undamped. B = 1
       // leaves a slip of the order of nu/2, so it may stay at 1 where the viscosity is small.

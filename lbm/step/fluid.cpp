@@ -120,9 +120,6 @@ void Fluid<Real>::rescale(double ratio) {
   account_.rescaled += sum_over_blocks<double>(level_.grid, [&](BlockIndex b) {
     return rescale_block(level_.grid, b, level_.parity(), level_.parameters, ratio);
   });
-  // The drag of a packed bed per time, B / (1 - B) per step = eps / (1 - eps) c / (1 + c), is kept.
-  const double drag = ratio * options_.seepage_constant / (1 + options_.seepage_constant);
-  options_.seepage_constant = drag / std::max(1 - drag, 1e-6);
   take_time_step(coming_time_step_);
   survey_.speed *= ratio;
   time_steps_.note(options_.time_step);

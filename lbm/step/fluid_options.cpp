@@ -19,7 +19,7 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   SweepParameters p;
   p.collision = o.collision;
   p.tau = 0.5 + 3 * units.viscosity_to_lu(o.kinematic_viscosity);
-  p.coverage_weight = coverage_weight_law(o.weighting, p.tau, o.seepage_constant);
+  p.coverage_weight = coverage_weight_law(o.weighting, p.tau);
   p.third_moments_at_bodies = o.weighting == BodyWeighting::wall_distance;
   p.solid_operator = o.solid_operator;
   p.smagorinsky = o.smagorinsky;

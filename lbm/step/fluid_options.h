@@ -24,7 +24,6 @@ struct FluidOptions {
   CollisionOperator collision = CentralMoments{};
   BodyWeighting weighting = kBodyWeighting;
   SolidOperator solid_operator = kSolidOperator;  ///< those that bounce back: Newtonian without LES only
-  double seepage_constant = 0;                    ///< in place of tau - 1/2 for BodyWeighting::seepage
   double smagorinsky = 0;                         ///< Cs; 0 is off; only with a Newtonian fluid
   RheologyOptions rheology;                       ///< flow law of mud and slurry
   std::vector<InflowOptions> inflows;             ///< boxes through which liquid enters

@@ -189,7 +189,6 @@ void Fluid<Real>::transfer_time(Archive& archive) {
   archive.part("clock", clock_);
   double time_step = level_.units.time_step;
   archive.value("time_step", time_step);
-  archive.value("seepage_constant", options_.seepage_constant);
   if (archive.loading()) take_time_step(time_step);
   archive.value("coming_time_step", coming_time_step_);
   archive.value("looked_at", looked_at_);

@@ -53,8 +53,6 @@ std::unique_ptr<CoupledStep<Real>> scene() {
   lbm::FluidOptions fluid = tank(Vec3(0.64, 0.16, 0.4), 0.02, 2e-4);
   fluid.gravity = options.gravity;
   fluid.domain.faces[1] = lbm::FaceKind::open;
-  fluid.weighting = lbm::BodyWeighting::seepage;
-  fluid.seepage_constant = 0.01;
   return std::make_unique<CoupledStep<Real>>(fluid, dem::Solids(p, bonds, rock(), walls, options),
                                              CouplingOptions{.substeps = 20});
 }

@@ -14,6 +14,12 @@ inline double drag_of_pack(double phi, double re) {
              (1 + std::pow(10, 3 * phi) * std::pow(re, -(1 + 4 * phi) / 2));
 }
 
+/// The same by Ergun 1952 (Chem. Eng. Prog. 48:89), from measurements of packed beds.
+inline double drag_of_bed(double phi, double re) {
+  const double e = 1 - phi;
+  return (150 * phi + 1.75 * re) / (18 * e * e);
+}
+
 /// Immersed share x of the diameter of a floating sphere of density ratio s: 3 x^2 - 2 x^3 = s (floating_sphere.csv).
 inline double immersed_share(double s) {
   double low = 0, high = 1;

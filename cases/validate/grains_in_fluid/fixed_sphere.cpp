@@ -58,7 +58,9 @@ Drag drag_in(const Stream& s, const Immersion& immersion) {
 std::vector<Row> run(const Context& context) {
   std::vector<Row> rows;
   const auto ask = [&](const Stream& s, double known, double tolerance) {
-    const Drag drag = drag_in<float>(s, {});
+    Immersion immersion;
+    immersion.radius_shift = coupling::radius_shift_at(s.reynolds / s.diameter);
+    const Drag drag = drag_in<float>(s, immersion);
     rows.push_back(relative_row(
         fmt::format("Cd, Re {:g}, {} cells, tau - 1/2 = {:.2g}", s.reynolds, s.diameter, drag.shifted_viscosity),
         drag.coefficient, known, tolerance));

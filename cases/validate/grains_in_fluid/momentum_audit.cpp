@@ -80,7 +80,6 @@ Balance balance_of(const Variant& v, int steps) {
   fluid.collision = v.collision;
   fluid.weighting = v.weighting;
   fluid.solid_operator = v.solid_operator;
-  fluid.seepage_constant = 0.3;
   fluid.smagorinsky = stable_without_eddies(v.collision) ? 0 : 0.16;  // they need it at this tau
   dem::Particles particles;
   add_grains(particles, v.held);
@@ -135,7 +134,6 @@ std::vector<Row> run(const Context& context) {
       {"bgk", lbm::Bgk{}},
       {"weighting by the solid fraction", central, BodyWeighting::solid_fraction},
       {"Noble & Torczynski", central, BodyWeighting::noble_torczynski},
-      {"seepage", central, BodyWeighting::seepage, SolidOperator::damped_nonequilibrium},
       {"faded", central, BodyWeighting::wall_distance, SolidOperator::damped_nonequilibrium},
       {"bounce-back", central, BodyWeighting::wall_distance, SolidOperator::nonequilibrium_bounce_back},
       // The liquid inside turns round in every step, undamped: a grain that is free runs away with it.

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <numbers>
-#include <random>
 
 #include "cases/validate/entry.h"
 #include "cases/validate/grains_in_fluid/closed_forms.h"
+#include "cases/validate/grains_in_fluid/hard_spheres.h"
 #include "cases/validate/grains_in_fluid/sphere_flow.h"
 
 namespace lahar::validate {
@@ -14,74 +14,6 @@ namespace lahar::validate {
 namespace {
 
 constexpr double kFinal = 3e-3;  // change of the mean velocity between two spans of time
-
-/// Hard spheres in a periodic cube.
-class HardSpheres {
- public:
-  /// Random places, pushed apart until none overlap.
-  HardSpheres(std::size_t count, double box, double diameter, unsigned seed);
-  /// Moves them at random, each as often as `sweeps`, never into another (Metropolis et al. 1953): what is left of the
-  /// pushing, pairs that almost touch beside voids, makes a pack up to a third more permeable than one of hard
-  /// spheres.
-  void shake(int sweeps);
-  [[nodiscard]] std::vector<Vec3> centres() const;
-
- private:
-  [[nodiscard]] double uniform() { return static_cast<double>(random_()) / 4294967296.0; }
-  [[nodiscard]] Vec3 nearest(const Vec3& d) const { return d - box_ * (d / box_).array().round().matrix(); }
-  [[nodiscard]] bool is_free(std::size_t i, const Vec3& place) const;
-
-  double box_, diameter_;
-  std::mt19937 random_;
-  std::vector<Vec3> at_;
-};
-
-HardSpheres::HardSpheres(std::size_t count, double box, double diameter, unsigned seed)
-    : box_(box), diameter_(diameter), random_(seed), at_(count) {
-  for (Vec3& p : at_)
-    for (int a = 0; a < 3; ++a) p[a] = box * uniform();
-  for (int round = 0; round < 20000; ++round) {
-    double worst = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      for (std::size_t j = i + 1; j < count; ++j) {
-        const Vec3 d = nearest(at_[j] - at_[i]);
-        const double gap = d.norm() - 1.01 * diameter;
-        if (gap >= 0) continue;
-        worst = std::max(worst, diameter - d.norm());
-        at_[j] -= 0.5 * gap * d.normalized(), at_[i] += 0.5 * gap * d.normalized();
-      }
-    if (worst <= 0) break;
-  }
-}
-
-bool HardSpheres::is_free(std::size_t i, const Vec3& place) const {
-  for (std::size_t j = 0; j < at_.size(); ++j)
-    if (j != i && nearest(place - at_[j]).squaredNorm() < diameter_ * diameter_) return false;
-  return true;
-}
-
-void HardSpheres::shake(int sweeps) {
-  constexpr double kAccepted = 0.4, kAdjust = 1.02;
-  double length = 0.05 * diameter_;  // of a move, adjusted until kAccepted of them succeed
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    std::size_t moved = 0;
-    for (std::size_t i = 0; i < at_.size(); ++i) {
-      Vec3 place = at_[i];
-      for (int a = 0; a < 3; ++a) place[a] += length * (2 * uniform() - 1);
-      if (is_free(i, place)) at_[i] = place, ++moved;
-    }
-    length *= static_cast<double>(moved) > kAccepted * static_cast<double>(at_.size()) ? kAdjust : 1 / kAdjust;
-  }
-}
-
-std::vector<Vec3> HardSpheres::centres() const {
-  std::vector<Vec3> inside = at_;
-  for (Vec3& p : inside)
-    for (int a = 0; a < 3; ++a) p[a] -= box_ * std::floor(p[a] / box_);
-  return inside;
-}
-
-constexpr int kSweeps = 3000;
 
 /// What is asked of the packs of a row.
 struct Packs {
@@ -103,10 +35,8 @@ Flow flow_through(const Packs& pack, unsigned seed, const Immersion& immersion) 
   const double d = std::cbrt(6 * phi * box * box * box / (pi * static_cast<double>(count)));
   const double nu = pack.speed * d / pack.reynolds;
   const double g = 18 * nu * pack.speed * phi * drag_of_pack(phi, pack.reynolds) / (d * d * (1 - phi));
-  HardSpheres spheres(count, box, d, seed);
-  spheres.shake(kSweeps);
-  SphereFlow<double> flow(Vec3i::Constant(pack.box), nu, g * Vec3::UnitX(), immersion, spheres.centres(), d / 2,
-                          pack.speed / (1 - phi) * Vec3::UnitX());
+  SphereFlow<double> flow(Vec3i::Constant(pack.box), nu, g * Vec3::UnitX(), immersion,
+                          hard_spheres(count, box, d, seed), d / 2, pack.speed / (1 - phi) * Vec3::UnitX());
   const int span = static_cast<int>(std::lround(0.5 * (1 - phi) * pack.speed / g)) + 200;
   double former = 0, mean = 0;
   for (int round = 0; round < 40; ++round) {
@@ -143,6 +73,7 @@ std::vector<Row> run(const Context& context) {
     // at the larger Reynolds numbers.
     Immersion immersion;
     if (packs.reynolds > 5) immersion.collision = lbm::CentralMoments{};
+    immersion.radius_shift = coupling::radius_shift_at(packs.reynolds / packs.cells_per_diameter);
     double drag = 0, reynolds = 0;
     Flow flow;
     for (int k = 0; k < packs.count; ++k) {

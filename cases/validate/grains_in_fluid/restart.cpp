@@ -148,9 +148,6 @@ std::unique_ptr<coupling::CoupledStep<double>> debris_flow() {
   fluid.domain.faces[1] = fluid.domain.faces[5] = lbm::FaceKind::open;
   fluid.time_step = 2e-4;
   fluid.gravity = solids.gravity;
-  fluid.weighting = lbm::BodyWeighting::seepage;
-  fluid.solid_operator = lbm::SolidOperator::damped_nonequilibrium;
-  fluid.seepage_constant = 0.01;
   return std::make_unique<coupling::CoupledStep<double>>(fluid, dem::Solids(p, bonds, rock, walls, solids),
                                                          coupling::CouplingOptions{.substeps = 20});
 }

@@ -12,6 +12,7 @@ lbm::FluidOptions options_of(const Vec3i& cells, double viscosity, const Vec3& g
   o.collision = immersion.collision;
   o.weighting = immersion.weighting;
   o.solid_operator = immersion.solid_operator;
+  o.smagorinsky = immersion.smagorinsky;
   return o;
 }
 

@@ -74,6 +74,23 @@ TEST(Estimates, SofteningLengthensTheLimits) {
   EXPECT_NEAR(soft.cable_bond / hard.cable_bond, 5, 1e-9);
 }
 
+TEST(Estimates, SettlingSpeedFromStokesToNewton) {
+  EXPECT_NEAR(settling_speed(1e-5, 2.5, 1e-6, 9.81), 1.5 * 9.81 * 1e-10 / 18e-6, 1e-7);
+  EXPECT_NEAR(settling_speed(1e-5, 0.5, 1e-6, 9.81), 0.5 * 9.81 * 1e-10 / 18e-6, 1e-7);
+  EXPECT_NEAR(settling_speed(0.04, 2.5, 1e-6, 9.81), std::sqrt(4.0 / 3 * 1.5 * 9.81 * 0.04 / 0.44), 1e-9);
+  // ten Cate et al. 2002, case E4: Re 31.9, 0.128 m/s far from walls
+  EXPECT_NEAR(settling_speed(0.015, 1120.0 / 960, 0.058 / 960, 9.81), 0.128, 0.006);
+  EXPECT_EQ(settling_speed(0.04, 1, 1e-6, 9.81), 0);
+}
+
+TEST(Estimates, SettlingSpeedOfAScene) {
+  const double small = settling_speed(0.04, 2.5, 1e-6, 9.81), large = settling_speed(0.08, 2.5, 1e-6, 9.81);
+  const double shares[] = {3260 * 0.064, 1481 * 0.512};
+  EXPECT_NEAR(*settling_speed(scene::debris_flow()), (shares[0] * small + shares[1] * large) / (shares[0] + shares[1]),
+              1e-9);
+  EXPECT_FALSE(settling_speed(load(case_file("dam_break/scene.toml"))));
+}
+
 TEST(Estimates, TimeStepIsTheSmallerShare) {
   scene::Scene debris = scene::debris_flow();
   const SolidsLimits limits = solids_limits(debris);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "cases/assembly/estimates.h"
+#include "coupling/coupling_options.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::cases {
@@ -44,7 +46,19 @@ TEST(Check, FiguresOfTheDebrisFlow) {
   EXPECT_NEAR(report.solids->time_step * static_cast<double>(report.solids->substeps), report.fluid->time_step, 1e-15);
   EXPECT_NEAR(*report.solids->cells_per_smallest_grain, 4, 1e-12);
   EXPECT_NEAR(*report.solids->cells_per_wire, 0.61, 1e-12);
+  EXPECT_NEAR(*report.solids->cell_reynolds, *settling_speed(scene::debris_flow()) * 0.01 / 1e-6, 1e-6);
   EXPECT_GT(report.run_time, 0);
+}
+
+/// The radius at which the fluid comes to rest is that for creeping flow by default; water among boulders is none.
+TEST(Check, NamesARadiusShiftForAnotherFlow) {
+  constexpr auto key = "radius_shift_cells";
+  scene::Scene debris = scene::debris_flow();
+  EXPECT_FALSE(warns(check_scene(debris), key));
+  debris.coupling.radius_shift_cells = coupling::kRadiusShift;
+  EXPECT_TRUE(warns(check_scene(debris), key));
+  debris.fluid.kinematic_viscosity = 10;
+  EXPECT_FALSE(warns(check_scene(debris), key));
 }
 
 TEST(Check, DoubleTakesTwiceTheMemory) {

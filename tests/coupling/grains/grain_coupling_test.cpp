@@ -235,7 +235,6 @@ class Mapping {
     auto o = tank(Vec3(0.96, 0.48, 0.48), 0.02, 4e-4);
     o.weighting = weighting;
     if (weighting == lbm::BodyWeighting::wall_distance) o = by_distance(o);
-    o.seepage_constant = 0.01;
     return o;
   }
   lbm::Fluid<Real> fluid_;
@@ -258,7 +257,7 @@ void compare_with_full_mapping(lbm::BodyWeighting weighting) {
 }
 
 TEST(GrainCoupling, WritesOnlyWhatMoved) {
-  compare_with_full_mapping<float>(lbm::BodyWeighting::seepage);
+  compare_with_full_mapping<float>(lbm::BodyWeighting::noble_torczynski);
   compare_with_full_mapping<double>(lbm::BodyWeighting::wall_distance);
 }
 
