@@ -81,7 +81,11 @@ Bounds sample_mesh(const Scene& scene, const fs::path& path, ShapeFile& s) {
   TriangleMesh mesh = cases::read_closed_mesh(path);
   for (Vec3& p : mesh.points) p = s.scale * p + s.translate;
   const Bounds bounds = bounds_of(mesh);
-  s.sampled.grid = sample(scene, mesh, bounds, spacing_of(scene, s, bounds));
+  const double spacing = spacing_of(scene, s, bounds), across = (bounds.upper - bounds.lower).maxCoeff();
+  if (spacing > across)
+    throw cases::ShapeFileError(
+        fmt::format("is {:g} m across, expected a resolution_m below that, not {:g} m", across, spacing));
+  s.sampled.grid = sample(scene, mesh, bounds, spacing);
   return bounds;
 }
 

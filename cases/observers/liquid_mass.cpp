@@ -10,10 +10,13 @@ LiquidMass::LiquidMass(const Observed& run) : Observer(run) {
          "(in the domain + left - come in - rescaled - at the start) / (at the start + come in)",
          [this, &fluid] { return fluid.mass_drift(now_); })
       .peak_magnitude("liquid_mass_drift_rel", "largest `liquid_mass_drift_rel` of the rows, without its sign");
-  result("liquid_mass_start_kg", "kg", "liquid at the start", [&] {
-    const LiquidTransfers t = fluid.transfers();
-    return fluid.liquid_mass() + t.left - t.came_in - t.rescaled;
-  });
+  result("liquid_mass_start_kg", "kg",
+         "liquid at the start; a depth h holds g h / (2 c_s^2) more under its own weight, c_s = cell size / (sqrt 3 "
+         "time step)",
+         [&] {
+           const LiquidTransfers t = fluid.transfers();
+           return fluid.liquid_mass() + t.left - t.came_in - t.rescaled;
+         });
   if (!run.scene.fluid.inflows.empty())
     result("liquid_inflow_kg", "kg", "liquid that came in through inflow boxes",
            [&] { return fluid.transfers().came_in; });

@@ -28,6 +28,18 @@ void add_times(const scene::Scene& s, List& list) {
   longer(s.run.checkpoint_interval, "checkpoint_interval_s");
 }
 
+/// Rows of the series come at the first step that has reached their time.
+void add_rows(const scene::Scene& s, const CheckReport& figures, List& list) {
+  const double step = figures.fluid ? figures.fluid->time_step : figures.solids ? figures.solids->time_step : 0;
+  if (step <= 0 || s.run.series_interval <= 0 || s.fluid.adaptive_time_step) return;
+  const double steps = s.run.series_interval / step, between = std::abs(steps - std::round(steps));
+  constexpr double bearable = 0.1;  // of the interval
+  if (between > bearable * steps || steps < 1 - bearable)
+    list.push_back(fmt::format("run.series_interval_s ({:g} s) is {:.2g} time steps: rows come every {} steps",
+                               s.run.series_interval, steps,
+                               steps < 1 ? "1" : fmt::format("{:.0f} or {:.0f}", std::floor(steps), std::ceil(steps))));
+}
+
 void add_fluid(const scene::Scene& s, const FluidFigures& f, List& list) {
   const bool fragile = !stable_without_eddies(s.fluid.collision) && s.fluid.smagorinsky == 0;
   if (fragile && f.tau - 0.5 < 1e-3)
@@ -152,6 +164,7 @@ void add_places(const scene::Scene& s, List& list) {
   const auto look = [&](const std::string& path, const Vec3& lower, const Vec3& upper) {
     if (filled_by_walls(walls, lower, upper)) list.push_back(path + " lies in walls: nothing of it is left");
   };
+  look("the domain", s.domain.lower, s.domain.upper);
   if (s.fluid.enabled) {
     for (std::size_t i = 0; i < s.fluid.regions.size(); ++i)
       look(fmt::format("fluid.region[{}]", i), s.fluid.regions[i].lower, s.fluid.regions[i].upper);
@@ -210,6 +223,7 @@ void add_rounded_walls(const scene::Scene& s, List& list) {
 std::vector<std::string> warnings(const scene::Scene& scene, const CheckReport& figures) {
   List list;
   add_times(scene, list);
+  add_rows(scene, figures, list);
   add_places(scene, list);
   if (figures.fluid) add_rounded_walls(scene, list);
   if (figures.fluid) add_fluid(scene, *figures.fluid, list);

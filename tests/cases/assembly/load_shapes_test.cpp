@@ -135,6 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Rejection{{"wall[0].translate_m=[5, 0, 0]"}, "wall[0].file", "lies outside the domain"},
                     Rejection{{"wall[0].resolution_m=-1"}, "wall[0].resolution_m", "at least 0"},
                     Rejection{{"wall[0].resolution_m=1e-6"}, "wall[0].file", "expected a coarser resolution_m"},
+                    Rejection{{"wall[0].resolution_m=0.5"}, "wall[0].file", "expected a resolution_m below that"},
                     Rejection{{"wall[0].spacing_m=1"}, "wall[0].spacing_m", "expected only with shape = \"heightmap\""},
                     Rejection{{"wall[0].radius_m=1"}, "wall[0].radius_m", "expected only with"},
                     Rejection{{"wall[1].file=WORDS"}, "wall[1].file", "line 2: \"four\" is no finite number"},

@@ -120,6 +120,20 @@ TEST(Warnings, WallsBetweenCells) {
   EXPECT_FALSE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]", "domain.open_faces=['x+']"}), "acts on"));
 }
 
+/// Rows come at the first step that has reached their time; the dam's steps are 5.8e-4 s.
+TEST(Warnings, RowsBetweenSteps) {
+  const auto report = [](double steps, bool adaptive = false) {
+    scene::Scene dam = scene::load(case_file("dam_break/scene.toml"));
+    dam.run.series_interval = steps * check_scene(dam).fluid->time_step;
+    dam.fluid.adaptive_time_step = adaptive;
+    return check_scene(dam);
+  };
+  EXPECT_TRUE(warns(report(2.4), "is 2.4 time steps: rows come every 2 or 3 steps"));
+  EXPECT_TRUE(warns(report(0.3), "rows come every 1 steps"));
+  for (const double steps : {1.0, 2.0, 2.05, 8.4, 100.5}) EXPECT_FALSE(warns(report(steps), "rows come")) << steps;
+  EXPECT_FALSE(warns(report(2.4, true), "rows come"));
+}
+
 TEST(Warnings, ThingsInWallsOrOverEachOther) {
   const auto report = [](auto change) {
     scene::Scene debris = scene::debris_flow();
@@ -130,6 +144,7 @@ TEST(Warnings, ThingsInWallsOrOverEachOther) {
   const auto in_bed = [](S& s) { s.fluid.regions[0].lower.z() = -0.2, s.fluid.regions[0].upper.z() = -0.1; };
   EXPECT_TRUE(warns(report(in_bed), "fluid.region[0] lies in walls"));
   EXPECT_FALSE(warns(report([](S&) {}), "lies in walls"));
+  EXPECT_TRUE(warns(report([](S& s) { s.walls[0].point.z() = 2; }), "the domain lies in walls"));
   const auto gauge = [](S& s) {
     scene::Probe probe;
     probe.kind = scene::ProbeKind::pressure;

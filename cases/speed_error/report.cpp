@@ -1,0 +1,173 @@
+#include "cases/speed_error/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "cases/files/output_file.h"
+#include "cases/pictures/chart.h"
+#include "cases/speed_error/pareto.h"
+#include "cases/validate/fluid/flows.h"
+
+namespace lahar::validate {
+
+std::vector<Measurement> ProblemResult::measurements() const {
+  std::vector<Measurement> all;
+  for (const TrialResult& t : trials) all.push_back(t.found);
+  return all;
+}
+
+ProblemResult run_problem(const Problem& problem, double work) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  ProblemResult result{problem, work, {}};
+  for (const Trial& trial : problem.trials) {
+    TrialResult t{trial.name(), trial.turned.empty(), {none, none}, {}};
+    try {
+      t.found = trial.run();
+    } catch (const std::exception& e) {
+      t.failure = e.what();
+    }
+    result.trials.push_back(t);
+  }
+  return result;
+}
+
+double fixed_work() {
+  lbm::FluidOptions o = lattice_box(Vec3i::Constant(64), 0.01);
+  lbm::Fluid<float> fluid(o);
+  fluid.fill_everything([](const Vec3& p) { return Vec3(0.02 * std::sin(0.1 * p.y()), 0, 0); }, no_pressure);
+  double shortest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < 3; ++k)
+    shortest = std::min(shortest, timed([&] {
+                                    advance(fluid, 200);
+                                    return 0.0;
+                                  }).seconds);
+  return shortest;
+}
+
+double defaults_beaten_by(const ProblemResult& result) {
+  const auto found =
+      std::find_if(result.trials.begin(), result.trials.end(), [](const TrialResult& t) { return t.defaults; });
+  return beaten_by(result.measurements(), static_cast<std::size_t>(found - result.trials.begin()));
+}
+
+std::string result_text(const ProblemResult& result) {
+  const std::vector<Measurement> all = result.measurements();
+  const std::vector<std::size_t> front = pareto_front(all);
+  std::string text = fmt::format("{}: {}, against {} values\n  defaults: {}\n", result.problem.name,
+                                 result.problem.error, result.problem.against, result.problem.defaults);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const TrialResult& t = result.trials[k];
+    const bool on_front = std::find(front.begin(), front.end(), k) != front.end();
+    text += fmt::format("  {} {:<52} error {:>9.3g}  {:>8.2f} s  {:>8.2f} of the fixed work{}\n", on_front ? "*" : " ",
+                        t.name, t.found.error, t.found.seconds, t.found.seconds / result.work,
+                        t.failure.empty() ? "" : "  stopped: " + t.failure);
+  }
+  return text;
+}
+
+std::string Sitting::line() const {
+  return fmt::format("{}, {} of its threads used, commit {}, {}, {} form", machine, threads, commit, date,
+                     quick ? "quick" : "full");
+}
+
+namespace {
+
+std::string quoted(const std::string& text) {
+  return text.find(',') == std::string::npos ? text : fmt::format("\"{}\"", text);
+}
+
+/// Error against time of all trials, those on the front joined.
+cases::Chart chart_of(const ProblemResult& result) {
+  using namespace cases;
+  Chart chart;
+  chart.title = result.problem.name;
+  chart.x = {.label = "time, fixed work", .scale = AxisScale::logarithmic};
+  chart.y = {.label = "error", .scale = AxisScale::logarithmic};
+  chart.width = 480, chart.height = 300;
+  ChartSeries others{.name = "one knob turned", .mark = Mark::points, .colour = ChartColour::sky};
+  ChartSeries defaults{.name = "defaults", .mark = Mark::points, .colour = ChartColour::vermilion};
+  for (const TrialResult& t : result.trials) {
+    if (!std::isfinite(t.found.error)) continue;
+    ChartSeries& series = t.defaults ? defaults : others;
+    series.x.push_back(t.found.seconds / result.work), series.y.push_back(t.found.error);
+  }
+  ChartSeries front{.name = "Pareto front", .dash = Dash::dashed, .colour = ChartColour::black};
+  const std::vector<Measurement> all = result.measurements();
+  for (const std::size_t k : pareto_front(all))
+    front.x.push_back(all[k].seconds / result.work), front.y.push_back(all[k].error);
+  chart.series = {front, others, defaults};
+  return chart;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+std::string table_of(const ProblemResult& result) {
+  const std::vector<Measurement> all = result.measurements();
+  const std::vector<std::size_t> front = pareto_front(all);
+  std::string html =
+      "<table><tr><th>trial</th><th>error</th><th>time, s</th><th>time, fixed work</th><th>beaten by</th></tr>\n";
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const TrialResult& t = result.trials[k];
+    const bool on_front = std::find(front.begin(), front.end(), k) != front.end();
+    html += fmt::format(
+        "<tr{}><td>{}</td><td>{:.3g}</td><td>{:.2f}</td><td>{:.2f}</td><td>{}</td></tr>\n",
+        on_front ? " class=\"front\"" : "", t.name, t.found.error, t.found.seconds, t.found.seconds / result.work,
+        t.failure.empty() ? (on_front ? "on the front" : fmt::format("{:.2f}", beaten_by(all, k))) : "stopped");
+  }
+  return html + "</table>\n";
+}
+
+}  // namespace
+
+std::string results_csv(const std::vector<ProblemResult>& results, const Sitting& sitting) {
+  std::string text = fmt::format("# {}\n", sitting.line());
+  text += "problem,trial,error,seconds,time,beaten_by,front,failure\n";
+  for (const ProblemResult& result : results) {
+    const std::vector<Measurement> all = result.measurements();
+    const std::vector<std::size_t> front = pareto_front(all);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const TrialResult& t = result.trials[k];
+      text += fmt::format("{},{},{:.6g},{:.4g},{:.4g},{:.3g},{},{}\n", result.problem.name, quoted(t.name),
+                          t.found.error, t.found.seconds, t.found.seconds / result.work, beaten_by(all, k),
+                          std::find(front.begin(), front.end(), k) != front.end(), quoted(t.failure));
+    }
+  }
+  return text;
+}
+
+void write_results(const std::vector<ProblemResult>& results, const Sitting& sitting,
+                   const std::filesystem::path& folder) {
+  cases::replace_text_file(folder / "speed_error.csv", results_csv(results, sitting));
+  std::string html =
+      "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Speed against error</title><style>"
+      "body{font:16px/1.5 sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"
+      "table{border-collapse:collapse}td,th{padding:.1em .8em;text-align:right}"
+      "td:first-child,th:first-child{text-align:left}.front{font-weight:bold}</style></head><body>\n"
+      "<h1>Speed against error</h1>\n<p>" +
+      sitting.line() +
+      ". Times are pieces of a fixed work done in the same sitting. Bold: on the Pareto front; no other trial is both "
+      "faster and nearer. \"Beaten by\" f: another takes at most 1/f of the time and has at most 1/f of the "
+      "error.</p>\n";
+  for (const ProblemResult& result : results) {
+    const std::filesystem::path picture = folder / (result.problem.name + ".svg");
+    chart_of(result).write_all(picture);
+    const std::string svg = text_of(picture);
+    html += fmt::format(
+        "<h2>{}</h2>\n<p>Error: {}, against {} values. Defaults: {}; {}.</p>\n", result.problem.name,
+        result.problem.error, result.problem.against, result.problem.defaults,
+        defaults_beaten_by(result) <= 1 ? "on the front" : fmt::format("beaten by {:.2f}", defaults_beaten_by(result)));
+    html += svg.substr(std::min(svg.find("<svg"), svg.size())) + table_of(result);
+  }
+  cases::replace_text_file(folder / "report.html", html + "</body></html>\n");
+}
+
+}  // namespace lahar::validate

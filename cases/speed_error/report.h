@@ -1,0 +1,54 @@
+#pragma once
+// The table, the charts and the page of a speed-error study.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cases/speed_error/problem.h"
+
+namespace lahar::validate {
+
+struct TrialResult {
+  std::string name;  ///< of the trial
+  bool defaults = false;
+  Measurement found;    ///< error and time; not a number where the trial failed
+  std::string failure;  ///< why, or empty
+};
+
+struct ProblemResult {
+  Problem problem;
+  double work = 0;  ///< s, of the fixed piece of work in the same sitting: the unit of time
+  std::vector<TrialResult> trials;
+
+  [[nodiscard]] std::vector<Measurement> measurements() const;
+};
+
+/// Runs all trials of a problem.
+ProblemResult run_problem(const Problem& problem, double work);
+
+/// Wall time of the fixed piece of work, s: 200 steps of 64^3 cells of plain liquid. The shortest of three.
+double fixed_work();
+
+/// By how much another trial beats the defaults (see beaten_by); at most 1 on the Pareto front.
+double defaults_beaten_by(const ProblemResult& result);
+
+/// Lines for the terminal.
+std::string result_text(const ProblemResult& result);
+
+/// Who ran it, and when; the first line of the table.
+struct Sitting {
+  std::string machine, commit, date;
+  int threads = 1;
+  bool quick = false;
+  [[nodiscard]] std::string line() const;
+};
+
+/// problem, trial, error, seconds, time (in pieces of the fixed work), beaten_by, front, failure.
+std::string results_csv(const std::vector<ProblemResult>& results, const Sitting& sitting);
+
+/// Writes speed_error.csv, NAME.png, .svg and .pdf of each problem, and report.html, which holds the charts. Throws
+/// FileError.
+void write_results(const std::vector<ProblemResult>& results, const Sitting& sitting,
+                   const std::filesystem::path& folder);
+
+}  // namespace lahar::validate
