@@ -46,6 +46,40 @@ double pressure_at(const FluidView& fluid, const Vec3& point) {
   return weights > 0 ? sum / weights : 0.0;
 }
 
+namespace {
+
+/// Normal of what is nearest of the walls and the faces of the domain.
+Vec3 normal_near(const lbm::Domain& domain, const Vec3& point) {
+  const WallPoint wall = domain.walls().nearest(point);
+  double nearest = wall.wall >= 0 ? std::abs(wall.distance) : std::numeric_limits<double>::infinity();
+  Vec3 normal = wall.wall >= 0 ? wall.normal : Vec3(Vec3::UnitZ());
+  const Vec3 upper = domain.origin() + domain.cell_size() * domain.cells().cast<double>();
+  for (int a = 0; a < 3; ++a)
+    for (const double face : {domain.origin()[a], upper[a]})
+      if (std::abs(point[a] - face) < nearest) nearest = std::abs(point[a] - face), normal = Vec3::Unit(a);
+  return normal;
+}
+
+}  // namespace
+
+double pressure_on_disc(const FluidView& fluid, const Vec3& point, double diameter) {
+  const Vec3 normal = normal_near(fluid.domain(), point);
+  int least = 0;
+  normal.cwiseAbs().minCoeff(&least);
+  const Vec3 along = normal.cross(Vec3::Unit(least)).normalized(), across = normal.cross(along);
+  const int n = static_cast<int>(std::ceil(diameter / fluid.units().cell_size));  // places along a radius
+  double sum = 0;
+  int places = 0;
+  for (int i = -n; i <= n; ++i)
+    for (int k = -n; k <= n; ++k) {
+      if (i * i + k * k > n * n) continue;
+      const double step = n > 0 ? 0.5 * diameter / n : 0;
+      sum += pressure_at(fluid, point + step * (i * along + k * across));
+      ++places;
+    }
+  return sum / places;
+}
+
 Vec3 velocity_at(const FluidView& fluid, const Vec3& point) {
   Vec3 sum = Vec3::Zero();
   double weights = 0;

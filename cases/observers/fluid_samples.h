@@ -12,6 +12,10 @@ double depth_over(const FluidView& fluid, const Vec3& point, double top);
 /// what a gauge flush with the wall reads is the pressure in the cells next to it.
 double pressure_at(const FluidView& fluid, const Vec3& point);
 
+/// The mean of it over a sensor: a disc of this diameter (m) around a point, parallel to the wall or closed face of the
+/// domain that is nearest; places half a cell apart.
+double pressure_on_disc(const FluidView& fluid, const Vec3& point, double diameter);
+
 /// Velocity of the liquid at a point, m/s: interpolated between the centres of those of the eight cells around it that
 /// hold liquid; NaN where none does.
 Vec3 velocity_at(const FluidView& fluid, const Vec3& point);

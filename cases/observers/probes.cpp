@@ -37,9 +37,13 @@ void Probes::declare_level(const scene::Probe& probe) {
 }
 
 void Probes::declare_pressure(const scene::Probe& probe) {
-  column(of_probe(probe.name, ""), "Pa",
-         "pressure probe: above ambient, between the centres of the eight cells around the point",
-         [this, point = probe.position] { return pressure_at(*run_.simulation.fluid(), point); })
+  column(
+      of_probe(probe.name, ""), "Pa",
+      "pressure probe: above ambient, between the centres of the eight cells around the point; the mean over the disc "
+      "of a sensor with a diameter",
+      [this, point = probe.position, diameter = probe.diameter] {
+        return pressure_on_disc(*run_.simulation.fluid(), point, diameter);
+      })
       .peak(of_probe(probe.name, "_peak_Pa"), "Pa", "largest pressure of the rows")
       .peak_time(of_probe(probe.name, "_peak_time_s"));
 }

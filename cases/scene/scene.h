@@ -337,6 +337,7 @@ struct Probe {
   std::string name;
   ProbeKind kind = ProbeKind::height;
   Vec3 position = Vec3::Zero();  ///< m; of a force: the point that its moment is taken about
+  double diameter = 0;           ///< m, of a pressure sensor; 0 = a point
   std::string wall;              ///< of a force: name of the wall
   bool operator==(const Probe&) const = default;
 };

@@ -476,6 +476,11 @@ void describe(V& v, Probe& s) {
   v.value("name", s.name, required(), "Name in results: letters, digits, `_` and `-`.");
   v.value("kind", s.kind, required(), "What is measured.");
   v.value("position_m", s.position, required(), "Where; of a force: the point that its moment is taken about.");
+  only_with(v, "kind", s.kind, {ProbeKind::pressure}, [&] {
+    v.value("diameter_m", s.diameter, {non_negative()},
+            "Of the sensor: a disc parallel to the nearest wall or face of the domain, over which the pressure is "
+            "averaged; 0 = a point.");
+  });
   only_with(v, "kind", s.kind, {ProbeKind::force}, [&] { v.value("wall", s.wall, required(), "Name of a [[wall]]."); });
 }
 

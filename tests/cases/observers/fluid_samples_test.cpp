@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "cases/assembly/build.h"
 #include "tests/cases/observers/tank_with_ball.h"
@@ -30,6 +31,23 @@ TEST(FluidSamples, PressureInsideAndAtWalls) {
   EXPECT_EQ(depth({0.05, 0.05, 0.35}), 0);
   EXPECT_EQ(depth({0, 0.05, 0.35}), 0);
   EXPECT_NEAR(depth_over(*view, Vec3(0.05, 0.05, 0), 0.4), 0.3, 1e-3);
+}
+
+/// Pressure is linear in the depth: its mean over a disc in a side wall is that of its centre, but where part of it is
+/// in the air. On the floor every place has the same.
+TEST(FluidSamples, PressureOnADisc) {
+  const scene::Scene scene = scene::load_text(tank_with_ball);
+  lbm::Fluid<double> fluid(fluid_options(scene));
+  const auto view = view_of(fluid);
+  fluid.fill(liquid_regions(scene));
+  for (int s = 0; s < 300; ++s) fluid.step();
+  const Vec3 side(0, 0.08, 0.107), floor(0.05, 0.05, 0), rim(0, 0.08, 0.3);
+  EXPECT_EQ(pressure_on_disc(*view, side, 0), pressure_at(*view, side));
+  EXPECT_NEAR(pressure_on_disc(*view, side, 0.04) / pressure_at(*view, side), 1, 0.01);
+  EXPECT_NEAR(pressure_on_disc(*view, floor, 0.03) / pressure_at(*view, floor), 1, 0.01);
+  // Half of the disc is wet: 4/3 r^3 / 2 of first moment over its area, 2 r / (3 pi) of depth.
+  const double depth = pressure_on_disc(*view, rim, 0.1) / (1000 * 9.81);
+  EXPECT_NEAR(depth, 2 * 0.05 / (3 * std::numbers::pi), 0.004);
 }
 
 /// Linear between centres, and of wet cells alone.
