@@ -23,7 +23,11 @@ Measurement timed(const std::function<double()>& ask) {
 }
 
 std::vector<Problem> all_problems(bool quick) {
-  return {taylor_green(quick), dam_break(quick), gravel_bed(quick), elastic_impact(quick)};
+  return {taylor_green_problem(quick),    gravity_wave_problem(quick), dam_break_problem(quick),
+          sphere_array_problem(quick),    random_pack_problem(quick),  gravel_bed_problem(quick),
+          settling_sphere_problem(quick), wire_screen_problem(quick),  ring_in_hole_problem(quick),
+          elastic_impact_problem(quick),  ring_pull_problem(quick),    rockfall_problem(quick),
+          wet_column_problem(quick),      debris_flow_problem(quick)};
 }
 
 std::vector<Problem> select_problems(const std::vector<std::string>& names, bool quick) {

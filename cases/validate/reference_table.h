@@ -52,10 +52,11 @@ class ReferenceTable {
   std::vector<Line> lines_;
 };
 
-/// Where the tables are: beside an installed program, else in the source folder that it was built from.
-std::filesystem::path reference_folder();
+/// A file of cases/, such as "debris_flow/scene.toml": of an installed program beside it, else in the source folder
+/// that it was built from.
+std::filesystem::path case_file(const std::string& path);
 
-/// A table of that folder.
+/// A table of cases/validate/reference.
 ReferenceTable reference(const std::string& file);
 
 }  // namespace lahar::validate

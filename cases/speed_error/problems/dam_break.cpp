@@ -20,7 +20,7 @@ Trial trial(std::vector<Knob> turned, const DamBreak& dam, bool double_precision
 
 }  // namespace
 
-Problem dam_break(bool quick) {
+Problem dam_break_problem(bool quick) {
   Problem p{"dam_break",
             "RMS of the error of the front's place, of its place",
             "measured (Martin & Moyce 1952)",

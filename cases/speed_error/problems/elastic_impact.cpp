@@ -32,7 +32,7 @@ double error_of(const ImpactSpec& spec) {
 
 }  // namespace
 
-Problem elastic_impact(bool quick) {
+Problem elastic_impact_problem(bool quick) {
   Problem p{"elastic_impact",
             "largest of the errors of force, overlap and duration",
             "exact (Hertz)",

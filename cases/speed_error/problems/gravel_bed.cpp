@@ -31,7 +31,7 @@ Trial trial(std::vector<Knob> turned, const GravelBed& g) {
 
 }  // namespace
 
-Problem gravel_bed(bool quick) {
+Problem gravel_bed_problem(bool quick) {
   Problem p{"gravel_bed",
             "drag of the bed",
             "measured (Ergun 1952)",

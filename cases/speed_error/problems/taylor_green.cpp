@@ -52,7 +52,7 @@ Trial trial(std::vector<Knob> turned, const Vortex& v) {
 
 }  // namespace
 
-Problem taylor_green(bool quick) {
+Problem taylor_green_problem(bool quick) {
   Problem p{"taylor_green",
             "RMS of the velocity's error, of the velocity",
             "exact",

@@ -1,52 +1,20 @@
-// Pressure loss of plane screens of parallel wires and of square mesh. What the liquid loses is the drag of the wires
-// per area (momentum balance of the audit), with no gradient left in a periodic box.
+// Pressure loss of plane screens of parallel wires and of square mesh.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "cases/validate/entry.h"
-#include "cases/validate/wires_in_fluid/loss_of_screens.h"
-#include "cases/validate/wires_in_fluid/wire_flows.h"
+#include "cases/validate/wires_in_fluid/screen_flow.h"
 
 namespace lahar::validate {
 namespace {
-
-struct Loss {
-  double solidity = 0, found = 0, table = 0, audit = 0;
-};
-
-Loss screen_of(double diameter, double reynolds, double solidity, bool mesh, const Context& context) {
-  const int width = 40, deep = mesh ? width : 8;
-  WireStream s;
-  s.diameter = diameter;
-  s.reynolds = reynolds;
-  s.cells = Vec3i(64, width, deep);
-  s.travel = 44;
-  const double linear = mesh ? 1 - std::sqrt(1 - solidity) : solidity;
-  const int wires = static_cast<int>(std::lround(width * linear / diameter));
-  const double x = 16.1, covered = wires * diameter / width;
-  for (int k = 0; k < wires; ++k) {
-    const double at = (k + 0.37) * width / wires;
-    s.wires.push_back({.start = Vec3(x, at, 0), .end = Vec3(x, at, deep)});
-    if (mesh) s.wires.push_back({.start = Vec3(x, 0, at), .end = Vec3(x, width, at)});
-  }
-  Loss loss;
-  loss.solidity = mesh ? 1 - (1 - covered) * (1 - covered) : covered;
-  loss.table = loss_of_screen(loss.solidity, reynolds);
-  const double area = static_cast<double>(width) * deep;
-  s.expected_drag = loss.table * 0.5 * s.speed * s.speed * area;
-  const WireLoad load = run_stream(s, context);
-  loss.found = load.drag / (0.5 * load.speed * load.speed * area);
-  loss.audit = load.audit;
-  return loss;
-}
 
 std::vector<Row> run(const Context& context) {
   std::vector<Row> rows;
   double audit = 0;
   const auto ask = [&](double d, double re, double solidity, bool mesh) {
-    const Loss loss = screen_of(d, re, solidity, mesh, context);
+    const ScreenLoss loss =
+        flow_through_screen({.diameter = d, .reynolds = re, .solidity = solidity, .mesh = mesh}, context);
     audit = std::max(audit, loss.audit);
     rows.push_back(relative_row(fmt::format("K, {}, S {:.3f}, Re {:g}, d/dx {:g}",
                                             mesh ? "square mesh" : "parallel wires", loss.solidity, re, d),
