@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "coupling/grains/lubrication.h"
-
 namespace lahar::coupling {
 
 namespace {
@@ -41,6 +39,10 @@ CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::opti
     mapped_wires_.emplace(solids_->particles(), solids_->bonds(), *options_.mapped_wires, fluid_->units().cell_size);
   if (coupled && options_.thin_wires == ThinWires::drag_law)
     thin_wires_.emplace(solids_->particles(), solids_->bonds());
+  if (grains_ && options_.films == GrainFilms::lubrication) {
+    const lbm::FluidOptions& o = fluid_->options();
+    films_.emplace(o.domain.cell_size, o.density * o.kinematic_viscosity);
+  }
   if (fluid_) choose_wires();
 }
 
@@ -143,22 +145,39 @@ void CoupledStep<Real>::gather_forces() {
     if (mapped_wires_) on_bodies += mapped_wires_->add_forces(*fluid_, particles);
     audit_.book({on_bodies, momentum_given_to_bodies(fluid_->grid())});
   }
-  if (grains_ && options_.films == GrainFilms::lubrication) add_films();
+  if (films_) find_films();
   audit_.book(impulses_);
 }
 
 template <class Real>
-void CoupledStep<Real>::add_films() {
+void CoupledStep<Real>::find_films() {
   const ScopedTimer timer(timers_.section("coupling.lubrication"));
-  const lbm::FluidOptions& o = fluid_->options();
-  add_lubrication(solids_->particles(), o.domain.cell_size, o.density * o.kinematic_viscosity, clock_.time_step(),
-                  [&](const Vec3& p) { return fluid_->cell_at(p).has_value(); });
+  films_->find(solids_->particles(), solids_->walls(), clock_.time_step(),
+               [&](const Vec3& p) { return fluid_->cell_at(p).has_value(); });
 }
 
 template <class Real>
 void CoupledStep<Real>::advance_solids() {
   const ScopedTimer timer(timers_.section("solids"));
-  solids_->advance(options_.substeps);
+  if (films_ && !films_->empty())
+    advance_in_films();
+  else
+    solids_->advance(options_.substeps);
+}
+
+/// The fluid's forces are held over all sub-steps, those of the films change with the gaps.
+template <class Real>
+void CoupledStep<Real>::advance_in_films() {
+  dem::Particles& particles = solids_->particles();
+  const Vec3Field force = particles.external_force, torque = particles.external_torque;
+  const int together = std::max(1, solids_->options().long_step);
+  for (int n = 0; n < options_.substeps; n += together) {
+    const int steps = std::min(together, options_.substeps - n);
+    particles.external_force = force, particles.external_torque = torque;
+    films_->add(particles, solids_->walls(), steps * solids_->options().time_step);
+    solids_->advance(steps);
+  }
+  particles.external_force = force, particles.external_torque = torque;
 }
 
 template class CoupledStep<float>;

@@ -7,6 +7,7 @@
 #include "coupling/audit.h"
 #include "coupling/coupling_options.h"
 #include "coupling/grains/grain_coupling.h"
+#include "coupling/grains/lubrication.h"
 #include "coupling/wires/wire_drag.h"
 #include "coupling/wires/wire_map.h"
 #include "dem/solids.h"
@@ -63,8 +64,9 @@ class CoupledStep {
   void give_impulses();
   void step_fluid();
   void gather_forces();
-  void add_films();
+  void find_films();
   void advance_solids();
+  void advance_in_films();
 
   std::optional<lbm::Fluid<Real>> fluid_;
   std::optional<dem::Solids> solids_;
@@ -73,6 +75,7 @@ class CoupledStep {
   std::optional<GrainCoupling<Real>> grains_;
   std::optional<WireMap<Real>> mapped_wires_;
   std::optional<WireDrag<Real>> thin_wires_;
+  std::optional<LubricationFilms> films_;  // of the step under way
   FieldWriter field_writer_;
   ExchangedMomentum impulses_;  // of the step under way
   MomentumAudit audit_;

@@ -27,7 +27,7 @@ struct UncoupledGrains {};
 /// How grains and fluid exchange momentum (grains/grain_exchange.h).
 using GrainExchangeChoice = std::variant<ResolvedGrains, UncoupledGrains>;
 
-/// Between grains that are closer than the cells resolve.
+/// Between grains, and between grains and walls, that are closer than the cells resolve.
 enum class GrainFilms {
   none,
   lubrication,  ///< grains/lubrication.h

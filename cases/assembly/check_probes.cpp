@@ -32,7 +32,11 @@ void check_probe(const Scene& scene, std::size_t i, Findings& findings) {
   const std::string path = fmt::format("probe[{}]", i);
   if (!findings.sound({path, "domain", "fluid"})) return;
   if (probe.kind == ProbeKind::force) return check_wall_of(scene, probe, path + ".wall", findings);
-  if (!scene.fluid.enabled) findings.mistake(path, path + " without a fluid, expected fluid.enabled = true");
+  const bool of_grain = probe.kind == ProbeKind::grain;
+  if (!of_grain && !scene.fluid.enabled)
+    findings.mistake(path, path + " without a fluid, expected fluid.enabled = true");
+  if (of_grain && scene.grains.packings.empty() && scene.grains.spheres.empty())
+    findings.mistake(path, path + " without grains, expected a table of [grains]");
   if (!scene.domain.contains(probe.position))
     findings.mistake(path + ".position_m", path + ".position_m lies outside the domain, expected it inside [domain]");
 }

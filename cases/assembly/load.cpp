@@ -11,6 +11,7 @@ namespace {
 /// What is off holds defaults, so that two scenes that run alike compare alike.
 void normalise(Scene& scene) {
   scene.identity.base.reset();
+  scene.identity.changes.clear();
   if (!scene.fluid.enabled) scene.fluid = {};
   if (!scene.barrier.enabled) scene.barrier = {};
   if (!scene.barrier.posts.enabled) scene.barrier.posts = {};

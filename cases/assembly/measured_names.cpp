@@ -72,6 +72,9 @@ std::vector<std::string> names_of(const Probe& probe) {
   if (probe.kind == ProbeKind::height) return after(probe.name, {"", "_peak_m", "_peak_time_s", "_arrival_s"});
   if (probe.kind == ProbeKind::velocity)
     return after(probe.name, {"_x_m_s", "_y_m_s", "_z_m_s", "_speed_peak_m_s", "_speed_peak_time_s"});
+  if (probe.kind == ProbeKind::grain)
+    return after(probe.name,
+                 {"_x_m", "_y_m", "_z_m", "_x_m_s", "_y_m_s", "_z_m_s", "_speed_peak_m_s", "_speed_peak_time_s"});
   if (probe.kind == ProbeKind::pressure) return after(probe.name, {"", "_peak_Pa", "_peak_time_s"});
   std::vector<std::string> names =
       after(probe.name, {"_force_peak_N", "_force_peak_time_s", "_moment_peak_Nm", "_moment_peak_time_s"});

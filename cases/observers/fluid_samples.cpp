@@ -7,9 +7,16 @@ namespace lahar::cases {
 
 double depth_over(const FluidView& fluid, const Vec3& point, double top) {
   const double dx = fluid.units().cell_size;
+  constexpr int longest_gap = 1;  // cells: a bubble
   double depth = 0;
-  for (double z = point.z() + dx / 2; z < top; z += dx)
-    if (const auto cell = fluid.cell_at({point.x(), point.y(), z})) depth += cell->fill_level * dx;
+  int gap = 0;
+  for (double z = point.z() + dx / 2; z < top && gap <= longest_gap; z += dx)
+    if (const auto cell = fluid.cell_at({point.x(), point.y(), z})) {
+      depth += cell->fill_level * dx;
+      gap = 0;
+    } else {
+      ++gap;
+    }
   return depth;
 }
 

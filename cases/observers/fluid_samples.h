@@ -4,7 +4,8 @@
 
 namespace lahar::cases {
 
-/// Depth of liquid over a point, m: sum of the fill levels of the cells above it, up to `top` (m), along z.
+/// Depth of liquid over a point, m: sum of the fill levels of the cells above it, up to `top` (m), along z. Liquid
+/// above two empty cells in a row or more is not counted: drops in the air, a roof that spray wets.
 double depth_over(const FluidView& fluid, const Vec3& point, double top);
 
 /// Pressure above ambient at a point, Pa: interpolated between the centres of the eight cells around it. Air counts as

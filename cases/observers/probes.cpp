@@ -1,6 +1,7 @@
 #include "cases/observers/probes.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "cases/observers/fluid_samples.h"
 
@@ -20,6 +21,7 @@ Probes::Probes(const Observed& run) : Observer(run) {
     if (p.kind == scene::ProbeKind::pressure) declare_pressure(p);
     if (p.kind == scene::ProbeKind::velocity) declare_velocity(p);
     if (p.kind == scene::ProbeKind::force) declare_force(p);
+    if (p.kind == scene::ProbeKind::grain) declare_grain(p);
   }
   if (!forces_.empty() && run.simulation.fluid()) run.simulation.fluid()->measure_walls();
 }
@@ -37,15 +39,19 @@ void Probes::declare_level(const scene::Probe& probe) {
 }
 
 void Probes::declare_pressure(const scene::Probe& probe) {
+  const std::size_t k = sensors_.size();
+  sensors_.push_back({probe.name, probe.position, probe.diameter, probe.time_mean, 0, 0});
   column(
       of_probe(probe.name, ""), "Pa",
       "pressure probe: above ambient, between the centres of the eight cells around the point; the mean over the disc "
-      "of a sensor with a diameter",
-      [this, point = probe.position, diameter = probe.diameter] {
-        return pressure_on_disc(*run_.simulation.fluid(), point, diameter);
-      })
+      "of a sensor with a diameter; with time_mean the mean since the last row",
+      [this, k] { return sensors_[k].reading; })
       .peak(of_probe(probe.name, "_peak_Pa"), "Pa", "largest pressure of the rows")
       .peak_time(of_probe(probe.name, "_peak_time_s"));
+}
+
+double Probes::pressure_on(const Sensor& sensor) const {
+  return pressure_on_disc(*run_.simulation.fluid(), sensor.point, sensor.diameter);
 }
 
 void Probes::declare_velocity(const scene::Probe& probe) {
@@ -77,6 +83,28 @@ void Probes::declare_force(const scene::Probe& probe) {
       .peak_time(of_probe(probe.name, "_moment_peak_time_s"));
 }
 
+void Probes::declare_grain(const scene::Probe& probe) {
+  const dem::Particles& p = run_.simulation.solids()->particles();
+  double nearest = std::numeric_limits<double>::infinity();
+  Followed followed{probe.name, 0, Vec3::Zero(), Vec3::Zero()};
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const double distance = (p.position[i] - probe.position).norm();
+    if (p.kind[i] == dem::ParticleKind::grain && distance < nearest) nearest = distance, followed.grain = p.id(i);
+  }
+  const std::size_t k = followed_.size();
+  followed_.push_back(followed);
+  for (int a = 0; a < 3; ++a)
+    column({probe.name + "_" + kAxes[a] + "_m", "PROBE_AXIS_m"}, "m",
+           "grain probe: centre of the grain that was nearest to the point at the start; NaN once it is gone",
+           [this, k, a] { return followed_[k].position[a]; });
+  for (int a = 0; a < 3; ++a)
+    column({probe.name + "_" + kAxes[a] + "_m_s", "PROBE_AXIS_m_s"}, "m/s", "grain probe: velocity of that grain",
+           [this, k, a] { return followed_[k].velocity[a]; });
+  hidden([this, k] { return followed_[k].velocity.norm(); })
+      .peak(of_probe(probe.name, "_speed_peak_m_s"), "m/s", "largest speed of the rows")
+      .peak_time(of_probe(probe.name, "_speed_peak_time_s"));
+}
+
 void Probes::declare_load(std::size_t probe, const std::string& source, const std::string& who,
                           Load ForceProbe::*load) {
   const std::string& name = forces_[probe].name;
@@ -93,8 +121,10 @@ void Probes::declare_load(std::size_t probe, const std::string& source, const st
 }
 
 void Probes::after_step() {
-  if (!run_.simulation.solids()) return;
   const double time_step = run_.simulation.time_step();
+  for (Sensor& sensor : sensors_)
+    if (sensor.time_mean) sensor.since += time_step * pressure_on(sensor);
+  if (!run_.simulation.solids()) return;
   for (ForceProbe& probe : forces_) {
     probe.grains_since.force += time_step * run_.simulation.solids()->force_on_wall(probe.wall);
     probe.grains_since.moment += time_step * run_.simulation.solids()->moment_on_wall(probe.wall);
@@ -111,6 +141,16 @@ void Probes::sample(double interval) {
   for (Level& level : levels_)
     level.depth = depth_over(*run_.simulation.fluid(), level.point, run_.scene.domain.upper.z());
   for (Current& current : currents_) current.velocity = velocity_at(*run_.simulation.fluid(), current.point);
+  for (Sensor& sensor : sensors_) {
+    sensor.reading = sensor.time_mean && interval > 0 ? sensor.since / interval : pressure_on(sensor);
+    sensor.since = 0;
+  }
+  for (Followed& f : followed_) {
+    const dem::Particles& p = run_.simulation.solids()->particles();
+    const dem::ParticleIndex i = p.index(f.grain);
+    f.position = f.velocity = Vec3::Constant(kUnknown);
+    if (p.state[i] != dem::ParticleState::removed) f.position = p.position[i], f.velocity = p.velocity[i];
+  }
   for (ForceProbe& probe : forces_) {
     probe.both = {};
     const auto add = [&](Load& mean, const Load& sum) {
@@ -132,6 +172,8 @@ void Probes::transfer(Archive& archive) {
     archive.part(probe.name + "_fluid_before", probe.fluid_before);
     archive.part(probe.name + "_grains_since", probe.grains_since);
   }
+  for (Sensor& sensor : sensors_) archive.value(sensor.name + "_since", sensor.since);
+  for (Followed& f : followed_) archive.value(f.name + "_grain", f.grain);
 }
 
 }  // namespace lahar::cases

@@ -1,5 +1,5 @@
 #pragma once
-// The probes of a scene: depth, pressure and velocity at points, force and moment on walls.
+// The probes of a scene: depth, pressure and velocity at points, force and moment on walls, the way of a grain.
 #include <string>
 #include <vector>
 
@@ -12,7 +12,7 @@ class Probes final : public Observer {
   explicit Probes(const Observed& run);
   static bool applies(const Observed& run) { return !run.scene.probes.empty(); }
   [[nodiscard]] std::string_view name() const override { return "probes"; }
-  /// Grains push only while they touch.
+  /// Grains push only while they touch; pressures are summed where their mean is asked for.
   void after_step() override;
   void sample(double interval) override;
   /// Sums since the last row.
@@ -41,16 +41,32 @@ class Probes final : public Observer {
   struct Current {
     Vec3 point, velocity;  ///< m; m/s, at the last row
   };
+  struct Sensor {
+    std::string name;
+    Vec3 point;
+    double diameter;        ///< m
+    bool time_mean;         ///< else the pressure of the row's moment
+    double since, reading;  ///< Pa s since the last row; Pa
+  };
+  struct Followed {
+    std::string name;
+    dem::ParticleId grain;
+    Vec3 position, velocity;  ///< m, m/s, at the last row; NaN once it is gone
+  };
   void declare_level(const scene::Probe& probe);
   void declare_pressure(const scene::Probe& probe);
   void declare_velocity(const scene::Probe& probe);
   void declare_force(const scene::Probe& probe);
+  void declare_grain(const scene::Probe& probe);
+  [[nodiscard]] double pressure_on(const Sensor& sensor) const;
   void declare_load(std::size_t probe, const std::string& source, const std::string& who, Load ForceProbe::*load);
   [[nodiscard]] static Load mean_load(const Load& sum, double interval, const Vec3& point);
 
   std::vector<Level> levels_;
   std::vector<Current> currents_;
   std::vector<ForceProbe> forces_;
+  std::vector<Sensor> sensors_;
+  std::vector<Followed> followed_;
 };
 
 }  // namespace lahar::cases

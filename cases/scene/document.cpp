@@ -15,6 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kChangesMark = "scene.changes: ";
+
 [[noreturn]] void fail(const std::string& file, int line, int column, std::string message) {
   throw InputError(std::vector<InputMistake>{{file, line, column, std::move(message)}});
 }
@@ -61,21 +63,46 @@ void merge(toml::table& top, toml::table&& base) {
   }
 }
 
+/// Where a change of a base stands, as an origin of apply_overrides.
+std::string origin_of(const Place& at) {
+  return fmt::format("{}:{}:{}: {}", at.file, at.line, at.column, kChangesMark);
+}
+
+/// Applies scene.changes to the file's base, whose lists it names.
+void apply_changes(toml::table& root, std::vector<InputMistake>& mistakes) {
+  const toml::array* changes = root["scene"]["changes"].as_array();
+  if (!changes) return;  // what is no list, or no text in it, is found when the scene is read
+  std::vector<std::pair<std::string, Place>> texts;
+  for (const toml::node& change : *changes)
+    if (const auto text = change.value<std::string>()) texts.emplace_back(*text, place_of(change.source()));
+  for (const auto& [text, at] : texts)
+    for (const InputMistake& m : apply_overrides(root, {text}, origin_of(at)))
+      mistakes.push_back({at.file, at.line, at.column, fmt::format("scene.changes \"{}\" {}", text, m.message)});
+}
+
 /// The file with all its bases merged in.
-toml::table read_with_bases(const fs::path& file, int depth) {
+toml::table read_with_bases(const fs::path& file, int depth, std::vector<InputMistake>& mistakes) {
   constexpr int deepest = 8;
   toml::table root = parse_file(file);
   const toml::node_view<toml::node> key = root["scene"]["base"];
-  if (!key.is_string()) return root;
+  if (!key.is_string()) {
+    const toml::array* changes = root["scene"]["changes"].as_array();
+    if (changes && !changes->empty() && !key) {
+      const Place at = place_of(changes->source());
+      mistakes.push_back({at.file, at.line, at.column, "scene.changes without scene.base, expected a scene to change"});
+    }
+    return root;
+  }
   const Place at = place_of(key.node()->source());
   const fs::path next = file.parent_path() / *key.value<std::string>();
   if (depth == deepest)
     fail(at.file, at.line, at.column, fmt::format("scene.base: expected a chain of at most {}", deepest));
   if (!fs::is_regular_file(next))
     fail(at.file, at.line, at.column, fmt::format("scene.base is \"{}\", expected a scene file", next.string()));
-  toml::table base = read_with_bases(next, depth + 1);
-  if (toml::table* identity = base["scene"].as_table()) identity->erase("base");
+  toml::table base = read_with_bases(next, depth + 1, mistakes);
+  if (toml::table* identity = base["scene"].as_table()) identity->erase("base"), identity->erase("changes");
   merge(root, std::move(base));
+  apply_changes(root, mistakes);
   return root;
 }
 
@@ -84,7 +111,7 @@ toml::table read_with_bases(const fs::path& file, int depth) {
 Place place_of(const toml::source_region& region) {
   Place place;
   if (region.path) place.file = *region.path;
-  if (place.file.starts_with("--set ")) return place;
+  if (place.file.starts_with(kCommandLine) || place.file.find(kChangesMark) != std::string::npos) return place;
   if (region.begin)
     place.line = static_cast<int>(region.begin.line), place.column = static_cast<int>(region.begin.column);
   return place;
@@ -92,7 +119,7 @@ Place place_of(const toml::source_region& region) {
 
 toml::table read_document(const fs::path& file, const std::vector<std::string>& overrides,
                           std::vector<InputMistake>& mistakes) {
-  toml::table root = read_with_bases(file, 0);
+  toml::table root = read_with_bases(file, 0, mistakes);
   for (InputMistake& m : apply_overrides(root, overrides)) mistakes.push_back(std::move(m));
   return root;
 }

@@ -105,7 +105,8 @@ constexpr auto choices(ProbeKind) {
   return std::to_array<Choice<ProbeKind>>({{"height", ProbeKind::height, "depth of liquid above the point"},
                                            {"pressure", ProbeKind::pressure, "pressure in it"},
                                            {"velocity", ProbeKind::velocity, "velocity of the liquid at it"},
-                                           {"force", ProbeKind::force, "force on a wall"}});
+                                           {"force", ProbeKind::force, "force on a wall"},
+                                           {"grain", ProbeKind::grain, "place and velocity of a grain"}});
 }
 
 /// Types that are registered in a variant say themselves what they are called and mean.

@@ -33,6 +33,19 @@ toml::table parse_value(const std::string& value, const std::string& source) {
   }
 }
 
+/// The entry of a list whose key "name" this is.
+toml::node* named(toml::array& list, const std::string& name) {
+  std::vector<std::string> known;
+  for (toml::node& entry : list)
+    if (const toml::table* table = entry.as_table())
+      if (const auto found = (*table)["name"].value<std::string>()) {
+        if (*found == name) return &entry;
+        known.push_back(*found);
+      }
+  throw BadOverride(fmt::format("no entry of the list is named \"{}\", expected {}", name,
+                                known.empty() ? "an index" : fmt::format("one of {}", fmt::join(known, ", "))));
+}
+
 /// The node that a step leads to, null if it is not there yet; refuses to step into what is no container.
 toml::node* child_at(toml::node& node, const PathStep& step) {
   if (!step.key.empty()) {
@@ -40,7 +53,9 @@ toml::node* child_at(toml::node& node, const PathStep& step) {
     throw BadOverride(fmt::format("\"{}\" would be inside {}, expected a table", step.key, kind_text(node)));
   }
   toml::array* list = node.as_array();
-  if (!list) throw BadOverride(fmt::format("index [{}] into {}, expected a list", step.index, kind_text(node)));
+  const std::string place = step.name.empty() ? fmt::to_string(step.index) : step.name;
+  if (!list) throw BadOverride(fmt::format("index [{}] into {}, expected a list", place, kind_text(node)));
+  if (!step.name.empty()) return named(*list, step.name);
   if (step.index > list->size())
     throw BadOverride(fmt::format("index [{}] is past the end, expected at most {}", step.index, list->size()));
   return step.index < list->size() ? list->get(step.index) : nullptr;
@@ -51,6 +66,7 @@ template <class T>
 toml::node* put(toml::node& node, const PathStep& step, T&& value) {
   if (!step.key.empty()) return &node.as_table()->insert_or_assign(step.key, std::forward<T>(value)).first->second;
   toml::array& list = *node.as_array();
+  if (!step.name.empty()) throw BadOverride(fmt::format("replaces entry [{}], expected a key of it", step.name));
   if (step.index == list.size())
     list.push_back(std::forward<T>(value));
   else
@@ -63,14 +79,14 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-void apply(toml::table& root, const std::string& text) {
+void apply(toml::table& root, const std::string& text, std::string_view origin) {
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) throw BadOverride("has no \"=\", expected key.path=value");
   const std::vector<PathStep> path = parse_path(trimmed(text.substr(0, equals)));
   if (path.empty()) throw BadOverride(fmt::format("\"{}\" is no key path, expected a.b[0].c", text.substr(0, equals)));
   if (path.size() > kMostKeyParts || find_long_key(text) != std::string::npos)
     throw BadOverride(fmt::format("has a key of more than {} parts, expected a.b[0].c", kMostKeyParts));
-  toml::table holder = parse_value(trimmed(text.substr(equals + 1)), "--set " + text);
+  toml::table holder = parse_value(trimmed(text.substr(equals + 1)), fmt::format("{}{}", origin, text));
   toml::node* at = &root;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     toml::node* next = child_at(*at, path[i]);
@@ -110,11 +126,16 @@ std::vector<PathStep> parse_path(std::string_view text) {
   std::size_t i = 0;
   while (i < text.size()) {
     if (text[i] == '[') {
+      const std::size_t close = text.find(']', i);
+      if (close == std::string_view::npos || close == i + 1 || path.empty()) return {};
+      const std::string_view word = text.substr(i + 1, close - i - 1);
       PathStep step;
-      const char* last = text.data() + text.size();
-      const auto [end, error] = std::from_chars(text.data() + i + 1, last, step.index);
-      if (error != std::errc{} || end == last || *end != ']' || path.empty()) return {};
-      i = static_cast<std::size_t>(end - text.data()) + 1;
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), step.index);
+      if (error != std::errc{} || end != word.data() + word.size()) {
+        if (!bare(word.front()) || word.front() == '-' || !std::all_of(word.begin(), word.end(), bare)) return {};
+        step.name = word;
+      }
+      i = close + 1;
       path.push_back(step);
     } else {
       if (!path.empty() && text[i++] != '.') return {};
@@ -127,13 +148,14 @@ std::vector<PathStep> parse_path(std::string_view text) {
   return path;
 }
 
-std::vector<InputMistake> apply_overrides(toml::table& root, const std::vector<std::string>& overrides) {
+std::vector<InputMistake> apply_overrides(toml::table& root, const std::vector<std::string>& overrides,
+                                          std::string_view origin) {
   std::vector<InputMistake> mistakes;
   for (const std::string& text : overrides) {
     try {
-      apply(root, text);
+      apply(root, text, origin);
     } catch (const BadOverride& e) {
-      mistakes.push_back({"--set " + text, 1, 1, e.what()});
+      mistakes.push_back({fmt::format("{}{}", origin, text), 1, 1, e.what()});
     }
   }
   return mistakes;

@@ -1,5 +1,6 @@
 #pragma once
-// `--set key.path[0].key=value`: changes to a scene from the command line.
+// `--set key.path[0].key=value`: changes to a scene from the command line, or by scene.changes to one that it is based
+// on.
 #include <toml++/toml.h>
 
 #include <string>
@@ -10,10 +11,11 @@
 
 namespace lahar::scene {
 
-/// One step of a path: a key, or an index into a list (when `key` is empty).
+/// One step of a path: a key; or, when that is empty, the name of an entry of a list (its key "name") or its index.
 struct PathStep {
   std::string key;
   std::size_t index = 0;
+  std::string name = {};
 };
 
 /// Parts of a dotted key. Each is a table in a table: a hundred thousand of them are more than a stack takes.
@@ -22,11 +24,15 @@ inline constexpr int kMostKeyParts = 64;
 /// stand in.
 std::size_t find_long_key(std::string_view text);
 
-/// Splits `wall[0].slip`. Returns an empty list if the text is no path.
+/// Splits `wall[0].slip` and `wall[bed].slip`. Returns an empty list if the text is no path.
 std::vector<PathStep> parse_path(std::string_view text);
 
+/// Where the overrides of the command line stand.
+inline constexpr std::string_view kCommandLine = "--set ";
+
 /// Applies all overrides in order. An index one past the end appends. Returns a mistake for every override that makes
-/// no sense, located as `--set TEXT:1:1`.
-std::vector<InputMistake> apply_overrides(toml::table& root, const std::vector<std::string>& overrides);
+/// no sense, located as `--set TEXT:1:1`, with another `origin` in place of `--set `.
+std::vector<InputMistake> apply_overrides(toml::table& root, const std::vector<std::string>& overrides,
+                                          std::string_view origin = kCommandLine);
 
 }  // namespace lahar::scene

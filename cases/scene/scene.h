@@ -40,10 +40,11 @@ enum class Axis { x, y, z };
 enum class WallShape { plane, box, cylinder, sphere, mesh, heightmap };
 enum class RegionShape { box, cylinder, sphere, mesh };
 enum class NetKind { rings, hexagonal };
-enum class ProbeKind { height, pressure, velocity, force };
+enum class ProbeKind { height, pressure, velocity, force, grain };
 
 struct Identity {
-  std::optional<std::string> base;  ///< only in the file: unset in a loaded scene
+  std::optional<std::string> base;   ///< only in the file: unset in a loaded scene,
+  std::vector<std::string> changes;  ///< and these
   std::string name, title;
   bool operator==(const Identity&) const = default;
 };
@@ -338,6 +339,7 @@ struct Probe {
   ProbeKind kind = ProbeKind::height;
   Vec3 position = Vec3::Zero();  ///< m; of a force: the point that its moment is taken about
   double diameter = 0;           ///< m, of a pressure sensor; 0 = a point
+  bool time_mean = false;        ///< of a pressure: the mean since the last row instead of the row's moment
   std::string wall;              ///< of a force: name of the wall
   bool operator==(const Probe&) const = default;
 };

@@ -43,6 +43,9 @@ void describe(V& v, Identity& s) {
   v.value("base", s.base, {},
           "Another scene file, relative to this one, whose values hold where this file says nothing. A list given here "
           "replaces the other's list.");
+  v.value("changes", s.changes, {},
+          "Changes to parts of the other's lists, as on the command line, by number or by name: "
+          "[\"wall[bed].slip = no_slip\", \"probe[0].position_m = [1, 0, 0]\"].");
   v.value("name", s.name, required(),
           "Short name: letters, digits, `_` and `-`. Results go to `results/NAME` by default.");
   v.value("title", s.title, {}, "One line for reports.");
@@ -475,11 +478,15 @@ template <class V>
 void describe(V& v, Probe& s) {
   v.value("name", s.name, required(), "Name in results: letters, digits, `_` and `-`.");
   v.value("kind", s.kind, required(), "What is measured.");
-  v.value("position_m", s.position, required(), "Where; of a force: the point that its moment is taken about.");
+  v.value("position_m", s.position, required(),
+          "Where; of a force: the point that its moment is taken about; of a grain: where its centre is at the start.");
   only_with(v, "kind", s.kind, {ProbeKind::pressure}, [&] {
     v.value("diameter_m", s.diameter, {non_negative()},
             "Of the sensor: a disc parallel to the nearest wall or face of the domain, over which the pressure is "
             "averaged; 0 = a point.");
+    v.value("time_mean", s.time_mean, {},
+            "Whether a row holds the mean over the time since the last row, sampled at every step, instead of the "
+            "pressure at that moment.");
   });
   only_with(v, "kind", s.kind, {ProbeKind::force}, [&] { v.value("wall", s.wall, required(), "Name of a [[wall]]."); });
 }

@@ -20,71 +20,127 @@ std::int64_t key_of(const Vec3i& box) { return (static_cast<std::int64_t>(box.x(
 
 Vec3i box_of(const Vec3& p, double width) { return (p / width).array().floor().cast<int>(); }
 
-struct Films {
-  dem::Particles& particles;
-  double cut_off, shear_cut_off, viscosity, time_step;
-  const std::function<bool(const Vec3&)>& is_wet;
-  std::size_t count = 0;
+bool is_grain(const dem::Particles& particles, dem::ParticleIndex i) {
+  return particles.kind[i] == dem::ParticleKind::grain && particles.state[i] != dem::ParticleState::removed;
+}
 
-  void add(dem::ParticleIndex i, dem::ParticleIndex j) {
+Vec3 across(const Vec3& v, const Vec3& normal) { return v - v.dot(normal) * normal; }
+
+double inverse_inertia(const dem::Particles& particles, dem::ParticleIndex k) {
+  return particles.inverse_mass[k] > 0 ? 1 / particles.inertia[k] : 0.0;
+}
+
+/// The sum of the rates at which a film slows what it acts on bounds the fastest of them: the share of it that at most
+/// stops the motion within a step.
+double bounded_share(double rate, double time_step) { return 1 / std::max(1.0, rate * time_step); }
+
+/// Whether the liquid is around a gap, whose surfaces part as s^2 / (2 R) at the distance s from its middle.
+bool is_wet_around(const Vec3& middle, const Vec3& normal, double reduced, double cell_size,
+                   const std::function<bool(const Vec3&)>& is_wet) {
+  int least = 0, wet = 0;
+  normal.cwiseAbs().minCoeff(&least);
+  const Vec3 along = normal.cross(Vec3::Unit(least)).normalized(), sideways = normal.cross(along);
+  const double s = std::sqrt(2 * reduced * cell_size);
+  for (const Vec3& direction : {along, sideways, Vec3(-along), Vec3(-sideways)}) wet += is_wet(middle + s * direction);
+  return wet >= 2;
+}
+
+/// What a film is made of.
+struct Film {
+  double cut_off, shear_cut_off, viscosity, time_step;
+  dem::Particles& particles;
+
+  bool between(dem::ParticleIndex i, dem::ParticleIndex j) const {
     const double a = particles.radius[i], b = particles.radius[j];
     const Vec3 apart = particles.position[j] - particles.position[i];
     const double distance = apart.norm(), gap = distance - a - b;
     const double inverse_mass = particles.inverse_mass[i] + particles.inverse_mass[j];
-    if (gap >= cut_off || distance <= 0 || inverse_mass <= 0) return;
+    if (gap >= cut_off || distance <= 0 || inverse_mass <= 0) return false;
     const Vec3 normal = apart / distance;
     const Vec3 past = particles.velocity[j] - particles.velocity[i];
     const double approach = -past.dot(normal);
     const Vec3 turn = normal.cross(past) / distance;  // of the line of centres
-    const auto spin = [&](dem::ParticleIndex k) {
-      const Vec3 w = particles.angular_velocity[k];
-      return Vec3(w - w.dot(normal) * normal - turn);
-    };
-    const Vec3 spin_i = spin(i), spin_j = spin(j);
+    const Vec3 spin_i = across(particles.angular_velocity[i], normal) - turn,
+               spin_j = across(particles.angular_velocity[j], normal) - turn;
     const bool shears = gap < shear_cut_off && !(spin_i.isZero(0) && spin_j.isZero(0));
-    if ((approach == 0 && !shears) || !is_wet(particles.position[i] + (a + 0.5 * gap) * normal)) return;
-    ++count;
-    if (shears) add_shear(i, j, gap, distance, normal, spin_i, spin_j);
+    if (approach == 0 && !shears) return false;
+    if (shears) shear(i, j, gap, distance, normal, spin_i, spin_j);
     const double resistance =
         std::min(squeeze_resistance(a, b, gap, cut_off, viscosity), 1 / (inverse_mass * time_step));
     const Vec3 force = resistance * approach * normal;
     particles.external_force.add(i, -force);
     particles.external_force.add(j, force);
+    return true;
   }
 
-  /// The sum of the rates at which the film slows what it acts on bounds the fastest of them.
-  void add_shear(dem::ParticleIndex i, dem::ParticleIndex j, double gap, double distance, const Vec3& normal,
-                 const Vec3& spin_i, const Vec3& spin_j) {
+  void shear(dem::ParticleIndex i, dem::ParticleIndex j, double gap, double distance, const Vec3& normal,
+             const Vec3& spin_i, const Vec3& spin_j) const {
     const ShearResistance c = shear_resistance(particles.radius[i], particles.radius[j], gap, shear_cut_off, viscosity);
-    const auto inverse_inertia = [&](dem::ParticleIndex k) {
-      return particles.inverse_mass[k] > 0 ? 1 / particles.inertia[k] : 0.0;
-    };
     const double rate =
-        c.aa * inverse_inertia(i) + c.bb * inverse_inertia(j) +
+        c.aa * inverse_inertia(particles, i) + c.bb * inverse_inertia(particles, j) +
         (c.aa + 2 * c.ab + c.bb) / (distance * distance) * (particles.inverse_mass[i] + particles.inverse_mass[j]);
-    const double share = 1 / std::max(1.0, rate * time_step);
+    const double share = bounded_share(rate, time_step);
     const Vec3 torque_i = -share * (c.aa * spin_i + c.ab * spin_j), torque_j = -share * (c.ab * spin_i + c.bb * spin_j);
     const Vec3 force = normal.cross(torque_i + torque_j) / distance;
     particles.external_force.add(i, -force), particles.external_force.add(j, force);
     particles.external_torque.add(i, torque_i), particles.external_torque.add(j, torque_j);
   }
+
+  bool at_wall(dem::ParticleIndex i, const Walls& walls, std::size_t wall) const {
+    const double a = particles.radius[i], inverse_mass = particles.inverse_mass[i];
+    const Vec3 centre = particles.position[i];
+    const double gap = walls.distance(wall, centre) - a;
+    if (gap >= cut_off || inverse_mass <= 0) return false;
+    const Vec3 normal = -walls.gradient(wall, centre);
+    const Vec3 past = walls.all()[wall].surface_velocity(centre + a * normal) - Vec3(particles.velocity[i]);
+    const double approach = -past.dot(normal);
+    const double resistance =
+        std::min(squeeze_resistance_at_wall(a, gap, cut_off, viscosity), 1 / (inverse_mass * time_step));
+    particles.external_force.add(i, -resistance * approach * normal);
+    const Vec3 slip = across(past, normal), spin = across(particles.angular_velocity[i], normal);
+    if (gap >= shear_cut_off || (slip.isZero(0) && spin.isZero(0))) return approach != 0;
+    const double unit = 4.0 / 5.0 * std::numbers::pi * viscosity * a * film_logarithm(a, gap, shear_cut_off);
+    const double rate = 4 * unit * (inverse_mass + a * a * inverse_inertia(particles, i));
+    const double share = bounded_share(rate, time_step) * unit;
+    particles.external_force.add(i, share * (4 * slip + a * normal.cross(spin)));
+    particles.external_torque.add(i, share * a * (normal.cross(slip) - 4 * a * spin));
+    return true;
+  }
 };
 
 }  // namespace
 
-std::size_t add_lubrication(dem::Particles& particles, double cell_size, double viscosity, double time_step,
+LubricationFilms::LubricationFilms(double cell_size, double viscosity)
+    : cell_size_(cell_size),
+      cut_off_(kFilmCutOff * cell_size),
+      shear_cut_off_(kShearCutOff * cell_size),
+      viscosity_(viscosity) {}
+
+void LubricationFilms::find(const dem::Particles& particles, const Walls& walls, double time_step,
                             const std::function<bool(const Vec3&)>& is_wet) {
-  Films films{particles, kFilmCutOff * cell_size, kShearCutOff * cell_size, viscosity, time_step, is_wet};
+  pairs_.clear(), at_walls_.clear();
   std::vector<Boxed> boxed;
-  double largest = 0;
+  double largest = 0, fastest = 0;
   for (dem::ParticleId id = 0; id < particles.size(); ++id) {
     const dem::ParticleIndex i = particles.index(id);
-    if (particles.kind[i] == dem::ParticleKind::grain && particles.state[i] != dem::ParticleState::removed)
-      largest = std::max(largest, particles.radius[i]), boxed.push_back({0, id});
+    if (!is_grain(particles, i)) continue;
+    largest = std::max(largest, particles.radius[i]);
+    fastest = std::max(fastest, Vec3(particles.velocity[i]).norm());
+    boxed.push_back({0, id});
   }
-  const double width = 2 * largest + films.cut_off;
+  const auto reach = [&](double speed) { return cut_off_ + time_step * speed; };
+  const double width = 2 * largest + reach(2 * fastest);
   for (Boxed& b : boxed) b.key = key_of(box_of(particles.position[particles.index(b.grain)], width));
   std::sort(boxed.begin(), boxed.end());
+  const auto find_pair = [&](dem::ParticleIndex i, dem::ParticleIndex j) {
+    const double a = particles.radius[i];
+    const Vec3 apart = particles.position[j] - particles.position[i];
+    const double distance = apart.norm(), gap = distance - a - particles.radius[j];
+    if (distance <= 0 || gap >= reach((particles.velocity[j] - particles.velocity[i]).norm())) return;
+    const Vec3 normal = apart / distance, middle = particles.position[i] + (a + 0.5 * gap) * normal;
+    const double reduced = a * particles.radius[j] / (a + particles.radius[j]);
+    if (is_wet_around(middle, normal, reduced, cell_size_, is_wet)) pairs_.push_back({i, j});
+  };
   // Pairs in the order of the boxes, then of ids: the sums do not depend on where particles stand in their arrays.
   for (const Boxed& one : boxed) {
     const dem::ParticleIndex i = particles.index(one.grain);
@@ -94,10 +150,27 @@ std::size_t add_lubrication(dem::Particles& particles, double cell_size, double 
         const std::int64_t low = key_of(box + Vec3i(x, y, -1)), high = key_of(box + Vec3i(x, y, 1));
         for (auto other = std::lower_bound(boxed.begin(), boxed.end(), Boxed{low, 0});
              other != boxed.end() && other->key <= high; ++other)
-          if (one.grain < other->grain) films.add(i, particles.index(other->grain));
+          if (one.grain < other->grain) find_pair(i, particles.index(other->grain));
       }
+    const double a = particles.radius[i];
+    for (std::size_t w = 0; w < walls.all().size(); ++w) {
+      const Vec3 centre = particles.position[i];
+      const double gap = walls.distance(w, centre) - a;
+      const double speed = (walls.all()[w].surface_velocity(centre) - Vec3(particles.velocity[i])).norm();
+      if (gap >= reach(speed)) continue;
+      // Half a cell off the wall: what lies on it is in no cell.
+      const Vec3 normal = walls.gradient(w, centre), middle = centre - (a + gap - 0.5 * cell_size_) * normal;
+      if (is_wet_around(middle, normal, a, cell_size_, is_wet)) at_walls_.push_back({i, w});
+    }
   }
-  return films.count;
+}
+
+std::size_t LubricationFilms::add(dem::Particles& particles, const Walls& walls, double time_step) const {
+  const Film film{cut_off_, shear_cut_off_, viscosity_, time_step, particles};
+  std::size_t count = 0;
+  for (const Pair& p : pairs_) count += film.between(p.i, p.j);
+  for (const AtWall& w : at_walls_) count += film.at_wall(w.grain, walls, w.wall);
+  return count;
 }
 
 }  // namespace lahar::coupling

@@ -20,7 +20,8 @@ struct SphereTank {
   bool held = false;             ///< moved by hand
   double smagorinsky = 0.1;
   int substeps = 10;
-  double youngs_modulus = 1;
+  double youngs_modulus = 1, restitution = 0.5;
+  bool lubrication = false;
   Immersion immersion;                        ///< but for its collision operator, which is the default one
   std::vector<Wall> walls = {};               ///< that the water alone meets
   std::vector<lbm::LiquidRegion> water = {};  ///< in place of all that lies below the depth
@@ -43,7 +44,7 @@ std::unique_ptr<coupling::CoupledStep<Real>> make_tank(const SphereTank& t) {
   particles.add(sphere);
   dem::Materials materials;
   materials.add({"stone", t.youngs_modulus, 0.3});
-  materials.set_pair(0, 0, 0.3, 0.5);
+  materials.set_pair(0, 0, 0.3, t.restitution);
   Walls walls;
   walls.add({"floor", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}});
   dem::SolidsOptions options;
@@ -52,6 +53,7 @@ std::unique_ptr<coupling::CoupledStep<Real>> make_tank(const SphereTank& t) {
   coupling::CouplingOptions coupling;
   coupling.substeps = t.substeps;
   coupling.grains = coupling::ResolvedGrains{t.immersion.radius_shift};
+  if (t.lubrication) coupling.films = coupling::GrainFilms::lubrication;
   auto step = std::make_unique<coupling::CoupledStep<Real>>(
       fluid, dem::Solids(std::move(particles), dem::Bonds{}, std::move(materials), std::move(walls), options),
       coupling);

@@ -13,11 +13,15 @@ TEST_P(Gauges, IsTheOneMistake) { expect_rejection(case_file("dam_break/scene.to
 INSTANTIATE_TEST_SUITE_P(
     CrossChecks, Gauges,
     testing::Values(
-        Rejection{{"probe[0].kind=depth"}, "probe[0].kind", "one of \"height\", \"pressure\", \"velocity\", \"force\""},
+        Rejection{{"probe[0].kind=depth"},
+                  "probe[0].kind",
+                  "one of \"height\", \"pressure\", \"velocity\", \"force\", \"grain\""},
         Rejection{{"probe[0].position_m=[9, 0, 0]"}, "probe[0].position_m", "outside the domain"},
         Rejection{{"probe[0].wall=near_side"}, "probe[0].wall", "expected only with kind = \"force\""},
         Rejection{{"probe[0].diameter_m=0.1"}, "probe[0].diameter_m", "expected only with kind = \"pressure\""},
         Rejection{{"probe[0].kind=pressure", "probe[0].diameter_m=-1"}, "probe[0].diameter_m", "at least 0"},
+        Rejection{{"probe[0].time_mean=true"}, "probe[0].time_mean", "expected only with kind = \"pressure\""},
+        Rejection{{"probe[0].kind=grain"}, "probe[0]", "without grains"},
         Rejection{{"probe[0].kind=force"}, "probe[0].wall", "is missing"},
         Rejection{{"probe[0].kind=force", "probe[0].wall=3"}, "probe[0].wall", "is a whole number"},
         Rejection{{"probe[0].kind=force", "probe[0].wall=near_sid"}, "probe[0].wall", "did you mean \"near_side\"?"},

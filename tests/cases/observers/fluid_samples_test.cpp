@@ -33,6 +33,17 @@ TEST(FluidSamples, PressureInsideAndAtWalls) {
   EXPECT_NEAR(depth_over(*view, Vec3(0.05, 0.05, 0), 0.4), 0.3, 1e-3);
 }
 
+/// A drop in the air is no depth; a bubble of one cell does not end the water.
+TEST(FluidSamples, DepthWithoutDrops) {
+  const scene::Scene scene = scene::load_text(tank_with_ball);
+  lbm::Fluid<double> fluid(fluid_options(scene));
+  const auto view = view_of(fluid);
+  const auto slab = [](double from, double to) { return lbm::LiquidRegion{Vec3(0, 0, from), Vec3(0.32, 0.16, to)}; };
+  fluid.fill({slab(0, 0.10), slab(0.11, 0.20), slab(0.30, 0.32)});
+  EXPECT_NEAR(depth_over(*view, Vec3(0.035, 0.035, 0), 0.4), 0.19, 1e-6);
+  EXPECT_NEAR(depth_over(*view, Vec3(0.035, 0.035, 0.25), 0.4), 0, 1e-6);
+}
+
 /// Pressure is linear in the depth: its mean over a disc in a side wall is that of its centre, but where part of it is
 /// in the air. On the floor every place has the same.
 TEST(FluidSamples, PressureOnADisc) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "cases/assembly/build.h"
 #include "cases/files/series_reader.h"
 #include "cases/runner/run.h"
@@ -89,6 +91,85 @@ position_m = [0.16, 0.08, 0.1]
   EXPECT_NEAR(lift, 1000 * 9.81 * 4 * M_PI / 3 * 0.05 * 0.05 * 0.05, 0.1 * lift);
   EXPECT_NEAR(mean, lift, 0.02 * lift);
   EXPECT_NEAR(series.find("lift_fluid_moment_y_Nm")->values.back(), 0, 0.01 * lift * 0.05);
+}
+
+/// A mean over the rows' intervals: the pressure at each step, summed, is that of all rows. Where a row comes at every
+/// step, mean and moment are the same.
+TEST(Probes, PressureAveragedOverTime) {
+  const std::string sensors = R"([[probe]]
+name = "moment"
+kind = "pressure"
+position_m = [0.0, 0.08, 0.05]
+[[probe]]
+name = "mean"
+kind = "pressure"
+position_m = [0.0, 0.08, 0.05]
+time_mean = true
+)";
+  const scene::ScratchFolder scratch;
+  const auto rows = [&](const char* folder, const std::vector<std::string>& set) {
+    run_to_folder(scene::load_text(tank_with_ball + sensors, set),
+                  {.out = scratch.path() / folder, .threads = 1, .quiet = true}, run_scene);
+    return read_series(scratch.path() / folder / "series.h5");
+  };
+  const Series every = rows("every", {"run.duration_s=0.1", "run.series_interval_s=1e-6"});
+  const auto& p = every.find("moment")->values;
+  const auto& same = every.find("mean")->values;
+  ASSERT_GT(p.size(), 100u);
+  for (std::size_t k = 1; k < p.size(); ++k) EXPECT_NEAR(same[k], p[k], 1e-9 * 3000);
+  const Series few = rows("few", {"run.duration_s=0.1", "run.series_interval_s=0.02"});
+  const auto& mean = few.find("mean")->values;
+  double sum = 0, whole = 0;
+  for (std::size_t k = 1; k < mean.size(); ++k) sum += mean[k] * (few.time_s[k] - few.time_s[k - 1]);
+  for (std::size_t k = 1; k < p.size(); ++k)
+    if (every.time_s[k] <= few.time_s.back() + 1e-9) whole += p[k] * (every.time_s[k] - every.time_s[k - 1]);
+  EXPECT_NEAR(sum / whole, 1, 1e-6);
+  EXPECT_NE(mean[1], few.find("moment")->values[1]);
+}
+
+/// Of two grains the one nearest to the point is followed: it falls freely, then is gone.
+TEST(Probes, FollowAGrain) {
+  const std::string text = R"([scene]
+name = "falling"
+[run]
+duration_s = 0.6
+series_interval_s = 0.1
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [1, 1, 1]
+open_faces = ["z-"]
+[materials.rock]
+youngs_modulus_Pa = 1e7
+poisson_ratio = 0.3
+[[grains.sphere]]
+position_m = [0.2, 0.2, 0.8]
+diameter_m = 0.1
+density_kg_m3 = 2500
+material = "rock"
+[[grains.sphere]]
+position_m = [0.6, 0.5, 0.8]
+velocity_m_s = [0.5, 0, 0]
+diameter_m = 0.1
+density_kg_m3 = 2500
+material = "rock"
+[[probe]]
+name = "stone"
+kind = "grain"
+position_m = [0.55, 0.5, 0.8]
+)";
+  const scene::ScratchFolder scratch;
+  const RunResult result =
+      run_to_folder(scene::load_text(text), {.out = scratch.path() / "out", .threads = 1, .quiet = true}, run_scene);
+  const Series series = read_series(scratch.path() / "out/series.h5");
+  const auto value = [&](const char* name, std::size_t row) { return series.find(name)->values.at(row); };
+  for (std::size_t row = 0; row <= 3; ++row) {
+    const double t = series.time_s[row];
+    EXPECT_NEAR(value("stone_x_m", row), 0.6 + 0.5 * t, 1e-6);
+    EXPECT_NEAR(value("stone_z_m", row), 0.8 - 0.5 * 9.81 * t * t, 1e-3);
+    EXPECT_NEAR(value("stone_z_m_s", row), -9.81 * t, 1e-3);
+  }
+  EXPECT_TRUE(std::isnan(series.find("stone_x_m")->values.back()));
+  EXPECT_GT(result.summary.metrics.at("stone_speed_peak_m_s"), 3);
 }
 
 }  // namespace

@@ -145,5 +145,67 @@ TEST(Document, BasesThatAreNotThereOrLeadRound) {
             "--set scene.base=3:1:1: scene.base is a whole number, expected a string");
 }
 
+constexpr const char* kBase = R"([scene]
+name = "base"
+[run]
+duration_s = 1.0
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [1, 1, 1]
+[[wall]]
+name = "floor"
+shape = "plane"
+point_m = [0, 0, 0]
+normal = [0, 0, 1]
+[[wall]]
+name = "side"
+shape = "plane"
+point_m = [0, 1, 0]
+normal = [0, -1, 0]
+[fluid]
+enabled = true
+cell_size_m = 0.1
+[[fluid.region]]
+lower_m = [0, 0, 0]
+upper_m = [1, 1, 0.5]
+)";
+
+/// A part of a list of the base changes; the rest of the list stays. Bases in between change it first.
+TEST(Document, ChangesPartsOfListsOfTheBase) {
+  const ScratchFolder scratch;
+  scratch.write("base.toml", kBase);
+  scratch.write("middle.toml",
+                "[scene]\nbase = \"base.toml\"\nname = \"m\"\nchanges = [\"wall[side].slip = free_slip\", "
+                "\"fluid.region[0].upper_m = [1, 1, 0.4]\"]\n");
+  const auto top = scratch.write(
+      "top.toml", "[scene]\nbase = \"middle.toml\"\nname = \"t\"\nchanges = [\"wall[floor].slip = free_slip\"]\n");
+  const Scene scene = load(top);
+  ASSERT_EQ(scene.walls.size(), 2u);
+  EXPECT_EQ(scene.walls[0].slip, WallSlip::free_slip);
+  EXPECT_EQ(scene.walls[1].slip, WallSlip::free_slip);
+  EXPECT_EQ(scene.walls[1].point, Vec3(0, 1, 0));
+  EXPECT_EQ(scene.fluid.regions[0].upper.z(), 0.4);
+  EXPECT_TRUE(scene.identity.changes.empty());
+}
+
+TEST(Document, WrongChangesAreLocated) {
+  const ScratchFolder scratch;
+  scratch.write("base.toml", kBase);
+  const auto mistakes_of = [&](const std::string& changes, const std::string& base = "base = \"base.toml\"\n") {
+    return mistakes_in(scratch.write("top.toml", "[scene]\n" + base + "name = \"t\"\nchanges = " + changes + "\n"));
+  };
+  EXPECT_EQ(
+      the_mistake(mistakes_of("[\"wall[roof].slip = free_slip\"]")),
+      "top.toml:4:12: scene.changes \"wall[roof].slip = free_slip\" no entry of the list is named \"roof\", expected "
+      "one of floor, side");
+  const std::string value = the_mistake(mistakes_of("[\"wall[floor].slip = slippery\"]"));
+  EXPECT_NE(value.find("top.toml:4:12: scene.changes: wall[floor].slip = slippery"), std::string::npos) << value;
+  EXPECT_NE(value.find("wall[0].slip is \"slippery\""), std::string::npos) << value;
+  const auto alone = mistakes_of("[\"wall[floor].slip = free_slip\"]", "");
+  ASSERT_FALSE(alone.empty());
+  EXPECT_NE(testing::PrintToString(alone).find("top.toml:3:11: scene.changes without scene.base"), std::string::npos)
+      << testing::PrintToString(alone);
+}
+
 }  // namespace
 }  // namespace lahar::scene

@@ -16,8 +16,16 @@ TEST(ParsePath, SplitsKeysAndIndices) {
   EXPECT_EQ(path[5].key, "count");
 }
 
+TEST(ParsePath, TakesNamesOfEntries) {
+  const std::vector<PathStep> path = parse_path("wall[left_side].point_m");
+  ASSERT_EQ(path.size(), 3u);
+  EXPECT_EQ(path[1].name, "left_side");
+  EXPECT_TRUE(path[1].key.empty());
+}
+
 TEST(ParsePath, RefusesWhatIsNoPath) {
-  for (const char* text : {"", ".", "a.", ".a", "a..b", "a[", "a[]", "a[x]", "a[1", "a[-1]", "[0]", "a b", "a[0]b"})
+  for (const char* text :
+       {"", ".", "a.", ".a", "a..b", "a[", "a[]", "a[x y]", "a[x", "a[1", "a[-1]", "[0]", "a b", "a[0]b"})
     EXPECT_TRUE(parse_path(text).empty()) << text;
 }
 
@@ -35,6 +43,18 @@ TEST(Overrides, ChangeNumbersWordsListsAndNestedTables) {
   EXPECT_EQ(scene.walls[0].slip, WallSlip::free_slip);
   EXPECT_FALSE(scene.coupling.wire_drag);
   EXPECT_EQ(scene.materials[0].youngs_modulus, 1e9);
+}
+
+TEST(Overrides, FindEntriesByName) {
+  const Scene scene = load(case_file("dam_break/scene.toml"), {"wall[far_side].slip=no_slip"});
+  EXPECT_EQ(scene.walls[0].slip, WallSlip::free_slip);
+  EXPECT_EQ(scene.walls[1].slip, WallSlip::no_slip);
+  const auto wrong = mistakes_in(case_file("dam_break/scene.toml"), {"wall[far].slip=no_slip", "probe[end_wall]=3"});
+  ASSERT_EQ(wrong.size(), 2u);
+  EXPECT_NE(wrong[1].find("no entry of the list is named \"far\", expected one of near_side, far_side"),
+            std::string::npos)
+      << wrong[1];
+  EXPECT_NE(wrong[0].find("replaces entry [end_wall], expected a key of it"), std::string::npos) << wrong[0];
 }
 
 TEST(Overrides, LaterOnesWin) {

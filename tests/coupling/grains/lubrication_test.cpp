@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <numbers>
+
 #include "tests/coupling/tanks.h"
 
 namespace lahar::coupling {
@@ -18,6 +21,14 @@ dem::Particles two_grains(double gap, double speed) {
 
 bool wet(const Vec3&) { return true; }
 bool dry(const Vec3&) { return false; }
+
+/// The films of the particles where they are.
+std::size_t add_lubrication(dem::Particles& p, double cell_size, double viscosity, double time_step,
+                            const std::function<bool(const Vec3&)>& is_wet, const Walls& walls = {}) {
+  LubricationFilms films(cell_size, viscosity);
+  films.find(p, walls, time_step, is_wet);
+  return films.add(p, walls, time_step);
+}
 
 /// 6 pi mu R*^2 v / h for a gap far below the cut-off, and nothing beyond it.
 TEST(Lubrication, FollowsTheLawOfTheFilm) {
@@ -166,6 +177,84 @@ TEST(Lubrication, FindsAllPairs) {
     }
   EXPECT_EQ(add_lubrication(p, 0.01, 1e-3, 1e-5, wet), expected);
   EXPECT_GT(expected, 800U);
+}
+
+Walls floor_at(double z, const Vec3& velocity = Vec3::Zero()) {
+  Walls walls;
+  Wall floor{"floor", HalfSpace{Vec3(0, 0, z), Vec3::UnitZ()}};
+  floor.velocity = velocity;
+  walls.add(floor);
+  return walls;
+}
+
+/// A wall is what a sphere becomes that grows without bound: forces and torques on the grain are the same.
+TEST(Lubrication, WallIsALargeSphere) {
+  const double a = 0.02, h = 2e-4, cell = 0.01, mu = 1e-3, huge = 1e4;
+  const auto moving = [&](const Vec3& place) {
+    dem::Particles p;
+    p.add(grain(place, a, 2500));
+    p.velocity.set(0, Vec3(0.2, -0.1, -0.3));
+    p.angular_velocity.set(0, Vec3(3, -2, 4));
+    return p;
+  };
+  dem::Particles at_wall = moving(Vec3(0, 0, a + h)), at_sphere = moving(Vec3(0, 0, a + h));
+  dem::ParticleSpec sphere = grain(Vec3(0, 0, -huge), huge, 2500);
+  sphere.state = dem::ParticleState::fixed;
+  at_sphere.add(sphere);
+  EXPECT_EQ(add_lubrication(at_wall, cell, mu, 1e-7, wet, floor_at(0)), 1U);
+  EXPECT_EQ(add_lubrication(at_sphere, cell, mu, 1e-7, wet), 1U);
+  const Vec3 force = at_wall.external_force[0], torque = at_wall.external_torque[0];
+  EXPECT_GT(force.z(), 0);
+  EXPECT_LT((force - Vec3(at_sphere.external_force[0])).norm(), 1e-4 * force.norm());
+  EXPECT_LT((torque - Vec3(at_sphere.external_torque[0])).norm(), 1e-4 * torque.norm());
+}
+
+/// Goldman, Cox & Brenner 1967: 8/15 ln, 2/15 ln and 2/5 ln. A sphere that moves with its wall feels nothing, one that
+/// slides is made to roll.
+TEST(Lubrication, SlidesAndRollsAtAWall) {
+  const double a = 0.02, h = 1e-4, cell = 0.01, mu = 1e-3, v = 0.1, pi = std::numbers::pi;
+  const double log = std::log(kShearCutOff * cell / h);
+  dem::Particles slides, rides, far, above;
+  for (dem::Particles* p : {&slides, &rides, &far}) {
+    p->add(grain(Vec3(0, 0, a + h), a, 2500));
+    p->velocity.set(0, Vec3(v, 0, 0));
+  }
+  far.position.set(0, Vec3(0, 0, a + 0.7 * cell));
+  add_lubrication(slides, cell, mu, 1e-7, wet, floor_at(0));
+  EXPECT_NEAR(slides.external_force.x[0] / (-6 * pi * mu * a * v * 8 / 15 * log), 1, 1e-9);
+  EXPECT_NEAR(slides.external_torque.y[0] / (6 * pi * mu * a * a * v * 2 / 15 * log), 1, 1e-9);
+  EXPECT_EQ(add_lubrication(rides, cell, mu, 1e-7, wet, floor_at(0, Vec3(v, 0, 0))), 0U);
+  EXPECT_EQ(add_lubrication(far, cell, mu, 1e-7, wet, floor_at(0)), 0U);
+  EXPECT_EQ(rides.external_force[0], Vec3::Zero());
+  dem::Particles spins;
+  spins.add(grain(Vec3(0, 0, a + h), a, 2500));
+  spins.angular_velocity.set(0, Vec3(0, 5, 7));
+  add_lubrication(spins, cell, mu, 1e-7, wet, floor_at(0));
+  EXPECT_NEAR(spins.external_torque.y[0] / (-8 * pi * mu * a * a * a * 5 * 2 / 5 * log), 1, 1e-9);
+  EXPECT_NEAR(spins.external_force.x[0] / (6 * pi * mu * a * a * 5 * 2 / 15 * log), 1, 1e-9);
+  EXPECT_EQ(spins.external_torque.z[0], 0);
+}
+
+/// Films are felt at the places of now: the squeezing of a gap that closes from h_c to h_min takes ln(h_c / h_min) - 1
+/// of the Stokes number, however long the step in which the film was found.
+TEST(Lubrication, TakesItsShareOfTheStokesNumber) {
+  const double a = 0.02, cell = 0.01, mu = 1.0, hc = kFilmCutOff * cell, hmin = kSmoothest * a, dt = 1e-6;
+  dem::Particles p;
+  p.add(grain(Vec3(0, 0, a + 0.999 * hc), a, 2500));
+  const double unit = 6 * std::numbers::pi * mu * a * a / p.mass[0];  // speed for a unit of the Stokes number
+  const double first = 12 * unit;
+  p.velocity.set(0, Vec3(0, 0, -first));
+  LubricationFilms films(cell, mu);
+  const Walls floor = floor_at(0);
+  films.find(p, floor, 1, wet);
+  while (p.position.z[0] - a > hmin) {
+    p.external_force.fill(Vec3::Zero());
+    films.add(p, floor, dt);
+    p.velocity.add(0, dt / p.mass[0] * Vec3(p.external_force[0]));
+    p.position.add(0, dt * Vec3(p.velocity[0]));
+  }
+  const double lost = (first + p.velocity.z[0]) / unit;
+  EXPECT_NEAR(lost, std::log(hc / hmin) - (1 - hmin / hc), 0.02);
 }
 
 }  // namespace
