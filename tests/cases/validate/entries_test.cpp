@@ -117,14 +117,17 @@ INSTANTIATE_TEST_SUITE_P(Fluid, QuickEntry,
                          name_of);
 
 INSTANTIATE_TEST_SUITE_P(FreeSurface, QuickEntry,
-                         testing::Values("free_surface.adaptive_time_step", "free_surface.laplace_drop"), name_of);
+                         testing::Values("free_surface.adaptive_time_step", "free_surface.laplace_drop",
+                                         "free_surface.impact_on_wall"),
+                         name_of);
 
 INSTANTIATE_TEST_SUITE_P(GrainsInFluid, QuickEntry,
                          testing::Values("grains_in_fluid.restart", "grains_in_fluid.random_pack",
                                          "grains_in_fluid.archimedes", "grains_in_fluid.sphere_across_blocks",
                                          "grains_in_fluid.gas_under_sphere", "grains_in_fluid.water_entry_cavity",
                                          "grains_in_fluid.bouncing_sphere", "grains_in_fluid.momentum_audit",
-                                         "grains_in_fluid.bed_permeability", "grains_in_fluid.wet_column_collapse"),
+                                         "grains_in_fluid.bed_permeability", "grains_in_fluid.wet_column_collapse",
+                                         "grains_in_fluid.wet_rebound"),
                          name_of);
 
 INSTANTIATE_TEST_SUITE_P(WiresInFluid, QuickEntry,
