@@ -454,7 +454,8 @@ void describe(V& v, Coupling& s) {
     v.value("solid_operator", s.solid_operator, {}, "What a body puts in place of the fluid's collision.");
     v.value("radius_shift_cells", s.radius_shift_cells, {between(-0.5, 0.5)},
             "Added to the radius at which the fluid comes to rest; with body_weighting = wall_distance.");
-    v.value("lubrication", s.lubrication, {}, "Squeezed films between grains closer than two thirds of a cell.");
+    v.value("lubrication", s.lubrication, {},
+            "Films between grains, and between grains and walls, closer than two thirds of a cell.");
     v.value("wire_drag", s.wire_drag, {}, "Drag of wires thinner than the cells by a drag law.");
     v.value("resolve_wires_from_cells", s.resolve_wires_from_cells, {at_least(2)},
             "Wires of at least so many cells a diameter are mapped as bodies instead. Default: none is.");

@@ -6,8 +6,7 @@
 namespace lahar::validate {
 
 Problem debris_flow_problem(bool quick) {
-  const Overrides near{"barrier.net.origin_m=[1.5, 0.0, 0.0]", "barrier.net.width_m=0.36", "barrier.net.height_m=0.6",
-                       "domain.upper_m=[2.2, 0.36, 1.0]"};
+  const Overrides near{"barrier.net.origin_m=[1.5, 0.0, 0.0]", "domain.upper_m=[2.2, 0.36, 1.0]"};
   const Overrides finest{quick ? "fluid.cell_size_m=0.015" : "fluid.cell_size_m=0.01"};
   std::vector<Overrides> turned{{"fluid.cell_size_m=0.03"},
                                 {"solids.two_rates=true"},

@@ -19,18 +19,6 @@ namespace {
 
 constexpr std::string_view kThreads = "threads=";
 
-/// A fifth of the width and of the grains; a lower ceiling, for grains do not pile up as high in the time asked for.
-const Overrides& narrow() {
-  static const Overrides overrides{"domain.upper_m=[3.2, 0.36, 1.0]",
-                                   "wall[3].point_m=[0.0, 0.36, 0.0]",
-                                   "fluid.cell_size_m=0.02",
-                                   "fluid.region[0].upper_m=[0.75, 0.36, 0.75]",
-                                   "grains.packing[0].upper_m=[0.75, 0.36, 1.0]",
-                                   "grains.packing[0].sizes[0].count=652",
-                                   "grains.packing[0].sizes[1].count=296"};
-  return overrides;
-}
-
 struct Centres {
   double water = 0, grains = 0, water_energy = 0, grain_energy = 0;
 };
@@ -56,14 +44,14 @@ Centres centres_of(cases::Simulation& simulation, double density) {
 
 StripFigures run_strip(const std::vector<std::string>& overrides, double until) {
   constexpr int every = 5;  // fluid steps between two looks at the net
-  Overrides all = narrow();
+  Overrides all;
   std::optional<ThreadLimit> limit;
   for (const std::string& o : overrides)
     if (o.starts_with(kThreads))
       limit.emplace(std::stoi(o.substr(kThreads.size())));
     else
       all.push_back(o);
-  const scene::Scene scene = scene::load(case_file("debris_flow/scene.toml"), all);
+  const scene::Scene scene = scene::load(case_file("debris_flow/strip.toml"), all);
   const auto simulation = cases::build_simulation(scene);
   const Centres start = centres_of(*simulation, scene.fluid.density);
   StripFigures found;

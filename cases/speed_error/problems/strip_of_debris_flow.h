@@ -1,5 +1,5 @@
 #pragma once
-// A strip of the paper's debris flow (cases/debris_flow/scene.toml), 0.36 m wide: a fifth of its water and grains.
+// A strip of the paper's debris flow (cases/debris_flow/strip.toml).
 #include <string>
 #include <vector>
 
