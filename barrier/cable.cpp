@@ -34,6 +34,7 @@ Wire add_cable(const Polyline& line, const CableSupport& support, const WireProp
   spec.dissipator_bonds = items_at(support.dissipators_at, line.segments());
   spec.fixed_beads = support.fixed_all ? all_items(line.points.size()) : items_at(support.fixed_at, line.points.size());
   spec.body = body;
+  if (support.held_across) spec.rail = (line.points.back() - line.points.front()).normalized();
   return add_wire(spec, particles, bonds);
 }
 

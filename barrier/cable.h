@@ -20,6 +20,7 @@ struct CableSupport {
   std::vector<double> fixed_at{0, 1};
   bool fixed_all = false;                    ///< every bead fixed
   std::vector<double> dissipators_at{0, 1};  ///< the bond nearest to each becomes a dissipator
+  bool held_across = false;                  ///< beads move along the cable's line only, as on the bed
 };
 
 /// Bead centres, evenly spaced at least a bead diameter apart, and as close to that as the ends allow.

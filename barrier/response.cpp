@@ -57,6 +57,8 @@ void add_reactions(const Wire& wire, const dem::Particles& particles, ComponentR
   sum.start_reaction = anchored(particles, wire.first_bead);
   sum.end_reaction = anchored(particles, end - 1);
   for (dem::ParticleId bead = wire.first_bead; bead < end; ++bead) sum.reaction += anchored(particles, bead);
+  for (const dem::Rail& rail : particles.rails)
+    if (rail.id >= wire.first_bead && rail.id < end) sum.reaction += rail.taken_up;
 }
 
 void add_component(const ComponentResponse& part, ComponentResponse& whole) {

@@ -40,7 +40,7 @@ struct ComponentResponse {
   double max_tension = 0;  ///< N, largest axial tension of a bond, 0 if none is stretched
   Vec3 start_reaction = Vec3::Zero();  ///< N, that the anchors at a cable's two ends must hold; 0 if not fixed
   Vec3 end_reaction = Vec3::Zero();
-  Vec3 reaction = Vec3::Zero();  ///< N, that all anchors of the component must hold
+  Vec3 reaction = Vec3::Zero();  ///< N, that all anchors of the component must hold, and the bed under a held cable
   dem::BondEnergy energy;  ///< J: the elastic parts and `plastic`; damping and breakage are not told apart by component
   int broken_bonds = 0;
 };

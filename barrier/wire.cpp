@@ -22,7 +22,8 @@ Wire add_wire(const WireSpec& spec, dem::Particles& particles, dem::Bonds& bonds
                    .material = spec.properties.material,
                    .kind = dem::ParticleKind::bead,
                    .state = fixed ? dem::ParticleState::fixed : dem::ParticleState::free,
-                   .body = spec.body});
+                   .body = spec.body,
+                   .rail = fixed ? std::nullopt : spec.rail});
   }
   for (std::size_t k = 0; k < wire.bonds; ++k) {
     const bool dissipates = std::ranges::count(spec.dissipator_bonds, k) > 0;

@@ -2,6 +2,7 @@
 // A wire as the DEM sees it: beads on a centre-line, neighbours joined by bonds. Rings are closed wires, cables open
 // ones.
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "barrier/polyline.h"
@@ -35,6 +36,7 @@ struct WireSpec {
   std::vector<std::size_t> dissipator_bonds;  ///< numbers within the wire
   std::vector<std::size_t> fixed_beads;       ///< numbers within the wire
   std::int32_t body = 0;
+  std::optional<Vec3> rail{};  ///< unit: all beads that are not fixed move along this direction only
 };
 
 /// Adds the beads and, at rest, the bonds.

@@ -120,7 +120,10 @@ void CoupledStep<Real>::give_impulses() {
   particles.external_force.fill(Vec3::Zero());
   particles.external_torque.fill(Vec3::Zero());
   impulses_ = {};
-  if (grains_) impulses_ += grains_->give_impulses(*fluid_, particles);
+  if (grains_) {
+    const ScopedTimer timer(timers_.section("coupling.grain_drag"));
+    impulses_ += grains_->give_impulses(*fluid_, particles, fields_);
+  }
   if (thin_wires_) {
     const ScopedTimer timer(timers_.section("coupling.wires"));
     impulses_ += thin_wires_->apply(*fluid_, particles, fields_);

@@ -21,11 +21,21 @@ struct ResolvedGrains {
   double radius_shift = kRadiusShift;
 };
 
+/// Drag laws of the averaged exchange (grains/bed_drag.h).
+enum class BedDrag { di_felice, gidaspow, beetstra };
+
+/// Grains feel the flow averaged over a length, and have no wall in the cells (grains/averaged_exchange.h).
+struct AveragedGrains {
+  double averaging_length = 0.15;  ///< m; no less than a cell
+  BedDrag drag = BedDrag::di_felice;
+  bool beads_as_grains = false;  ///< beads of wires feel the same law, as if they were lone spheres
+};
+
 /// Grains and fluid do not feel each other.
 struct UncoupledGrains {};
 
 /// How grains and fluid exchange momentum (grains/grain_exchange.h).
-using GrainExchangeChoice = std::variant<ResolvedGrains, UncoupledGrains>;
+using GrainExchangeChoice = std::variant<ResolvedGrains, AveragedGrains, UncoupledGrains>;
 
 /// Between grains, and between grains and walls, that are closer than the cells resolve.
 enum class GrainFilms {

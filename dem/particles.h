@@ -3,6 +3,7 @@
 // stands in the arrays may (numbering.h).
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "core/archive.h"
@@ -20,6 +21,13 @@ enum class ParticleState : std::uint8_t {
   removed,  ///< left the scene: no forces, no contacts
 };
 
+/// A particle that moves along a line only, and turns freely: what presses it across is taken up.
+struct Rail {
+  ParticleId id;
+  Vec3 along;                    ///< unit
+  Vec3 taken_up = Vec3::Zero();  ///< N, force across the line in the last step
+};
+
 struct ParticleSpec {
   Vec3 position = Vec3::Zero();          ///< m
   Vec3 velocity = Vec3::Zero();          ///< m/s
@@ -30,6 +38,7 @@ struct ParticleSpec {
   ParticleKind kind = ParticleKind::grain;
   ParticleState state = ParticleState::free;
   std::int32_t body = -1;  ///< ring or cable that a bead belongs to, -1 for a grain (see barrier/net.h)
+  std::optional<Vec3> rail = std::nullopt;  ///< unit: moves along this direction only
 };
 
 struct Particles {
@@ -40,6 +49,7 @@ struct Particles {
   std::vector<std::int32_t> material, body;
   std::vector<ParticleKind> kind;
   std::vector<ParticleState> state;
+  std::vector<Rail> rails;  // by id, ascending; they follow from the scene and are in no checkpoint
   Numbering numbering;
 
   [[nodiscard]] std::size_t size() const { return radius.size(); }
@@ -67,7 +77,9 @@ struct Particles {
     kind.push_back(s.kind);
     state.push_back(s.state);
     numbering.add();
-    return static_cast<ParticleId>(radius.size() - 1);
+    const auto id = static_cast<ParticleId>(radius.size() - 1);
+    if (s.rail) rails.push_back({id, *s.rail});
+    return id;
   }
 
   void remove(ParticleIndex i) {

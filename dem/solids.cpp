@@ -142,6 +142,17 @@ void Solids::evaluate_forces(double dt) {
   }
   const ScopedTimer timer(*section_bonds_);
   if (bonds_.size() > 0) bond_forces_.add_forces(bonds_, particles_, dt);
+  hold_on_rails();
+}
+
+/// Without a force across its line a particle that began along it stays on it.
+void Solids::hold_on_rails() {
+  for (Rail& rail : particles_.rails) {
+    const ParticleIndex i = particles_.index(rail.id);
+    const Vec3 force = particles_.force[i], kept = force.dot(rail.along) * rail.along;
+    rail.taken_up = force - kept;
+    particles_.force.set(i, kept);
+  }
 }
 
 /// At the start, and when particles or bonds were added: the first half kick needs forces.
@@ -205,6 +216,7 @@ void Solids::take_external_forces() {
   Particles& p = particles_;
   const bool forces = exchange(p.force, slow_force_, slow_, p.external_force, applied_force_);
   external_acts_ = exchange(p.torque, slow_torque_, slow_, p.external_torque, applied_torque_) || forces;
+  hold_on_rails();
 }
 
 void Solids::remove(ParticleIndex i) {

@@ -111,6 +111,7 @@ class Solids {
   void build_all();
   void build_bonds();
   void take_external_forces();
+  void hold_on_rails();
   [[nodiscard]] bool note_broken_bonds();
   void watch();
 

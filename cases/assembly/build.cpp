@@ -4,6 +4,7 @@
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/net_spec.h"
+#include "cases/assembly/settled_barrier.h"
 #include "dem/packing/packing.h"
 
 namespace lahar::cases {
@@ -148,9 +149,14 @@ coupling::CouplingOptions coupling_options(const scene::Scene& scene) {
     o.thin_wires = coupling::ThinWires::uncoupled;
     return o;
   }
-  o.grains = coupling::ResolvedGrains{c.radius_shift_cells};
+  const bool averaged = c.grains == scene::GrainFluid::averaged;
+  if (averaged)
+    o.grains = coupling::AveragedGrains{c.averaging_length, c.bed_drag, c.beads_as_grains};
+  else
+    o.grains = coupling::ResolvedGrains{c.radius_shift_cells};
   o.films = c.lubrication ? coupling::GrainFilms::lubrication : coupling::GrainFilms::none;
-  o.thin_wires = c.wire_drag ? coupling::ThinWires::drag_law : coupling::ThinWires::uncoupled;
+  o.thin_wires =
+      c.wire_drag && !(averaged && c.beads_as_grains) ? coupling::ThinWires::drag_law : coupling::ThinWires::uncoupled;
   if (c.resolve_wires_from_cells) o.mapped_wires = {*c.resolve_wires_from_cells, c.radius_shift_cells};
   return o;
 }
@@ -161,6 +167,8 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   add_grains(scene, particles, grains);
   std::optional<barrier::Net> net;
   if (scene.barrier.enabled) net = scene::build_barrier(scene, particles, bonds);
+  if (net && grains == GrainStart::packed && scene.barrier.settle_time > 0)
+    settle_barrier(scene, *net, particles, bonds);
   dem::SolidsOptions options;
   options.gravity = scene.gravity.vector();
   options.contact_law = scene.solids.contact_law;

@@ -246,6 +246,23 @@ void check_net_can_be_built(const Scene& scene, Findings& findings) {
     attempt("barrier.posts", [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
 }
 
+void check_averaged(const Scene& scene, Findings& findings) {
+  const Coupling& c = scene.coupling;
+  if (c.lubrication)
+    findings.mistake("coupling.lubrication",
+                     "coupling.lubrication is for what resolved grains miss between them, expected false with grains = "
+                     "\"averaged\"");
+  if (c.averaging_length < scene.fluid.cell_size)
+    findings.mistake("coupling.averaging_length_m",
+                     fmt::format("coupling.averaging_length_m is {:g}, expected at least a cell (fluid.cell_size_m = "
+                                 "{:g})",
+                                 c.averaging_length, scene.fluid.cell_size));
+  if (c.beads_as_grains && c.resolve_wires_from_cells)
+    findings.mistake("coupling.beads_as_grains",
+                     "coupling.beads_as_grains gives every bead the law of a sphere, expected no "
+                     "resolve_wires_from_cells beside it");
+}
+
 void check_uses(const Scene& scene, Findings& findings) {
   if (scene.coupling.enabled && findings.sound({"coupling", "fluid", "grains", "barrier"})) {
     if (!scene.fluid.enabled)
@@ -254,6 +271,8 @@ void check_uses(const Scene& scene, Findings& findings) {
     if (!scene.has_solids())
       findings.mistake("coupling.enabled", "coupling.enabled is true without grains or barrier, expected some");
   }
+  if (scene.coupling.enabled && scene.coupling.grains == GrainFluid::averaged && findings.sound({"coupling", "fluid"}))
+    check_averaged(scene, findings);
   const bool turns = lbm::bounces_back(scene.coupling.solid_operator);
   if (scene.coupling.enabled && turns && findings.sound({"coupling", "fluid"}) &&
       (scene.fluid.smagorinsky > 0 || scene.fluid.rheology.law != FlowLaw::newtonian))

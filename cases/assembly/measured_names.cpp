@@ -14,12 +14,26 @@ std::vector<std::string> after(const std::string& name, std::initializer_list<co
 }  // namespace
 
 std::vector<std::string> own_names() {
-  std::vector<std::string> names{"barrier_elastic_J",
+  std::vector<std::string> names{"barrier_axial_J",
+                                 "barrier_bending_J",
+                                 "barrier_contact_impulse_Ns",
+                                 "barrier_elastic_J",
                                  "barrier_elongation_m",
+                                 "barrier_energy_end_J",
+                                 "barrier_energy_start_J",
+                                 "barrier_fluid_impulse_Ns",
+                                 "barrier_kinetic_J",
+                                 "barrier_potential_J",
+                                 "barrier_shear_J",
+                                 "barrier_torsion_J",
                                  "depth_at_inflow_m",
                                  "dissipator_elongation_m",
                                  "e_in_kJ",
+                                 "e_out_grains_kinetic_kJ",
+                                 "e_out_grains_potential_kJ",
                                  "e_out_kJ",
+                                 "e_out_liquid_kinetic_kJ",
+                                 "e_out_liquid_potential_kJ",
                                  "fluid_kinetic_J",
                                  "fluid_potential_J",
                                  "fluid_steps",
@@ -46,6 +60,8 @@ std::vector<std::string> own_names() {
                                  "liquid_wall_balance_kg",
                                  "max_dissipator_elongation_m",
                                  "max_elongation_m",
+                                 "max_mean_ring_travel_m",
+                                 "max_ring_travel_m",
                                  "max_speed_lu",
                                  "momentum_audit_rel",
                                  "outflow_mass_kg",
@@ -55,6 +71,8 @@ std::vector<std::string> own_names() {
                                  "retained_mass_ratio",
                                  "retained_small_grains_ratio",
                                  "ring_links_changed",
+                                 "ring_travel_furthest_m",
+                                 "ring_travel_m",
                                  "section_power_W",
                                  "speed_limited_cells_max",
                                  "time_s",
@@ -65,6 +83,12 @@ std::vector<std::string> own_names() {
     for (const char* rest : {"_force_sum_N", "_max_tension_N"}) names.push_back(part + rest);
     for (const char* rest : {"_sum_kN", "_tension_kN"}) names.push_back("peak_" + part + rest);
   }
+  for (const char* cable : {"lower_cable", "upper_cable", "left_cable", "right_cable"}) {
+    names.push_back(std::string(cable) + "_end_force_N");
+    names.push_back("peak_" + std::string(cable) + "_end_kN");
+  }
+  for (const char* load : {"barrier_fluid_force_", "barrier_contact_force_", "grains_fluid_force_"})
+    for (const char* axis : {"x", "y", "z"}) names.push_back(std::string(load) + axis + "_N");
   return names;
 }
 
@@ -87,9 +111,9 @@ std::vector<std::string> names_of(const Probe& probe) {
 }
 
 std::vector<std::string> names_of(const FluxSection& section) {
-  return after(section.name,
-               {"_discharge_m3_s", "_discharge_peak_m3_s", "_discharge_peak_time_s", "_liquid_power_W", "_volume_m3",
-                "_liquid_energy_kJ", "_grains_kg_s", "_grains_power_W", "_grains_kg", "_grains_energy_kJ"});
+  return after(section.name, {"_discharge_m3_s", "_discharge_peak_m3_s", "_discharge_peak_time_s", "_liquid_area_m2",
+                              "_liquid_power_W", "_volume_m3", "_liquid_energy_kJ", "_grains_kg_s", "_grains_area_m2",
+                              "_grains_power_W", "_grains_kg", "_grains_energy_kJ"});
 }
 
 }  // namespace lahar::scene

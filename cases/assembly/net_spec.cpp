@@ -32,6 +32,18 @@ barrier::CableSupport support(const Scene& scene, std::vector<double> fixed_at) 
           .dissipators_at = braked ? scene.barrier.bonds.dissipator_places : std::vector<double>{}};
 }
 
+barrier::CableSupport bottom_support(const Scene& scene) {
+  switch (scene.barrier.anchors.bottom_cable) {
+    case BottomCable::at_places:
+      break;
+    case BottomCable::along_bed:
+      return {.fixed_at = {0, 1}, .fixed_all = false, .dissipators_at = {}, .held_across = true};
+    case BottomCable::fixed:
+      return {.fixed_at = {}, .fixed_all = true, .dissipators_at = {}};
+  }
+  return support(scene, scene.barrier.anchors.cable_places);
+}
+
 barrier::WireLaw wire_law(const Scene& scene, const std::vector<double>& strain, const std::vector<double>& force) {
   barrier::WireLaw law;
   std::copy_n(strain.begin(), std::min(strain.size(), law.strain.size()), law.strain.begin());
@@ -75,9 +87,7 @@ barrier::RingNetSpec make_net_spec(const Scene& scene) {
   spec.cable = wire(scene, scene.barrier.bonds.cable_stiffness);
   if (!scene.barrier.bonds.dissipator_stiffness.empty()) spec.dissipator = dissipator(scene);
   spec.upper.support = support(scene, anchors.cable_places);
-  spec.lower.support = anchors.bottom_cable_fixed
-                           ? barrier::CableSupport{.fixed_at = {}, .fixed_all = true, .dissipators_at = {}}
-                           : support(scene, anchors.cable_places);
+  spec.lower.support = bottom_support(scene);
   std::vector<double> lateral = anchors.cable_places;
   if (anchors.lateral_cable_middles_fixed) lateral.push_back(0.5);
   std::ranges::sort(lateral);

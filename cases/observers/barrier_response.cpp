@@ -9,12 +9,28 @@ namespace lahar::cases {
 BarrierResponse::BarrierResponse(const Observed& run) : Observer(run) {
   for (const auto c : barrier::all_components)
     if (is_reported(c, *run.simulation.net())) declare_component(c);
+  for (const auto c : {barrier::Component::lower_cable, barrier::Component::upper_cable, barrier::Component::left_cable,
+                       barrier::Component::right_cable})
+    declare_ends(c);
   column("barrier_elongation_m", "m", "largest displacement of a bead along the flow", [this] {
     return now_.elongation;
   }).peak("max_elongation_m", "m", "largest `barrier_elongation_m` of the rows");
   column("barrier_elastic_J", "J", "elastic energy of all bonds", [this] {
     return now_[barrier::Component::barrier].energy.elastic();
   }).peak("peak_barrier_elastic_J", "J", "largest `barrier_elastic_J` of the rows");
+  const auto kind = [this](const char* what, double dem::BondEnergy::*part) {
+    const std::string name = "barrier_" + std::string(what) + "_J";
+    column({name, "barrier_KIND_J"}, "J", "the part of it by kind: axial, shear, bending, torsion",
+           [this, part] { return now_[barrier::Component::barrier].energy.*part; });
+  };
+  kind("axial", &dem::BondEnergy::axial), kind("shear", &dem::BondEnergy::shear);
+  kind("bending", &dem::BondEnergy::bending), kind("torsion", &dem::BondEnergy::torsion);
+  column("barrier_potential_J", "J", "potential energy of the barrier since it was built",
+         [this] { return now_.potential_energy; });
+  column("barrier_kinetic_J", "J", "kinetic energy of the barrier", [this] { return now_.kinetic_energy; });
+  event("barrier_energy_start_J", "J", "elastic and potential energy of the barrier at the first row",
+        [this] { return stored_energy(); });
+  result("barrier_energy_end_J", "J", "the same at the end", [this] { return stored_energy(); });
   column("dissipator_elongation_m", "m", "largest elongation of a dissipator", [this] {
     return now_.largest_dissipator_elongation;
   }).peak("max_dissipator_elongation_m", "m", "largest `dissipator_elongation_m` of the rows");
@@ -32,6 +48,14 @@ void BarrierResponse::declare_component(barrier::Component component) {
          [this, component] { return now_[component].max_tension; })
       .peak({"peak_" + part + "_tension_kN", "peak_PART_tension_kN"}, "kN", "largest `PART_max_tension_N` of the rows",
             1000);
+}
+
+/// Where a cable is fixed at its ends.
+void BarrierResponse::declare_ends(barrier::Component cable) {
+  const std::string part(barrier::name(cable));
+  column({part + "_end_force_N", "PART_end_force_N"}, "N", "larger one of the forces that hold a cable's two ends",
+         [this, cable] { return std::max(now_[cable].start_reaction.norm(), now_[cable].end_reaction.norm()); })
+      .peak({"peak_" + part + "_end_kN", "peak_PART_end_kN"}, "kN", "largest `PART_end_force_N` of the rows", 1000);
 }
 
 void BarrierResponse::sample(double) {

@@ -19,6 +19,11 @@ class BarrierResponse final : public Observer {
 
  private:
   void declare_component(barrier::Component component);
+  void declare_ends(barrier::Component cable);
+  /// J, elastic and potential.
+  [[nodiscard]] double stored_energy() const {
+    return now_[barrier::Component::barrier].energy.elastic() + now_.potential_energy;
+  }
 
   barrier::BarrierResponse now_;
   std::vector<double> times_;                      // s, of the rows

@@ -10,6 +10,7 @@ struct FlowFigures {
   Vec3 momentum = Vec3::Zero();           ///< kg m/s
   double front = 0;                       ///< m: mean over the width of the foremost bed cell more than half full
   double outflow_power = 0;               ///< W, energy flux through the outflow section
+  double outflow_kinetic_power = 0;       ///< W, the kinetic part of it
   double outflow_rate = 0;                ///< kg/s through that section
   double deepest = 0, deepest_speed = 0;  ///< m, m/s at the section with the largest depth
 };

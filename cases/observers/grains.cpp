@@ -9,9 +9,14 @@ Grains::Grains(const Observed& run) : Observer(run), crossed_(run.simulation.sol
   column("grains_potential_J", "J", "potential energy of the grains about the datum", [this] { return potential_; });
   column("grains_front_x_m", "m", "foremost point of the grains", [this] { return front_; });
   column("grains_passed_kg", "kg", "mass of grains beyond the outflow section or gone", [this] { return passed_; });
-  if (run.section)
+  if (run.section) {
+    result("e_out_grains_kinetic_kJ", "kJ", "kinetic energy of grains that passed the outflow section",
+           [this] { return kinetic_out_ / 1000; });
+    result("e_out_grains_potential_kJ", "kJ", "potential energy of grains that passed the outflow section",
+           [this] { return (energy_out_ - kinetic_out_) / 1000; });
     event("particle_arrival_s", "s", "first row with `grains_front_x_m` at the measured section or beyond",
           [this] { return front_ >= *run_.section ? run_.simulation.time() : kUnknown; });
+  }
 }
 
 void Grains::sample(double) {
@@ -34,7 +39,7 @@ void Grains::sample(double) {
     const bool beyond = gone || p.position.x[i] > *run_.section + run_.scene.measure.outflow_distance;
     if (beyond && !crossed_[id]) {
       crossed_[id] = 1;
-      energy_out_ += move + fall;
+      energy_out_ += move + fall, kinetic_out_ += move;
     }
     if (crossed_[id]) passed_ += p.mass[i];
   }
@@ -43,6 +48,7 @@ void Grains::sample(double) {
 void Grains::transfer(Archive& archive) {
   archive.list_of("crossed", crossed_, crossed_.size());
   archive.value("energy_out", energy_out_);
+  archive.value("kinetic_out", kinetic_out_);
 }
 
 }  // namespace lahar::cases

@@ -21,7 +21,7 @@ class Grains final : public Observer {
  private:
   double kinetic_ = 0, potential_ = 0, front_ = 0, passed_ = 0;  // J, J, m, kg at the last row
   std::vector<std::uint8_t> crossed_;                            // per particle: beyond the outflow section
-  double energy_out_ = 0;
+  double energy_out_ = 0, kinetic_out_ = 0;
 };
 
 }  // namespace lahar::cases

@@ -3,6 +3,7 @@
 #include <type_traits>
 
 #include "cases/observers/audit.h"
+#include "cases/observers/barrier_loads.h"
 #include "cases/observers/barrier_response.h"
 #include "cases/observers/flow.h"
 #include "cases/observers/flow_energy.h"
@@ -14,6 +15,7 @@
 #include "cases/observers/probes.h"
 #include "cases/observers/retention.h"
 #include "cases/observers/ring_links.h"
+#include "cases/observers/ring_travel.h"
 #include "cases/observers/sections.h"
 
 namespace lahar::cases {
@@ -33,8 +35,8 @@ std::unique_ptr<Observer> make(const Observed& run, const ObserverList& before) 
 /// Every kind of observer, in the order of the columns in series.h5.
 constexpr std::unique_ptr<Observer> (*kKinds[])(const Observed&, const ObserverList&) = {
     make<LiquidMass>, make<Flow>,      make<FluidCells>, make<FluidTimeStep>,   make<Outflow>,
-    make<Grains>,     make<Retention>, make<FlowEnergy>, make<BarrierResponse>, make<Probes>,
-    make<Sections>,   make<Audit>,     make<RingLinks>,
+    make<Grains>,     make<Retention>, make<FlowEnergy>, make<BarrierResponse>, make<BarrierLoads>,
+    make<RingTravel>, make<Probes>,    make<Sections>,   make<Audit>,           make<RingLinks>,
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ class Outflow final : public Observer {
 
  private:
   const Flow& flow_;
-  double energy_ = 0, mass_ = 0;  ///< J, kg
+  double energy_ = 0, kinetic_ = 0, mass_ = 0;  ///< J, J, kg
 };
 
 }  // namespace lahar::cases

@@ -1,6 +1,7 @@
 #include "cases/observers/sections.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace lahar::cases {
 
@@ -54,6 +55,7 @@ Flux liquid_flux(const FluidView& fluid, const SectionFrame& frame, const scene:
         const auto cell = fluid.cell_at(p + side * spacing * frame.normal);
         if (!cell) continue;
         const double share = 0.5 * cell->liquid_volume / cell_volume * wide * high;
+        flux.area += share;
         const double volume = cell->velocity.dot(frame.normal) * share;
         flux.volume += volume;
         flux.energy +=
@@ -61,6 +63,17 @@ Flux liquid_flux(const FluidView& fluid, const SectionFrame& frame, const scene:
       }
     }
   return flux;
+}
+
+double grain_area(const dem::Particles& particles, const SectionFrame& frame) {
+  double sum = 0;
+  for (dem::ParticleId id = 0; id < particles.size(); ++id) {
+    const dem::ParticleIndex i = particles.index(id);
+    if (particles.kind[i] != dem::ParticleKind::grain || particles.state[i] == dem::ParticleState::removed) continue;
+    const double off = (particles.position[i] - frame.centre).dot(frame.normal), r = particles.radius[i];
+    if (std::abs(off) < r && frame.holds(particles.position[i])) sum += std::numbers::pi * (r * r - off * off);
+  }
+  return sum;
 }
 
 namespace {
@@ -90,6 +103,8 @@ void Sections::declare_liquid(std::size_t k) {
          [this, k] { return counters_[k].now.volume; })
       .peak(of_section(name, "_discharge_peak_m3_s"), "m^3/s", "largest discharge of the rows")
       .peak_time(of_section(name, "_discharge_peak_time_s"));
+  column(of_section(name, "_liquid_area_m2"), "m^2", "area of the section that liquid takes",
+         [this, k] { return counters_[k].now.area; });
   column(of_section(name, "_liquid_power_W"), "W",
          "energy flux of the liquid: (rho u^2/2 + rho g h + p) times the discharge at each point",
          [this, k] { return counters_[k].now.energy; });
@@ -107,6 +122,8 @@ void Sections::declare_grains(std::size_t k) {
   column(of_section(name, "_grains_power_W"), "W",
          "kinetic and potential energy of grains that crossed since the last row",
          [this, k] { return counters_[k].grain_power; });
+  column(of_section(name, "_grains_area_m2"), "m^2", "area that grains cut out of the section",
+         [this, k] { return counters_[k].grain_area; });
   result(of_section(name, "_grains_kg"), "kg", "grains that passed, less those that came back",
          [this, k] { return counters_[k].grain_mass; });
   result(of_section(name, "_grains_energy_kJ"), "kJ", "energy of the grains that passed",
@@ -145,6 +162,7 @@ void Sections::sample_grains(Counter& counter, double interval) {
                       0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm() +
                       p.mass[i] * run_.scene.gravity.magnitude * run_.height(place));
   }
+  counter.grain_area = grain_area(p, f);
   const double rate = interval > 0 ? 1 / interval : 0.0;
   counter.grain_rate = rate * mass, counter.grain_power = rate * energy;
   counter.grain_mass += mass, counter.grain_energy += energy / 1000;

@@ -21,6 +21,7 @@ SectionFrame frame_of(const scene::FluxSection& section, const scene::Domain& do
 
 /// What passes a section at one moment, positive along the normal.
 struct Flux {
+  double area = 0;    ///< m^2 of liquid
   double volume = 0;  ///< m^3/s of liquid
   double energy = 0;  ///< W: kinetic and potential energy that passes, and the work of the pressure
 };
@@ -29,6 +30,9 @@ struct Flux {
 /// gravity, heights count from `datum` (m) along it.
 Flux liquid_flux(const FluidView& fluid, const SectionFrame& frame, const scene::Domain& domain, const Vec3& up,
                  double datum);
+
+/// m^2 that the grains cut out of a section: discs of those whose centre is opposite the rectangle.
+double grain_area(const dem::Particles& particles, const SectionFrame& frame);
 
 class Sections final : public Observer {
  public:
@@ -44,6 +48,7 @@ class Sections final : public Observer {
     std::string name;
     SectionFrame frame;
     Flux now;                                 ///< of the liquid at the last row
+    double grain_area = 0;                    ///< m^2, at the last row
     double grain_rate = 0, grain_power = 0;   ///< kg/s and W since the row before
     std::vector<Vec3> places;                 ///< of the particles by id, at the last row
     double volume = 0, liquid_energy = 0;     ///< m^3 and kJ of liquid that passed

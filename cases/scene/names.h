@@ -75,6 +75,26 @@ constexpr auto choices(SizeWeight) {
   return std::to_array<Choice<SizeWeight>>(
       {{"mass", SizeWeight::mass, "mass, as sieves do"}, {"number", SizeWeight::number, "grains"}});
 }
+constexpr auto choices(BottomCable) {
+  return std::to_array<Choice<BottomCable>>(
+      {{"at_places", BottomCable::at_places, "at cable_places, with dissipators, as the others are"},
+       {"along_bed", BottomCable::along_bed,
+        "at its ends; between them the bed holds it down and against the slope, and it slides along itself"},
+       {"fixed", BottomCable::fixed, "bead by bead: no bond of it bears anything"}});
+}
+constexpr auto choices(GrainFluid) {
+  return std::to_array<Choice<GrainFluid>>(
+      {{"resolved", GrainFluid::resolved, "cell by cell: the fluid flows round each grain"},
+       {"averaged", GrainFluid::averaged,
+        "by a drag law and the pressure of the flow averaged over a length, without a wall of the grain in the "
+        "cells"}});
+}
+constexpr auto choices(BedDrag) {
+  return std::to_array<Choice<BedDrag>>(
+      {{"di_felice", BedDrag::di_felice, "Di Felice 1994: a lone sphere times a power of the liquid's share"},
+       {"gidaspow", BedDrag::gidaspow, "Gidaspow 1994: Ergun above a solid fraction of 0.2, Wen & Yu below"},
+       {"beetstra", BedDrag::beetstra, "Beetstra 2007: resolved flow through random arrays of equal spheres"}});
+}
 constexpr auto choices(BodyWeighting) {
   return std::to_array<Choice<BodyWeighting>>(
       {{"solid_fraction", BodyWeighting::solid_fraction, "the solid fraction"},

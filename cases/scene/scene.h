@@ -24,6 +24,7 @@ namespace lahar::scene {
 
 // Choices that a solver offers are the solver's own.
 using barrier::FootJoint;
+using coupling::BedDrag;
 using dem::SizeWeight;
 using dem::WireContacts;
 using lbm::BodyWeighting;
@@ -40,6 +41,8 @@ enum class Axis { x, y, z };
 enum class WallShape { plane, box, cylinder, sphere, mesh, heightmap };
 enum class RegionShape { box, cylinder, sphere, mesh };
 enum class NetKind { rings, hexagonal };
+enum class BottomCable { at_places, along_bed, fixed };
+enum class GrainFluid { resolved, averaged };
 enum class ProbeKind { height, pressure, velocity, force, grain };
 
 struct Identity {
@@ -276,7 +279,7 @@ struct BarrierBonds {
 };
 
 struct Anchors {
-  bool bottom_cable_fixed = false;
+  BottomCable bottom_cable = BottomCable::at_places;
   bool lateral_cable_middles_fixed = false;
   std::vector<double> cable_places{0, 1};  ///< fractions of a cable's length
   bool operator==(const Anchors&) const = default;
@@ -300,6 +303,7 @@ struct Barrier {
   BarrierBonds bonds;
   Anchors anchors;
   Posts posts;
+  double settle_time = 0;  ///< s
   bool operator==(const Barrier&) const = default;
 };
 
@@ -317,6 +321,11 @@ struct RigidBarrier {
 
 struct Coupling {
   bool enabled = false;
+  GrainFluid grains = GrainFluid::resolved;
+  double averaging_length =
+      coupling::AveragedGrains{}.averaging_length;  ///< m; grains = averaged only, as the next two
+  BedDrag bed_drag = coupling::AveragedGrains{}.drag;
+  bool beads_as_grains = false;  ///< in place of the wires' own law
   BodyWeighting body_weighting = lbm::kBodyWeighting;
   SolidOperator solid_operator = lbm::kSolidOperator;
   double radius_shift_cells = coupling::kRadiusShift;  ///< body_weighting = wall_distance only

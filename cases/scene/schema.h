@@ -381,7 +381,7 @@ void describe(V& v, BarrierBonds& s) {
 
 template <class V>
 void describe(V& v, Anchors& s) {
-  v.value("bottom_cable_fixed", s.bottom_cable_fixed, {}, "The whole bottom cable is fixed to the bed.");
+  v.value("bottom_cable", s.bottom_cable, {}, "How the bottom cable is held.");
   v.value("lateral_cable_middles_fixed", s.lateral_cable_middles_fixed, {},
           "The middles of the two lateral cables are fixed too.");
   v.value(
@@ -428,6 +428,9 @@ void describe(V& v, Barrier& s) {
     v.table("bonds", s.bonds, Presence::needed, "Stiffness of wire, cables and dissipators.");
     v.table("anchors", s.anchors, Presence::optional, "What is fixed.");
     v.table("posts", s.posts, Presence::optional, "Spans between posts. One span without posts when left out.");
+    v.value("settle_time_s", s.settle_time, {non_negative()},
+            "So long the barrier sags and comes to rest under gravity, alone, before the run begins; 0 = it starts as "
+            "built, free of stress.");
   });
 }
 
@@ -450,7 +453,17 @@ template <class V>
 void describe(V& v, Coupling& s) {
   v.value("enabled", s.enabled, required(), "Whether fluid and particles act on each other.");
   v.when_on(s.enabled, [&] {
-    v.value("body_weighting", s.body_weighting, {}, "Weight of the solid in a partly covered cell.");
+    v.value("grains", s.grains, {}, "How fluid and grains act on each other.");
+    only_with(v, "grains", s.grains, {GrainFluid::averaged}, [&] {
+      v.value("averaging_length_m", s.averaging_length, {positive()},
+              "Over which flow and grains are averaged, no less than a cell: two diameters or more.");
+      v.value("bed_drag", s.bed_drag, {}, "Drag law of grains among others.");
+      v.value("beads_as_grains", s.beads_as_grains, {},
+              "Whether each bead of a wire feels the drag and buoyancy of a lone sphere by that law, as in averaged "
+              "studies, instead of wire_drag.");
+    });
+    v.value("body_weighting", s.body_weighting, {},
+            "Weight of the solid in a partly covered cell. This and the next three are for resolved grains.");
     v.value("solid_operator", s.solid_operator, {}, "What a body puts in place of the fluid's collision.");
     v.value("radius_shift_cells", s.radius_shift_cells, {between(-0.5, 0.5)},
             "Added to the radius at which the fluid comes to rest; with body_weighting = wall_distance.");

@@ -23,8 +23,8 @@ class GrainCoupling {
 
   [[nodiscard]] bool samples_velocity() const { return exchange_->samples_velocity(); }
   /// Then: forces that the exchange knows before the step, and the opposite impulses.
-  ExchangedMomentum give_impulses(lbm::Fluid<Real>& fluid, dem::Particles& particles) {
-    return exchange_->give_impulses(fluid, map_, particles);
+  ExchangedMomentum give_impulses(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields) {
+    return exchange_->give_impulses(fluid, map_, displaced_, particles, fields);
   }
 
   /// After the fluid step: adds force and torque (SI) of the fluid on each grain. Returns the momentum that they got

@@ -1,5 +1,6 @@
 #include "coupling/grains/grain_exchange.h"
 
+#include "coupling/grains/averaged_exchange.h"
 #include "coupling/grains/resolved_exchange.h"
 
 namespace lahar::coupling {
@@ -13,6 +14,7 @@ struct Make {
   Exchange operator()(const ResolvedGrains& o) const {
     return std::make_unique<ResolvedExchange<Real>>(o, fluid.weighting);
   }
+  Exchange operator()(const AveragedGrains& o) const { return std::make_unique<AveragedExchange<Real>>(o, fluid); }
   Exchange operator()(const UncoupledGrains&) const { return nullptr; }
 };
 

@@ -16,7 +16,9 @@
 
 #include "coupling/audit.h"
 #include "coupling/coupling_options.h"
+#include "coupling/grains/displaced_volume.h"
 #include "coupling/grains/grain_map.h"
+#include "coupling/solid_fields.h"
 
 namespace lahar::coupling {
 
@@ -44,9 +46,11 @@ class GrainExchange {
   /// Whether it looks at the velocity of the cells, BodyFields::velocity_x to _z, before the step.
   [[nodiscard]] virtual bool samples_velocity() const { return false; }
 
-  /// Puts forces onto grains (external_force, SI) and the opposite impulses into cells (FluidGrid::require_impulse).
+  /// Puts forces onto grains (external_force, SI) and the opposite impulses into cells (FluidGrid::require_impulse) of
+  /// blocks that it reaches (SolidFields::reach).
   virtual ExchangedMomentum give_impulses(lbm::Fluid<Real>& /*fluid*/, const GrainMap<Real>& /*map*/,
-                                          dem::Particles& /*particles*/) {
+                                          const DisplacedVolume<Real>& /*displaced*/, dem::Particles& /*particles*/,
+                                          SolidFields<Real>& /*fields*/) {
     return {};
   }
 

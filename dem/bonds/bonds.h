@@ -68,6 +68,17 @@ struct Bonds {
   void find_ends(const Particles& particles) {
     for (std::size_t b = 0; b < size(); ++b) i[b] = particles.index(id_i[b]), j[b] = particles.index(id_j[b]);
   }
+  /// Bonds from `first` on get the load of all of another's: the same bonds elsewhere.
+  void take_load(std::size_t first, const Bonds& other) {
+    for (std::size_t b = 0; b < other.size(); ++b) {
+      const std::size_t to = first + b;
+      intact[to] = other.intact[b];
+      elongation[to] = other.elongation[b], plastic_elongation[to] = other.plastic_elongation[b];
+      axial_force[to] = other.axial_force[b], torsion_moment[to] = other.torsion_moment[b];
+      shear_force.set(to, other.shear_force[b]), moment.set(to, other.moment[b]);
+      direction.set(to, other.direction[b]);
+    }
+  }
   /// Adds a bond at rest in the present configuration.
   void add(const BondSpec& spec, const Particles& particles) {
     const ParticleIndex at_i = particles.index(spec.i), at_j = particles.index(spec.j);

@@ -55,6 +55,20 @@ TEST(Cable, PlacesAnchorsAndDissipatorsByFractionOfLength) {
     EXPECT_EQ(bonds.sort[b], b + 1 == bonds.size() ? sorts.dissipator : sorts.wire) << b;
 }
 
+TEST(Cable, HeldAcrossItSlidesAlongItself) {
+  dem::Particles particles;
+  dem::Bonds bonds;
+  const CableSorts sorts{bonds.add_sort(wire_bond(1e9, 0.003)), 0};
+  add_cable(cable_line({.start = {0, 0, 0}, .end = {0, 0.1, 0}}, 0.01),
+            {.fixed_at = {0, 1}, .fixed_all = false, .dissipators_at = {}, .held_across = true}, {0.01, 7800, 0}, sorts,
+            3, particles, bonds);
+  ASSERT_EQ(particles.rails.size(), particles.size() - 2);  // all but the fixed ends
+  for (const dem::Rail& rail : particles.rails) {
+    EXPECT_EQ(particles.state[particles.index(rail.id)], dem::ParticleState::free);
+    EXPECT_NEAR((rail.along - Vec3::UnitY()).norm(), 0, 1e-12);
+  }
+}
+
 TEST(Dissipator, LawsAreThoseOfTheirStages) {
   const dem::BondSort two = dissipator_bond(8e11, 8e10, 2000, 0.003);
   EXPECT_EQ(two.axial.stiffness[1], 8e10);

@@ -35,7 +35,7 @@ void add_strings(dem::Particles& p, dem::Bonds& bonds) {
 }
 
 template <class Real>
-std::unique_ptr<CoupledStep<Real>> scene() {
+std::unique_ptr<CoupledStep<Real>> scene(const GrainExchangeChoice& exchange = ResolvedGrains{}) {
   dem::Particles p;
   for (int x = 0; x < 3; ++x)
     for (int y = 0; y < 2; ++y)
@@ -54,12 +54,12 @@ std::unique_ptr<CoupledStep<Real>> scene() {
   fluid.gravity = options.gravity;
   fluid.domain.faces[1] = lbm::FaceKind::open;
   return std::make_unique<CoupledStep<Real>>(fluid, dem::Solids(p, bonds, rock(), walls, options),
-                                             CouplingOptions{.substeps = 20});
+                                             CouplingOptions{.grains = exchange, .substeps = 20});
 }
 
 template <class Real>
-void expect_same_after_restart() {
-  const auto whole = scene<Real>(), resumed = scene<Real>();
+void expect_same_after_restart(const GrainExchangeChoice& exchange = ResolvedGrains{}) {
+  const auto whole = scene<Real>(exchange), resumed = scene<Real>(exchange);
   whole->fill(kWater);
   const auto broken = [&] {
     const auto& intact = whole->solids()->bonds().intact;
@@ -81,6 +81,11 @@ void expect_same_after_restart() {
 TEST(CoupledStepTransfer, GoesOnInDouble) { expect_same_after_restart<double>(); }
 
 TEST(CoupledStepTransfer, GoesOnInFloat) { expect_same_after_restart<float>(); }
+
+TEST(CoupledStepTransfer, GoesOnWithAveragedGrains) {
+  expect_same_after_restart<double>(AveragedGrains{.averaging_length = 0.08});
+  expect_same_after_restart<float>(AveragedGrains{.averaging_length = 0.08, .beads_as_grains = true});
+}
 
 }  // namespace
 }  // namespace lahar::coupling

@@ -28,6 +28,25 @@ TEST(Solids, free_fall_is_exact) {
   EXPECT_NEAR(solids.particles().velocity.z[0], 1 - kG * t, 1e-11);
 }
 
+// On a line at an angle to gravity and to a force from outside: what acts across is taken up, and the rest is exact.
+TEST(Solids, a_sphere_on_a_rail_moves_along_it_only) {
+  const Vec3 along = Vec3(1, 2, -2) / 3, gravity(0, 0, -kG), pull(0.3, 0, 0.1);
+  Particles p;
+  ParticleSpec on_rail = sphere({0, 0, 0}, 0.02, 2650);
+  on_rail.rail = along;
+  p.add(sphere({1, 0, 0}, 0.02, 2650));
+  p.add(on_rail);
+  Solids solids(p, {}, one_material(1e7, 0.2, 0, 1), {}, options(1e-4, gravity));
+  solids.particles().external_force.set(1, pull);
+  solids.advance(5000);
+  const Particles& q = solids.particles();
+  const Vec3 force = pull + q.mass[1] * gravity, kept = force.dot(along) * along;
+  EXPECT_NEAR((q.position[1] - 0.5 * 0.25 / q.mass[1] * kept).norm(), 0, 1e-11);
+  ASSERT_EQ(q.rails.size(), 1U);
+  EXPECT_NEAR((q.rails[0].taken_up - (force - kept)).norm(), 0, 1e-12);
+  EXPECT_NEAR(q.position.z[0], -0.5 * kG * 0.25, 1e-11);
+}
+
 TEST(Solids, a_time_step_of_zero_is_refused) {
   EXPECT_THROW(Solids(Particles{}, {}, one_material(1e7, 0.2, 0, 1), {}, options(0)), std::logic_error);
 }

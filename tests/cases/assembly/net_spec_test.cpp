@@ -27,6 +27,21 @@ TEST(NetSpec, TheNetOfThePaper) {
   EXPECT_EQ(spec.upper.support.dissipators_at, (std::vector<double>{0, 1}));
 }
 
+TEST(NetSpec, BottomCableIsHeldAsTheSceneSays) {
+  const auto bottom = [](const char* how) {
+    return make_net_spec(
+               load(case_file("debris_flow/scene.toml"), {std::string("barrier.anchors.bottom_cable=") + how}))
+        .lower.support;
+  };
+  EXPECT_TRUE(bottom("fixed").fixed_all);
+  const barrier::CableSupport along = bottom("along_bed"), places = bottom("at_places");
+  EXPECT_TRUE(along.held_across && !along.fixed_all);
+  EXPECT_EQ(along.fixed_at, (std::vector<double>{0, 1}));
+  EXPECT_TRUE(along.dissipators_at.empty());
+  EXPECT_FALSE(places.held_across || places.fixed_all);
+  EXPECT_EQ(places.dissipators_at, (std::vector<double>{0, 1}));
+}
+
 TEST(NetSpec, ScaleActsOnEveryStiffnessAndNotOnForceLimits) {
   const barrier::RingNetSpec spec = make_net_spec(
       load(case_file("hanging_net/scene.toml"),

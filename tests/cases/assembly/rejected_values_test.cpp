@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
         value("barrier.bonds.dissipator_stiffness_N_m3", "[8e11, 0]", "has entry 2"),
         value("barrier.bonds.dissipator_force_limit_N", "[-1]", "has entry 1"),
         value("barrier.bonds.plastic_unloading", "0", "true or false"),
-        value("barrier.anchors.bottom_cable_fixed", "'yes'", "true or false"),
+        value("barrier.anchors.lateral_cable_middles_fixed", "'yes'", "true or false"),
         value("coupling.body_weighting", "half", "one of"), value("coupling.wire_drag", "off", "true or false"),
         value("measure.section_x_m", "'net'", "is a string"), value("measure.inflow_distance_m", "-0.1", "at least 0"),
         value("measure.outflow_distance_m", "-0.1", "at least 0"), value("measure.energy_datum_z_m", "nan", "is nan")));

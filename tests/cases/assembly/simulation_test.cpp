@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "barrier/response.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::cases {
@@ -30,6 +31,41 @@ TEST_P(BothPrecisions, BeforeACheckpointItHoldsNoLiquid) {
   const auto simulation = build_simulation(scene_, Beginning::checkpoint);
   EXPECT_EQ(simulation->fluid()->wet_cells(), 0u);
   EXPECT_EQ(simulation->solids()->particles().size(), build_simulation(scene_)->solids()->particles().size());
+}
+
+/// A barrier that has settled hangs below where it was built, loaded by its weight, and hardly moves any more; grains
+/// are where they would be without.
+TEST(Simulation, ABarrierHangsBeforeTheRunBegins) {
+  const auto file = scene::source_folder() / "tests/integration/small_debris_flow.toml";
+  const auto built = build_simulation(scene::load(file));
+  const auto hung = build_simulation(scene::load(file, {"barrier.settle_time_s=0.3"}));
+  const dem::Particles &a = built->solids()->particles(), &b = hung->solids()->particles();
+  const barrier::Net& net = *hung->net();
+  const Vec3 down = hung->solids()->options().gravity.normalized();
+  double sag = 0;
+  for (dem::ParticleId id = 0; id < b.size(); ++id) {
+    const Vec3 moved = b.position[b.index(id)] - a.position[a.index(id)];
+    if (id < net.first_bead)
+      EXPECT_EQ(moved, Vec3(Vec3::Zero()));
+    else
+      sag = std::max(sag, moved.dot(down));
+    EXPECT_EQ(b.velocity[b.index(id)], Vec3(Vec3::Zero()));
+  }
+  EXPECT_GT(sag, 0.002);
+  const auto swing = [](Simulation& s) {
+    const barrier::BarrierResponse start = barrier::response(*s.net(), s.solids()->particles(), s.solids()->bonds());
+    double most = 0;
+    while (s.time() < 0.05) {
+      s.advance();
+      most = std::max(most, barrier::response(*s.net(), s.solids()->particles(), s.solids()->bonds()).kinetic_energy);
+    }
+    return std::pair{most, start[barrier::Component::barrier].force_sum};
+  };
+  const auto [swing_built, load_built] = swing(*built);
+  const auto [swing_hung, load_hung] = swing(*hung);
+  EXPECT_LT(swing_hung, 0.02 * swing_built);
+  EXPECT_EQ(load_built, 0);
+  EXPECT_GT(load_hung, 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Simulation, BothPrecisions, testing::Values("float", "double"));

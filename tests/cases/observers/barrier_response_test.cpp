@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/files/series_reader.h"
 #include "tests/cases/observers/small_net.h"
 
 namespace lahar::cases {
@@ -23,6 +24,59 @@ TEST_F(SmallNet, LoadsOfItsParts) {
   EXPECT_FALSE(metrics.contains("peak_mesh_sum_kN"));
   observers_.finish(scratch_.path());
   EXPECT_TRUE(std::filesystem::exists(scratch_.path() / "cable_forces.png"));
+}
+
+/// Rings that were moved along the upper cable have slid by as much.
+TEST_F(SmallNet, RingsSlideAlongTheirCables) {
+  SeriesWriter series(scratch_.path() / "series.h5");
+  observers_.declare(series);
+  observers_.sample(series);
+  EXPECT_EQ(observers_.metrics().at("max_ring_travel_m"), 0);
+  dem::Particles& p = simulation_->solids()->particles();
+  const barrier::Net& net = *simulation_->net();
+  for (int column = 1; column + 1 < net.columns; ++column) {
+    const barrier::Wire& ring = net.ring(column, net.rows - 1);
+    for (dem::ParticleId id = ring.first_bead; id < ring.first_bead + ring.beads; ++id)
+      p.position.add(p.index(id), 0.01 * net.across);
+  }
+  observers_.sample(series);
+  EXPECT_NEAR(observers_.metrics().at("max_ring_travel_m"), 0.01, 0.001);
+  EXPECT_LT(observers_.metrics().at("max_mean_ring_travel_m"), 0.005);
+}
+
+/// Before anything arrives only its own bonds pull at a net, and the side walls a little: the bonds cancel. Then grains
+/// and water push it along the flow.
+TEST(BarrierLoads, AreThoseFromOutside) {
+  const scene::Scene scene =
+      scene::load(scene::source_folder() / "tests/integration/small_debris_flow.toml", {"run.duration_s=0.6"});
+  const auto simulation = build_simulation(scene);
+  ObserverList observers(scene, *simulation);
+  const scene::ScratchFolder scratch;
+  {
+    SeriesWriter series(scratch.path() / "series.h5");
+    observers.declare(series);
+    observers.sample(series);
+    double next = 0.01;
+    while (simulation->time() < 0.6) {
+      simulation->advance();
+      observers.after_step();
+      if (simulation->time() < next) continue;
+      observers.sample(series), next += 0.01;
+    }
+  }
+  const Series rows = read_series(scratch.path() / "series.h5");
+  const auto column = [&](const char* name) -> const std::vector<double>& { return rows.find(name)->values; };
+  double bonds = 0, early = 0;
+  for (std::size_t k = 1; k < 10; ++k) {
+    bonds = std::max(bonds, column("barrier_force_sum_N")[k]);
+    early = std::max(
+        {early, std::abs(column("barrier_contact_force_x_N")[k]), std::abs(column("barrier_fluid_force_x_N")[k])});
+  }
+  EXPECT_GT(bonds, 0);
+  EXPECT_LT(early, 1e-3 * bonds);
+  const Metrics metrics = observers.metrics();
+  EXPECT_GT(metrics.at("barrier_fluid_impulse_Ns"), 0);
+  EXPECT_GT(metrics.at("barrier_contact_impulse_Ns"), 0);
 }
 
 }  // namespace

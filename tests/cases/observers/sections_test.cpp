@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "cases/assembly/build.h"
 #include "cases/files/series_reader.h"
 #include "cases/observers/observer_list.h"
@@ -53,6 +55,21 @@ TEST(Sections, DischargeIsTheVolumeThatArrives) {
     ASSERT_GT(behind, 0.003);
     EXPECT_NEAR(passed, behind, 0.03 * behind) << k;  // compression and flying drops are in neither
   }
+}
+
+/// Discs where the plane cuts spheres whose centre is opposite the rectangle; beads and those that are gone do not
+/// count.
+TEST(Sections, AreaThatGrainsTake) {
+  const SectionFrame frame = frame_of({"s", Vec3(0.5, 0, 0), Vec3(1, 0, 0), 0.4, 0.4}, scene::load_text(dam).domain);
+  dem::Particles p;
+  p.add({.position = Vec3(0.5, 0, 0), .radius = 0.02, .density = 2500});
+  p.add({.position = Vec3(0.512, 0.1, 0), .radius = 0.02, .density = 2500});
+  p.add({.position = Vec3(0.53, 0.1, 0.1), .radius = 0.02, .density = 2500});
+  p.add({.position = Vec3(0.5, 0.3, 0), .radius = 0.02, .density = 2500});
+  p.add({.position = Vec3(0.5, 0.1, 0), .radius = 0.02, .density = 2500, .kind = dem::ParticleKind::bead});
+  EXPECT_NEAR(grain_area(p, frame), std::numbers::pi * (4e-4 + 4e-4 - 1.44e-4), 1e-12);
+  p.remove(0);
+  EXPECT_NEAR(grain_area(p, frame), std::numbers::pi * (4e-4 - 1.44e-4), 1e-12);
 }
 
 TEST(Sections, OnlyTheRectangleCounts) {

@@ -130,6 +130,9 @@ INSTANTIATE_TEST_SUITE_P(GrainsInFluid, QuickEntry,
                                          "grains_in_fluid.wet_rebound"),
                          name_of);
 
+INSTANTIATE_TEST_SUITE_P(AveragedGrains, QuickEntry,
+                         testing::Values("averaged_grains.bed_drag", "averaged_grains.hindered_settling"), name_of);
+
 INSTANTIATE_TEST_SUITE_P(WiresInFluid, QuickEntry,
                          testing::Values("wires_in_fluid.wire_drag", "wires_in_fluid.resolved_wire_drag",
                                          "wires_in_fluid.screen_loss", "wires_in_fluid.ring_net_loss",

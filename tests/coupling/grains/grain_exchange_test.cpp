@@ -32,7 +32,8 @@ class PointDrag final : public GrainExchange<double> {
   [[nodiscard]] bool samples_velocity() const override { return true; }
 
   ExchangedMomentum give_impulses(lbm::Fluid<double>& fluid, const GrainMap<double>& map,
-                                  dem::Particles& particles) override {
+                                  const DisplacedVolume<double>& /*displaced*/, dem::Particles& particles,
+                                  SolidFields<double>& /*fields*/) override {
     ExchangedMomentum sum;
     const auto& units = fluid.units();
     const double viscosity = units.viscosity_to_lu(fluid.options().kinematic_viscosity);

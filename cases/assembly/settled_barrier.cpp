@@ -1,0 +1,57 @@
+#include "cases/assembly/settled_barrier.h"
+
+#include "cases/assembly/build.h"
+#include "core/check.h"
+#include "core/parallel.h"
+
+namespace lahar::cases {
+
+namespace {
+
+constexpr int kSteps = 25;  // between two looks at the kinetic energy
+
+dem::Solids barrier_alone(scene::Scene scene) {
+  scene.grains = {};
+  scene.fluid.enabled = scene.coupling.enabled = false;
+  scene.barrier.settle_time = 0;
+  return std::move(build_solids(scene).solids);
+}
+
+double kinetic_energy(const dem::Particles& p) {
+  return ordered_sum<double>(
+      p.size(),
+      [&](std::size_t i) {
+        if (p.state[i] != dem::ParticleState::free) return 0.0;
+        return 0.5 * (p.mass[i] * p.velocity[i].squaredNorm() + p.inertia[i] * p.angular_velocity[i].squaredNorm());
+      },
+      1024, 0.0);
+}
+
+void stop(dem::Particles& p) {
+  p.velocity.fill(Vec3::Zero());
+  p.angular_velocity.fill(Vec3::Zero());
+}
+
+}  // namespace
+
+void settle_barrier(const scene::Scene& scene, const barrier::Net& net, dem::Particles& particles, dem::Bonds& bonds) {
+  dem::Solids alone = barrier_alone(scene);
+  dem::Particles& beads = alone.particles();
+  double before = 0;
+  while (alone.time() < scene.barrier.settle_time) {
+    alone.advance(kSteps);
+    const double now = kinetic_energy(beads);
+    if (now < before) {
+      stop(beads);
+      before = 0;
+    } else {
+      before = now;
+    }
+  }
+  require(beads.size() == net.beads && alone.bonds().size() == net.bonds, "settle_barrier: another barrier");
+  for (dem::ParticleId k = 0; k < net.beads; ++k)
+    particles.position.set(particles.index(net.first_bead + k), beads.position[beads.index(k)]);
+  bonds.take_load(net.first_bond, alone.bonds());
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,318 @@
+#include "cases/compare_cfd_dem/comparison.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cases/files/output_file.h"
+#include "cases/validate/reference_table.h"
+#include "core/check.h"
+
+namespace lahar::study {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+double CaseResult::metric(const std::string& name) const {
+  const auto found = metrics.find(name);
+  return found == metrics.end() ? kNone : found->second;
+}
+
+CaseResult read_case(const StudyCase& study_case, const std::filesystem::path& folder) {
+  CaseResult result{study_case, {}, {}, 0, cases::read_series(folder / "series.h5"), folder};
+  std::ifstream file(folder / "summary.json");
+  try {
+    const nlohmann::json summary = nlohmann::json::parse(file);
+    for (const auto& [name, value] : summary.at("metrics").items()) result.metrics[name] = value.get<double>();
+    for (const auto& check : summary.at("checks"))
+      if (!check.at("pass").get<bool>()) result.failed_checks.push_back(check.at("name").get<std::string>());
+    result.wall_seconds = summary.at("wall_seconds").get<double>();
+  } catch (const nlohmann::json::exception&) {
+    throw cases::FileError(folder / "summary.json", "not the summary of a run");
+  }
+  return result;
+}
+
+const std::vector<Flow>& published_flows() {
+  static const std::vector<Flow> all = [] {
+    const std::filesystem::path path = validate::case_file("compare_cfd_dem/li2020_table5.csv");
+    std::ifstream file(path);
+    std::vector<Flow> flows;
+    for (std::string line; std::getline(file, line);) {
+      if (line.empty() || line[0] == '#' || line[0] == 'L') continue;
+      std::replace(line.begin(), line.end(), ',', ' ');
+      std::istringstream numbers(line);
+      Flow f{};
+      if (numbers >> f.release >> f.froude >> f.e_in >> f.e_out >> f.e_d >> f.e_b >> f.eta >> f.zeta)
+        flows.push_back(f);
+    }
+    require(flows.size() == release_distances().size(), "li2020_table5.csv does not hold the paper's flows");
+    return flows;
+  }();
+  return all;
+}
+
+const Flow* published(double release) {
+  for (const Flow& f : published_flows())
+    if (std::abs(f.release - release) < 1e-6) return &f;
+  return nullptr;
+}
+
+namespace {
+
+using Ours = std::function<double(const CaseResult&)>;
+using Theirs = std::function<std::optional<double>(double)>;
+
+Ours metric(const char* name, double factor = 1) {
+  return [name, factor](const CaseResult& c) { return factor * c.metric(name); };
+}
+Theirs of_table(double Flow::*column) {
+  return [column](double release) -> std::optional<double> {
+    const Flow* flow = published(release);
+    return flow ? std::optional(flow->*column) : std::nullopt;
+  };
+}
+/// Of the flow that the paper describes, L = 4.10 m.
+Theirs of_one(double value) {
+  return [value](double release) { return std::abs(release - 4.1) < 1e-6 ? std::optional(value) : std::nullopt; };
+}
+std::optional<double> not_given(double) { return std::nullopt; }
+
+constexpr double kGravity = 9.81, kLowerDatum = 0.746;  // m/s^2; m, the bed 1.30 m downstream of the net lies lower
+
+double e_in(const CaseResult& c) { return c.metric("e_in_kJ"); }
+double e_out(const CaseResult& c) { return c.metric("e_out_kJ"); }
+double e_d(const CaseResult& c) { return e_in(c) - e_out(c); }
+double e_b(const CaseResult& c) {
+  return (c.metric("barrier_energy_end_J") - c.metric("barrier_energy_start_J")) / 1000;
+}
+
+/// The mass that is there while the flow arrives: liquid and grains, kg.
+double mass(const CaseResult& c) {
+  constexpr double grains = 1265.7;  // 3260 of 40 mm and 1481 of 80 mm, 2500 kg/m^3
+  return c.metric("liquid_mass_start_kg") + grains;
+}
+/// Energies about the bed 1.30 m downstream, which the paper's numbers ask for: all mass that counts is higher.
+double e_in_lower(const CaseResult& c) { return e_in(c) + mass(c) * kGravity * kLowerDatum / 1000; }
+double e_out_lower(const CaseResult& c) {
+  const auto* passed = c.series.find("grains_passed_kg");
+  const double grains = passed && !passed->values.empty() ? passed->values.back() : 0.0;
+  return e_out(c) + (c.metric("liquid_passed_kg") + grains) * kGravity * kLowerDatum / 1000;
+}
+
+/// Value of a column at the first row of another that is at least `level`.
+double first_at_least(const CaseResult& c, const char* column, double level) {
+  const auto* values = c.series.find(column);
+  for (std::size_t k = 0; values && k < values->values.size(); ++k)
+    if (values->values[k] >= level) return c.series.time_s[k];
+  return kNone;
+}
+
+/// m/s: of the water's front over the last half metre before the net.
+double front_speed(const CaseResult& c) {
+  const double end = first_at_least(c, "front_x_m", c.study_case.release - 0.15);
+  const double start = first_at_least(c, "front_x_m", c.study_case.release - 0.65);
+  return 0.5 / (end - start);
+}
+double front_froude(const CaseResult& c) {
+  constexpr double cos35 = 0.819152;
+  return front_speed(c) / std::sqrt(kGravity * c.metric("depth_at_inflow_m") * cos35);
+}
+
+/// kN: largest of a column in the last part of the run over the last `seconds`, mean.
+double final_mean(const CaseResult& c, const char* column, double seconds) {
+  const auto* values = c.series.find(column);
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; values && k < values->values.size(); ++k)
+    if (c.series.time_s[k] > c.series.time_s.back() - seconds) sum += values->values[k], ++count;
+  return count > 0 ? sum / count : kNone;
+}
+
+/// Mean over the rows in which at least a litre a second passes, of a ratio of two columns.
+double mean_ratio(const CaseResult& c, const char* above, const char* below) {
+  const auto *a = c.series.find(above), *b = c.series.find(below), *q = c.series.find("net_discharge_m3_s");
+  double sum_a = 0, sum_b = 0;
+  for (std::size_t k = 0; a && b && q && k < a->values.size(); ++k)
+    if (q->values[k] > 1e-3) sum_a += a->values[k], sum_b += b->values[k];
+  return sum_b > 0 ? sum_a / sum_b : kNone;
+}
+
+double water_share(const CaseResult& c) {
+  const double water = c.metric("barrier_fluid_impulse_Ns"), grains = c.metric("barrier_contact_impulse_Ns");
+  return water / (water + grains);
+}
+
+std::vector<Compared> make_quantities() {
+  std::vector<Compared> q;
+  const auto add = [&](const char* name, const char* unit, const char* meaning, Ours ours, Theirs theirs,
+                       const char* where) {
+    q.push_back({name, unit, meaning, std::move(ours), std::move(theirs), where});
+  };
+  add("front_arrival", "s", "water at the net", metric("front_arrival_s"), of_one(0.75), "4.3");
+  add("grains_arrival", "s", "grains at the net", metric("particle_arrival_s"), of_one(0.92), "4.3");
+  add("froude_deepest", "1", "Froude number of the deepest section", metric("froude_deepest_section"),
+      of_table(&Flow::froude), "Table 5");
+  add("froude_mean", "1", "the same with the mean speed of the liquid", metric("froude_mean_speed"),
+      of_table(&Flow::froude), "Table 5");
+  add("froude_front", "1", "the same with the speed of the front", front_froude, of_table(&Flow::froude), "Table 5");
+  add("depth", "m", "depth of the deepest section", metric("depth_at_inflow_m"), not_given, "");
+  add("e_in", "kJ", "energy that arrives, about the bed at the net", e_in, of_table(&Flow::e_in), "Table 5");
+  add("e_in_lower", "kJ", "the same about the bed 1.30 m downstream", e_in_lower, of_table(&Flow::e_in), "Table 5");
+  add("e_out", "kJ", "energy that leaves, about the bed at the net", e_out, of_table(&Flow::e_out), "Table 5");
+  add("e_out_lower", "kJ", "the same about the bed 1.30 m downstream", e_out_lower, of_table(&Flow::e_out), "Table 5");
+  add("e_d", "kJ", "energy that is dissipated or passed on, E_in - E_out", e_d, of_table(&Flow::e_d), "Table 5");
+  add("e_b", "kJ", "energy that the barrier holds at the end", e_b, of_table(&Flow::e_b), "Table 5");
+  add(
+      "eta", "1", "E_d / E_in", [](const CaseResult& c) { return e_d(c) / e_in(c); }, of_table(&Flow::eta), "Table 5");
+  add(
+      "eta_lower", "1", "the same about the bed 1.30 m downstream",
+      [](const CaseResult& c) { return 1 - e_out_lower(c) / e_in_lower(c); }, of_table(&Flow::eta), "Table 5");
+  add(
+      "zeta", "1", "E_b / E_d", [](const CaseResult& c) { return e_b(c) / e_d(c); }, of_table(&Flow::zeta), "Table 5");
+  add(
+      "outflow_liquid_share", "1", "share of the liquid in E_out",
+      [](const CaseResult& c) {
+        return (c.metric("e_out_liquid_kinetic_kJ") + c.metric("e_out_liquid_potential_kJ")) / e_out(c);
+      },
+      not_given, "Fig. 16");
+  add("retained_mass", "1", "share of the grains' mass that is held", metric("retained_mass_ratio"), not_given,
+      "4.2: 0.98 to 0.90");
+  add("retained_large", "1", "share of the large grains", metric("retained_large_grains_ratio"), not_given,
+      "4.2: 0.965 to 0.999");
+  add("retained_small", "1", "share of the small grains", metric("retained_small_grains_ratio"), not_given,
+      "4.2: 0.649 to 0.902");
+  add("lower_cable_sum", "kN", "largest sum of bond forces in the lower cable", metric("peak_lower_cable_sum_kN"),
+      of_one(517.54), "4.3");
+  add("upper_cable_sum", "kN", "the same in the upper cable", metric("peak_upper_cable_sum_kN"), not_given, "Fig. 13");
+  add("left_cable_sum", "kN", "the same in the left cable", metric("peak_left_cable_sum_kN"), not_given, "Fig. 13");
+  add("right_cable_sum", "kN", "the same in the right cable", metric("peak_right_cable_sum_kN"), not_given, "Fig. 13");
+  add("barrier_sum", "kN", "the same in the whole barrier; theirs: the largest of all flows",
+      metric("peak_barrier_sum_kN"), of_one(4131.31), "4.3");
+  add("barrier_tension", "kN", "largest tension of a bond", metric("peak_barrier_tension_kN"), not_given, "");
+  add("upper_cable_end", "kN", "largest force at an end of the upper cable", metric("peak_upper_cable_end_kN"),
+      not_given, "");
+  add("lower_cable_end", "kN", "largest force at an end of the lower cable", metric("peak_lower_cable_end_kN"),
+      not_given, "");
+  add(
+      "barrier_sum_at_rest", "kN", "sum of bond forces in the barrier, mean of the last half second",
+      [](const CaseResult& c) { return final_mean(c, "barrier_force_sum_N", 0.5) / 1000; }, not_given, "Fig. 11");
+  add("elongation", "m", "largest displacement of the net along the flow; theirs: the largest of all flows",
+      metric("max_elongation_m"), of_one(0.263), "4.3");
+  add("ring_travel", "m", "way that edge rings slide, largest mean", metric("max_mean_ring_travel_m"), not_given, "");
+  add("water_share", "1", "share of the water in the impulse on the net along the flow", water_share, not_given, "");
+  add(
+      "velocity_through_net", "m/s", "of the water in the plane of the net, while more than a litre a second passes",
+      [](const CaseResult& c) { return mean_ratio(c, "net_discharge_m3_s", "net_liquid_area_m2"); }, not_given, "");
+  add(
+      "clogging", "1", "area of grains over that of grains and water in the plane of the net, while water passes",
+      [](const CaseResult& c) { return 1 / (1 + 1 / mean_ratio(c, "net_grains_area_m2", "net_liquid_area_m2")); },
+      not_given, "");
+  add("water_left", "kg", "water that left the channel", metric("liquid_left_kg"), not_given, "");
+  return q;
+}
+
+}  // namespace
+
+const std::vector<Compared>& compared_quantities() {
+  static const std::vector<Compared> all = make_quantities();
+  return all;
+}
+
+namespace {
+
+/// Half the range of a quantity over all cases of the same flow and coupling, over their mean; NaN for a single one.
+double spread(const Compared& quantity, const CaseResult& of, const std::vector<CaseResult>& results) {
+  double low = INFINITY, high = -INFINITY, sum = 0, count = 0;
+  for (const CaseResult& c : results) {
+    const StudyCase &a = c.study_case, &b = of.study_case;
+    if (a.sweep != b.sweep || a.coupling != b.coupling || a.release != b.release) continue;
+    const double x = quantity.ours(c);
+    if (!std::isfinite(x)) continue;
+    low = std::min(low, x), high = std::max(high, x), sum += x, count += 1;
+  }
+  return count > 1 && sum != 0 ? 0.5 * (high - low) / std::abs(sum / count) : kNone;
+}
+
+std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.6g}", x) : std::string(); }
+
+}  // namespace
+
+std::string comparison_csv(const std::vector<CaseResult>& results) {
+  std::string text =
+      "# Theirs: Li, Zhao & Kwan 2020. difference: (ours - theirs) / theirs. spread: half the range over seeds, "
+      "variants and presets of the same flow and coupling, over the mean.\n"
+      "quantity,unit,case,theirs,ours,difference,spread\n";
+  for (const Compared& q : compared_quantities())
+    for (const CaseResult& c : results) {
+      const double ours = q.ours(c), theirs = q.theirs(c.study_case.release).value_or(kNone);
+      text += fmt::format("{},{},{},{},{},{},{}\n", q.name, q.unit, c.study_case.name(), number(theirs), number(ours),
+                          number(ours / theirs - 1), number(spread(q, c, results)));
+    }
+  return text;
+}
+
+namespace {
+
+double kendall(const std::vector<std::pair<double, double>>& points) {
+  double sum = 0, pairs = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double a = points[i].first - points[j].first, b = points[i].second - points[j].second;
+      if (a == 0 || !std::isfinite(b)) continue;
+      sum += (a > 0) == (b > 0) ? (b == 0 ? 0 : 1) : -1, pairs += 1;
+    }
+  return pairs > 0 ? sum / pairs : kNone;
+}
+
+struct Statement {
+  const char *text, *quantity;
+  int sign;
+};
+
+constexpr Statement kStatements[] = {
+    {"retained mass falls with the Froude number (4.2)", "retained_mass", -1},
+    {"the peak in the lower cable falls (4.3)", "lower_cable_sum", -1},
+    {"the peak in the whole barrier rises (4.3)", "barrier_sum", 1},
+    {"eta rises (4.4)", "eta", 1},
+    {"zeta falls (4.4)", "zeta", -1},
+};
+
+}  // namespace
+
+std::vector<Trend> trends(const std::vector<CaseResult>& results) {
+  std::vector<Trend> all;
+  for (const Choice& sweep : sweeps())
+    for (const Choice& preset : presets())
+      for (const Choice& coupling : couplings()) {
+        std::map<double, const CaseResult*> flows;  // by distance, the lowest seed
+        for (const CaseResult& c : results) {
+          const StudyCase& s = c.study_case;
+          if (s.sweep != sweep.name || s.preset != preset.name || s.coupling != coupling.name ||
+              s.variant != variants().front().name)
+            continue;
+          const CaseResult*& kept = flows[s.release];
+          if (!kept || s.seed < kept->study_case.seed) kept = &c;
+        }
+        if (flows.size() < 3) continue;
+        for (const Statement& s : kStatements) {
+          const auto& quantities = compared_quantities();
+          const auto q = std::find_if(quantities.begin(), quantities.end(),
+                                      [&](const Compared& x) { return x.name == s.quantity; });
+          std::vector<std::pair<double, double>> points;
+          for (const auto& [release, c] : flows) points.emplace_back(release, q->ours(*c));
+          const double correlation = kendall(points);
+          all.push_back({s.text, sweep.name, coupling.name, preset.name, correlation, correlation * s.sign > 0});
+        }
+      }
+  return all;
+}
+
+}  // namespace lahar::study

@@ -1,0 +1,62 @@
+#pragma once
+// What the cases of a study found beside what the paper reports.
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/compare_cfd_dem/study_case.h"
+#include "cases/files/series_reader.h"
+
+namespace lahar::study {
+
+/// A case that reached its end.
+struct CaseResult {
+  StudyCase study_case;
+  std::map<std::string, double> metrics;  ///< of summary.json
+  std::vector<std::string> failed_checks;
+  double wall_seconds = 0;
+  cases::Series series;
+  std::filesystem::path folder;
+
+  /// NaN where there is none.
+  [[nodiscard]] double metric(const std::string& name) const;
+};
+
+/// Reads summary.json and series.h5. Throws cases::FileError.
+CaseResult read_case(const StudyCase& study_case, const std::filesystem::path& folder);
+
+/// The paper's Table 5 by release distance.
+struct Flow {
+  double release, froude, e_in, e_out, e_d, e_b, eta, zeta;  ///< m, 1, kJ, kJ, kJ, kJ, 1, 1
+};
+/// Of li2020_table5.csv.
+const std::vector<Flow>& published_flows();
+/// The flow of a release distance, if the paper has it.
+const Flow* published(double release);
+
+/// A quantity of the comparison.
+struct Compared {
+  std::string name, unit, meaning;
+  std::function<double(const CaseResult&)> ours;
+  std::function<std::optional<double>(double release)> theirs;  ///< nothing where the paper gives no number
+  std::string where;                                            ///< in the paper
+};
+const std::vector<Compared>& compared_quantities();
+
+/// quantity,unit,case,theirs,ours,difference,spread: the difference over theirs; the spread is half the range of ours
+/// over the seeds, variants and presets that the study has of the same flow and coupling, over their mean.
+std::string comparison_csv(const std::vector<CaseResult>& results);
+
+/// A trend that the paper states over its flows, and whether ours goes the same way.
+struct Trend {
+  std::string statement, sweep, coupling, preset;
+  double correlation = 0;  ///< Kendall's rank correlation of ours with the release distance
+  bool agrees = false;
+};
+/// Of every sweep with at least three flows of a preset and coupling (study's reading, lowest seed).
+std::vector<Trend> trends(const std::vector<CaseResult>& results);
+
+}  // namespace lahar::study

@@ -1,0 +1,114 @@
+// compare_cfd_dem: the paper's debris flows, resolved and averaged, beside what the paper reports.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
+#include "cases/compare_cfd_dem/jobs.h"
+#include "cases/compare_cfd_dem/report.h"
+#include "cases/runner/interrupt.h"
+#include "cases/runner/machine.h"
+#include "cases/runner/options.h"
+
+namespace lahar::study {
+namespace {
+
+struct Arguments {
+  Selection selection;
+  std::string out = "results/compare_cfd_dem";
+  int at_once = 1, threads = 0;
+  bool list = false, report_only = false, quiet = false;
+};
+
+std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
+
+void list(const std::vector<StudyCase>& study_cases, const Arguments& a) {
+  for (const StudyCase& c : study_cases) {
+    const Standing s = standing_of(c, std::filesystem::path(a.out) / c.name());
+    fmt::print("{}: {}\n", c.name(),
+               s == Standing::done      ? "done"
+               : s == Standing::begun   ? "begun"
+               : s == Standing::foreign ? "in its folder is something else"
+                                        : "to do");
+  }
+}
+
+/// What is there of all cases, and the page about it.
+void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
+  const std::filesystem::path folder = a.out;
+  std::vector<CaseResult> results;
+  Sitting sitting{cases::machine_name(),
+                  cases::commit(),
+                  fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now())),
+                  {}};
+  for (const StudyCase& c : study_cases) {
+    if (standing_of(c, folder / c.name()) == Standing::done)
+      results.push_back(read_case(c, folder / c.name()));
+    else
+      sitting.missing.push_back(c.name());
+  }
+  std::filesystem::create_directories(folder);
+  write_report(results, sitting, folder);
+}
+
+int run(const Arguments& a) {
+  const std::vector<StudyCase> study_cases = cases_of(a.selection);
+  if (a.list) return list(study_cases, a), cases::exit_done;
+  int code = cases::exit_done;
+  if (!a.report_only) {
+    const int all = a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
+    const JobOptions options{own_folder() / "lahar", a.out, a.at_once, std::max(1, all / a.at_once)};
+    for (const StudyCase& c : study_cases) (void)command_of(c, options.lahar, options.folder / c.name(), 1);
+    cases::watch_for_interrupt();
+    const auto tell = [&](const std::string& line) {
+      if (a.quiet) return;
+      fmt::print("{}\n", line);
+      std::fflush(stdout);
+    };
+    for (const JobResult& job : run_all(study_cases, options, cases::interrupted, tell))
+      if (job.exit_code != cases::exit_done) code = job.exit_code;
+    if (cases::interrupted()) code = cases::exit_interrupted;
+  }
+  report(study_cases, a);
+  if (!a.quiet) fmt::print("report: {}\n", (std::filesystem::path(a.out) / "report.html").string());
+  return code;
+}
+
+std::string choices_text(const std::vector<Choice>& all) {
+  std::string text;
+  for (const Choice& c : all) text += fmt::format("\n  {}: {}", c.name, c.meaning);
+  return text;
+}
+
+}  // namespace
+}  // namespace lahar::study
+
+int main(int argc, char** argv) {
+  using namespace lahar;
+  CLI::App app(
+      "Runs the ten debris flows of Li, Zhao & Kwan 2020, resolved and averaged, and compares. What is done is not run "
+      "again; what was interrupted goes on.",
+      "compare_cfd_dem");
+  app.set_version_flag("--version", "compare_cfd_dem " + cases::version() + " (" + cases::commit() + ")");
+  study::Arguments a;
+  study::Selection& s = a.selection;
+  app.add_option("--sweep", s.sweeps, "as_printed, matched; default both" + study::choices_text(study::sweeps()));
+  app.add_option("--release", s.releases, "Distances of the net from the mixture's upstream end, m; default all ten");
+  app.add_option("--preset", s.presets, "default coarse" + study::choices_text(study::presets()));
+  app.add_option("--coupling", s.couplings, "default resolved and averaged" + study::choices_text(study::couplings()));
+  app.add_option("--seed", s.seeds, "Seeds of the packing; default 1");
+  app.add_option("--variant", s.variants, "default study" + study::choices_text(study::variants()));
+  app.add_option("--set", s.further, "Change a value of every scene: key.path=value (repeatable)")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  app.add_option("--out", a.out, "Folder of the study")->capture_default_str();
+  app.add_option("--at-once", a.at_once, "Runs at once, which share the threads")->check(CLI::Range(1, 64));
+  app.add_option("--threads", a.threads, "Threads of all runs together (default: all)")->check(CLI::Range(1, 4096));
+  app.add_flag("--list", a.list, "Say of each case whether it is done, and run nothing");
+  app.add_flag("--report", a.report_only, "Only write the report of what is done");
+  app.add_flag("--quiet", a.quiet, "Print nothing but mistakes");
+  return cases::parse_and_run(app, argc, argv, [&] { return study::run(a); });
+}

@@ -1,0 +1,275 @@
+#include "cases/compare_cfd_dem/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "cases/files/output_file.h"
+
+namespace lahar::study {
+
+namespace {
+
+const Compared& quantity(const char* name) {
+  const auto& all = compared_quantities();
+  return *std::find_if(all.begin(), all.end(), [&](const Compared& q) { return q.name == name; });
+}
+
+/// What one curve of a figure over the flows holds together.
+struct Curve {
+  std::string sweep, preset, coupling;
+  [[nodiscard]] std::string label() const {
+    std::string text = fmt::format("{}, {}, {}", sweep, coupling, preset);
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return text;
+  }
+  [[nodiscard]] bool holds(const StudyCase& c) const {
+    return c.sweep == sweep && c.preset == preset && c.coupling == coupling && c.variant == variants().front().name;
+  }
+};
+
+std::vector<Curve> curves_of(const std::vector<CaseResult>& results) {
+  std::vector<Curve> curves;
+  for (const Choice& sweep : sweeps())
+    for (const Choice& preset : presets())
+      for (const Choice& coupling : couplings()) {
+        const Curve curve{sweep.name, preset.name, coupling.name};
+        if (std::any_of(results.begin(), results.end(), [&](const CaseResult& c) { return curve.holds(c.study_case); }))
+          curves.push_back(curve);
+      }
+  return curves;
+}
+
+/// Theirs over their Froude number, and ours at the flow of the same release distance.
+cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results) {
+  using namespace cases;
+  const Compared& q = quantity(name);
+  Chart chart;
+  chart.title = q.meaning;
+  chart.x = {.label = "Froude number of the paper's flow"};
+  chart.y = {.label = q.name, .unit = q.unit == "1" ? "" : q.unit};
+  chart.width = 480, chart.height = 300;
+  ChartSeries theirs{.name = "Li et al. 2020", .mark = Mark::line_and_points, .colour = ChartColour::black};
+  for (const Flow& f : published_flows())
+    if (const auto value = q.theirs(f.release)) theirs.x.push_back(f.froude), theirs.y.push_back(*value);
+  if (!theirs.x.empty()) chart.series.push_back(theirs);
+  for (const Curve& curve : curves_of(results)) {
+    std::vector<std::pair<double, double>> points;
+    for (const CaseResult& c : results)
+      if (const Flow* flow = published(c.study_case.release); flow && curve.holds(c.study_case))
+        points.emplace_back(flow->froude, q.ours(c));
+    std::sort(points.begin(), points.end());
+    ChartSeries ours{.name = curve.label(), .mark = Mark::line_and_points};
+    ours.dash = curve.coupling == "resolved" ? Dash::solid : Dash::dashed;
+    for (const auto& [x, y] : points) ours.x.push_back(x), ours.y.push_back(y);
+    chart.series.push_back(ours);
+  }
+  return chart;
+}
+
+/// A column of the series over time, of all couplings at one distance.
+cases::Chart over_time(const char* column, const char* title, const char* unit, double factor, double release,
+                       const std::string& sweep, const std::vector<CaseResult>& results) {
+  using namespace cases;
+  Chart chart;
+  chart.title =
+      fmt::format("{}, L = {:.2f} m, {}", title, release, sweep == "matched" ? "matched inflow" : "as printed");
+  chart.x = {.label = "time", .unit = "s"};
+  chart.y = {.label = title, .unit = unit};
+  chart.width = 480, chart.height = 300;
+  for (const CaseResult& c : results) {
+    const StudyCase& s = c.study_case;
+    const auto* values = c.series.find(column);
+    if (s.release != release || s.sweep != sweep || s.variant != variants().front().name || !values) continue;
+    ChartSeries line{
+        .name = fmt::format("{}, {}{}", s.coupling, s.preset, s.seed == 1 ? "" : fmt::format(", seed {}", s.seed)),
+        .x = c.series.time_s,
+        .y = values->values};
+    std::replace(line.name.begin(), line.name.end(), '_', ' ');
+    for (double& y : line.y) y *= factor;
+    chart.series.push_back(line);
+  }
+  return chart;
+}
+
+}  // namespace
+
+std::vector<Figure> figures_of(const std::vector<CaseResult>& results) {
+  std::vector<Figure> figures;
+  const auto keep = [&](const std::string& file, const std::string& caption, cases::Chart chart) {
+    if (!chart.series.empty()) figures.push_back({file, caption, std::move(chart)});
+  };
+  if (results.empty()) return figures;
+  const std::pair<const char*, const char*> of_flows[] = {{"retained_mass", "as Fig. 10"},
+                                                          {"retained_large", "as Fig. 10"},
+                                                          {"retained_small", "as Fig. 10"},
+                                                          {"lower_cable_sum", "as Fig. 13"},
+                                                          {"upper_cable_sum", "as Fig. 13"},
+                                                          {"barrier_sum", "as Fig. 14"},
+                                                          {"e_in", "Table 5"},
+                                                          {"e_in_lower", "Table 5"},
+                                                          {"e_out", "Table 5"},
+                                                          {"e_b", "Table 5"},
+                                                          {"eta", "as Fig. 15"},
+                                                          {"outflow_liquid_share", "as Fig. 16"},
+                                                          {"zeta", "as Fig. 17"},
+                                                          {"froude_front", "Table 5"},
+                                                          {"froude_deepest", "Table 5"},
+                                                          {"elongation", "section 4.3"},
+                                                          {"water_share", "ours alone"},
+                                                          {"velocity_through_net", "ours alone"},
+                                                          {"clogging", "ours alone"},
+                                                          {"ring_travel", "ours alone"}};
+  for (const auto& [name, where] : of_flows)
+    keep(std::string("flows_") + name, fmt::format("{} ({})", quantity(name).meaning, where),
+         over_flows(name, results));
+  struct Column {
+    const char *name, *title, *unit;
+    double factor;
+  };
+  const Column columns[] = {{"lower_cable_force_sum_N", "sum of forces in the lower cable", "kN", 1e-3},
+                            {"upper_cable_force_sum_N", "sum of forces in the upper cable", "kN", 1e-3},
+                            {"barrier_force_sum_N", "sum of forces in the barrier", "kN", 1e-3},
+                            {"barrier_elongation_m", "elongation of the net", "m", 1},
+                            {"barrier_fluid_force_x_N", "force of water on the net", "kN", 1e-3},
+                            {"barrier_contact_force_x_N", "force of grains on the net", "kN", 1e-3},
+                            {"net_discharge_m3_s", "discharge of water through the net", "m^3/s", 1},
+                            {"net_grains_area_m2", "area of grains in the plane of the net", "m^2", 1},
+                            {"grains_passed_kg", "grains that have passed", "kg", 1}};
+  for (const Choice& sweep : sweeps())
+    for (const Column& c : columns)
+      keep(fmt::format("time_{}_{}", sweep.name, c.name), fmt::format("{} at L = 4.10 m (Fig. 11)", c.title),
+           over_time(c.name, c.title, c.unit, c.factor, 4.1, sweep.name, results));
+  return figures;
+}
+
+std::string base64(const std::string& bytes) {
+  static constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t k = 0; k < bytes.size(); k += 3) {
+    std::uint32_t three = 0;
+    const std::size_t there = std::min<std::size_t>(3, bytes.size() - k);
+    for (std::size_t n = 0; n < 3; ++n)
+      three = three << 8 | (n < there ? static_cast<unsigned char>(bytes[k + n]) : 0U);
+    for (std::size_t n = 0; n < 4; ++n) text += n <= there ? kLetters[three >> (18 - 6 * n) & 63] : '=';
+  }
+  return text;
+}
+
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+std::string shown(double x) { return std::isfinite(x) ? fmt::format("{:.4g}", x) : std::string("-"); }
+
+/// Rows: quantities; columns: theirs and the cases of one flow.
+std::string table_of_flow(const std::string& sweep, double release, const std::vector<CaseResult>& results) {
+  std::vector<const CaseResult*> here;
+  for (const CaseResult& c : results)
+    if (c.study_case.sweep == sweep && c.study_case.release == release) here.push_back(&c);
+  std::string html = "<table><tr><th>quantity</th><th>unit</th><th>Li et al.</th>";
+  for (const CaseResult* c : here)
+    html += fmt::format("<th>{}<br>{}{}{}</th>", c->study_case.coupling, c->study_case.preset,
+                        c->study_case.seed == 1 ? "" : fmt::format(", seed {}", c->study_case.seed),
+                        c->study_case.variant == variants().front().name ? "" : "<br>" + c->study_case.variant);
+  html += "</tr>\n";
+  for (const Compared& q : compared_quantities()) {
+    html += fmt::format("<tr><td title=\"{}\">{}</td><td>{}</td><td>{}</td>", q.meaning, q.name, q.unit,
+                        shown(q.theirs(release).value_or(std::nan(""))));
+    for (const CaseResult* c : here) html += fmt::format("<td>{}</td>", shown(q.ours(*c)));
+    html += "</tr>\n";
+  }
+  html += "<tr><td>wall time</td><td>min</td><td></td>";
+  for (const CaseResult* c : here) html += fmt::format("<td>{:.1f}</td>", c->wall_seconds / 60);
+  return html + "</tr></table>\n";
+}
+
+/// A few pictures of a run, beside each other.
+std::string pictures_of(const CaseResult& c) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(c.folder))
+    if (entry.path().filename().string().starts_with("image_") && entry.path().extension() == ".png")
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  if (files.empty()) return {};
+  std::string html = fmt::format("<h3>{}</h3>\n<div class=\"pictures\">", c.study_case.name());
+  constexpr std::size_t kShown = 4;
+  for (std::size_t k = 1; k <= kShown; ++k) {
+    const auto& file = files[(files.size() - 1) * k / kShown];
+    html += fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", file.filename().string(),
+                        base64(text_of(file)));
+  }
+  return html + "</div>\n";
+}
+
+std::string trend_table(const std::vector<CaseResult>& results) {
+  const std::vector<Trend> all = trends(results);
+  if (all.empty()) return "<p>Too few flows for trends.</p>\n";
+  std::string html =
+      "<table><tr><th>trend in the paper</th><th>sweep</th><th>coupling</th><th>preset</th><th>rank correlation with "
+      "the "
+      "release distance</th><th>agrees</th></tr>\n";
+  for (const Trend& t : all)
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td></tr>\n",
+                        t.statement, t.sweep, t.coupling, t.preset, t.correlation, t.agrees ? "yes" : "no");
+  return html + "</table>\n";
+}
+
+std::string ledger_lines(const std::vector<CaseResult>& results) {
+  std::string html;
+  for (const CaseResult& c : results)
+    for (const std::string& check : c.failed_checks)
+      html += fmt::format("<li>{}: {} did not pass</li>\n", c.study_case.name(), check);
+  return html.empty()
+             ? "<p>All checks of all runs passed: ledger of the liquid, exchange of momentum, links of rings.</p>\n"
+             : "<ul>" + html + "</ul>\n";
+}
+
+}  // namespace
+
+void write_report(const std::vector<CaseResult>& results, const Sitting& sitting, const std::filesystem::path& folder) {
+  cases::replace_text_file(folder / "comparison.csv", comparison_csv(results));
+  std::string html =
+      "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Debris flows on a ring net: resolved and "
+      "averaged</title><style>body{font:16px/1.5 sans-serif;max-width:75em;margin:2em auto;padding:0 1em}"
+      "table{border-collapse:collapse;margin:1em 0}td,th{padding:.1em .7em;text-align:right;border-bottom:1px solid "
+      "#ddd}td:first-child,th:first-child{text-align:left}figure{display:inline-block;margin:.5em}"
+      ".pictures img{width:24%}</style></head><body>\n<h1>Debris flows on a ring net: resolved and averaged</h1>\n";
+  html += fmt::format("<p>{} runs; {}, commit {}, {}. Theirs: Li, Zhao &amp; Kwan 2020, averaged CFD-DEM.</p>\n",
+                      results.size(), sitting.machine, sitting.commit, sitting.date);
+  if (!sitting.missing.empty()) {
+    html += "<p>Without a result:";
+    for (const std::string& name : sitting.missing) html += " " + name;
+    html += "</p>\n";
+  }
+  html +=
+      "<h2>Trends</h2>\n" + trend_table(results) + "<h2>Books</h2>\n" + ledger_lines(results) + "<h2>Figures</h2>\n";
+  for (const Figure& figure : figures_of(results)) {
+    const std::filesystem::path file = folder / (figure.file + ".svg");
+    figure.chart.write_all(file);
+    const std::string svg = text_of(file);
+    html += "<figure>" + svg.substr(std::min(svg.find("<svg"), svg.size())) + "<figcaption>" + figure.caption +
+            "</figcaption></figure>\n";
+  }
+  html += "<h2>Flow by flow</h2>\n";
+  for (const Choice& sweep : sweeps())
+    for (const double release : release_distances())
+      if (std::any_of(results.begin(), results.end(), [&](const CaseResult& c) {
+            return c.study_case.sweep == sweep.name && c.study_case.release == release;
+          }))
+        html += fmt::format("<h3>{}, L = {:.2f} m</h3>\n", sweep.name, release) +
+                table_of_flow(sweep.name, release, results);
+  html += "<h2>Pictures</h2>\n";
+  for (const CaseResult& c : results)
+    if (c.study_case.release == 4.1) html += pictures_of(c);
+  cases::replace_text_file(folder / "report.html", html + "</body></html>\n");
+}
+
+}  // namespace lahar::study

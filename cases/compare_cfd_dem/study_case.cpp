@@ -1,0 +1,142 @@
+#include "cases/compare_cfd_dem/study_case.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/validate/reference_table.h"
+#include "core/check.h"
+
+namespace lahar::study {
+
+const std::vector<Choice>& sweeps() {
+  static const std::vector<Choice> all{
+      {"as_printed", "grains rub on bed and sides as Table 4 says"},
+      {"matched", "grains slide on bed and sides without friction: the paper's inflow"}};
+  return all;
+}
+
+const std::vector<Choice>& presets() {
+  static const std::vector<Choice> all{{"coarse",
+                                        "cells of 2 cm, contacts of a hundredth and bonds of a tenth of the stiffness",
+                                        {"fluid.cell_size_m=0.02", "solids.contact_modulus_scale=0.01",
+                                         "solids.bond_stiffness_scale=0.1", "solids.contact_safety=0.3"}},
+                                       {"standard", "cells of 1 cm, nothing softened"},
+                                       {"fine", "cells of 5 mm, nothing softened", {"fluid.cell_size_m=0.005"}}};
+  return all;
+}
+
+const std::vector<Choice>& couplings() {
+  static const std::vector<Choice> all{
+      {"resolved", "the fluid flows round grains and through the openings of the net", {"coupling.grains=resolved"}},
+      {"averaged",
+       "grains by a drag law over 0.15 m, wires by theirs",
+       {"coupling.grains=averaged", "coupling.averaging_length_m=0.15", "coupling.bed_drag=di_felice"}},
+      {"averaged_beads",
+       "the same, and the beads of wires by the law of grains, as the paper has it",
+       {"coupling.grains=averaged", "coupling.averaging_length_m=0.15", "coupling.bed_drag=di_felice",
+        "coupling.beads_as_grains=true"}}};
+  return all;
+}
+
+const std::vector<Choice>& variants() {
+  static const std::vector<Choice> all{
+      {"study", "the lower cable held along the bed, the net hanging before the run"},
+      {"cable_fixed", "every bead of the lower cable fixed", {"barrier.anchors.bottom_cable=fixed"}},
+      {"cable_at_ends", "the lower cable held at its ends alone", {"barrier.anchors.bottom_cable=at_places"}},
+      {"as_built", "the net begins as built, free of stress", {"barrier.settle_time_s=0"}},
+      {"half_speed", "half the time step of the fluid", {"fluid.max_speed_m_s=14"}},
+      {"stiffer",
+       "contacts ten times and bonds twice as stiff as the preset coarse",
+       {"solids.contact_modulus_scale=0.1", "solids.bond_stiffness_scale=0.2"}}};
+  return all;
+}
+
+const std::vector<double>& release_distances() {
+  static const std::vector<double> all{1.85, 2.60, 3.35, 4.10, 4.85, 5.60, 6.35, 7.10, 7.85, 8.60};
+  return all;
+}
+
+namespace {
+
+const Choice& find(const std::vector<Choice>& all, const std::string& name) {
+  return *std::find_if(all.begin(), all.end(), [&](const Choice& c) { return c.name == name; });
+}
+
+}  // namespace
+
+std::string StudyCase::name() const {
+  const std::string own = fmt::format("{}-L{:.2f}-{}-{}-seed{}", sweep, release, preset, coupling, seed);
+  return variant == variants().front().name ? own : own + "-" + variant;
+}
+
+std::filesystem::path StudyCase::scene_file() const {
+  return validate::case_file("compare_cfd_dem/" + sweep + ".toml");
+}
+
+std::vector<std::string> StudyCase::changes() const {
+  constexpr double channel_below_net = 1.5;  // m
+  std::string scene_name = name();           // names of scenes hold no points
+  std::replace(scene_name.begin(), scene_name.end(), '.', '_');
+  std::vector<std::string> all{
+      fmt::format("scene.name=\"{}\"", scene_name),
+      fmt::format("scene.title=\"{}, L = {:.2f} m, {}, {}\"", sweep, release, preset, coupling),
+      fmt::format("run.seed={}", seed),
+      fmt::format("domain.upper_m=[{:.2f}, 1.8, 1.5]", release + channel_below_net),
+      fmt::format("barrier.net.origin_m=[{:.2f}, 0.0, 0.0]", release),
+      fmt::format("section[net].point_m=[{:.2f}, 0.9, 0.48]", release)};
+  for (const Choice* choice : {&find(presets(), preset), &find(couplings(), coupling), &find(variants(), variant)})
+    all.insert(all.end(), choice->changes.begin(), choice->changes.end());
+  all.insert(all.end(), further.begin(), further.end());
+  return all;
+}
+
+namespace {
+
+/// Those that were asked for, or the default.
+std::vector<std::string> chosen(const char* option, const std::vector<Choice>& all,
+                                const std::vector<std::string>& asked, const std::vector<std::string>& otherwise) {
+  for (const std::string& name : asked)
+    if (std::none_of(all.begin(), all.end(), [&](const Choice& c) { return c.name == name; })) {
+      std::vector<std::string> names;
+      for (const Choice& c : all) names.push_back(c.name);
+      throw InputError(std::vector<InputMistake>{
+          {"command line", 1, 1, fmt::format("{} {}: expected one of {}", option, name, fmt::join(names, ", "))}});
+    }
+  return asked.empty() ? otherwise : asked;
+}
+
+std::vector<double> chosen_releases(const std::vector<double>& asked) {
+  for (const double release : asked)
+    if (!(release >= 1.2 && release <= 20))
+      throw InputError(std::vector<InputMistake>{
+          {"command line", 1, 1,
+           fmt::format("--release {:g}: expected 1.2 to 20 m from the upstream end of the mixture, 0.75 m long, to the "
+                       "net",
+                       release)}});
+  return asked.empty() ? release_distances() : asked;
+}
+
+}  // namespace
+
+std::vector<StudyCase> cases_of(const Selection& s) {
+  const auto sweep_names = chosen("--sweep", sweeps(), s.sweeps, {"as_printed", "matched"});
+  const auto preset_names = chosen("--preset", presets(), s.presets, {"coarse"});
+  const auto coupling_names = chosen("--coupling", couplings(), s.couplings, {"resolved", "averaged"});
+  const auto variant_names = chosen("--variant", variants(), s.variants, {"study"});
+  const std::vector<double> releases = chosen_releases(s.releases);
+  const std::vector<int> seeds = s.seeds.empty() ? std::vector<int>{1} : s.seeds;
+  std::vector<StudyCase> all;
+  for (const auto& preset : preset_names)
+    for (const auto& variant : variant_names)
+      for (const int seed : seeds)
+        for (const auto& sweep : sweep_names)
+          for (const double release : releases)
+            for (const auto& coupling : coupling_names)
+              all.push_back({sweep, preset, coupling, variant, release, seed, s.further});
+  return all;
+}
+
+}  // namespace lahar::study

@@ -1,0 +1,53 @@
+#pragma once
+// One run of the study: which flow, how it is computed, and what of the net is read otherwise.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lahar::study {
+
+/// A choice of an axis of the study: its name on the command line and in folders, and the scene values that it stands
+/// for.
+struct Choice {
+  std::string name, meaning;
+  std::vector<std::string> changes{};
+};
+
+/// The scene files as_printed.toml and matched.toml.
+const std::vector<Choice>& sweeps();
+/// Cell size and stiffness.
+const std::vector<Choice>& presets();
+/// How fluid and grains act on each other.
+const std::vector<Choice>& couplings();
+/// Readings of the net and of the time step that are looked at for one flow; the first is that of the study.
+const std::vector<Choice>& variants();
+/// m, the paper's ten.
+const std::vector<double>& release_distances();
+
+struct StudyCase {
+  std::string sweep, preset, coupling, variant;
+  double release = 0;  ///< m
+  int seed = 1;
+  std::vector<std::string> further{};  ///< changes that hold for all cases of a study (--set)
+  bool operator==(const StudyCase&) const = default;
+
+  /// Of its folder: as_printed-L4.10-coarse-resolved-seed1, with the variant behind where it is not the study's.
+  [[nodiscard]] std::string name() const;
+  [[nodiscard]] std::filesystem::path scene_file() const;
+  /// key=value, in the order in which they hold.
+  [[nodiscard]] std::vector<std::string> changes() const;
+};
+
+/// What the command line asks for; what is empty stands for its default.
+struct Selection {
+  std::vector<std::string> sweeps{}, presets{}, couplings{}, variants{};
+  std::vector<double> releases{};  ///< m
+  std::vector<int> seeds{};
+  std::vector<std::string> further{};  ///< changes to every scene
+};
+
+/// All combinations: by default both sweeps of ten distances, coarse, resolved and averaged, seed 1, the study's
+/// reading. Throws InputError for a name that is none, with those that there are.
+std::vector<StudyCase> cases_of(const Selection& selection);
+
+}  // namespace lahar::study

@@ -1,0 +1,44 @@
+#include "cases/observers/ring_travel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lahar::cases {
+
+RingTravel::RingTravel(const Observed& run) : Observer(run), threads_(barrier::threadings(*run.simulation.net())) {
+  column("ring_travel_m", "m", "way that edge rings have slid along their cables since the first row, mean", [this] {
+    return mean_;
+  }).peak("max_mean_ring_travel_m", "m", "largest `ring_travel_m` of the rows");
+  column("ring_travel_furthest_m", "m", "the same of the ring that slid furthest", [this] {
+    return furthest_;
+  }).peak("max_ring_travel_m", "m", "largest `ring_travel_furthest_m` of the rows");
+}
+
+std::vector<double> RingTravel::places() const {
+  const barrier::Net& net = *run_.simulation.net();
+  const dem::Particles& particles = run_.simulation.solids()->particles();
+  std::vector<double> all;
+  for (const auto& [ring, cable] : threads_) {
+    const barrier::Polyline line = barrier::centre_line(net.cables[cable], particles);
+    const auto segment = barrier::place_on_cable(barrier::centre_line(net.rings[ring], particles), line);
+    const double length = barrier::length(line) / static_cast<double>(line.segments());
+    all.push_back(segment ? *segment * length : kUnknown);
+  }
+  return all;
+}
+
+void RingTravel::sample(double) {
+  const std::vector<double> now = places();
+  if (start_.empty()) start_ = now;
+  double sum = 0, count = 0;
+  furthest_ = 0;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    const double travel = std::abs(now[k] - start_[k]);
+    if (!std::isfinite(travel)) continue;
+    sum += travel, count += 1;
+    furthest_ = std::max(furthest_, travel);
+  }
+  mean_ = sum / std::max(count, 1.0);
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,396 @@
+#include "coupling/grains/averaged_exchange.h"
+
+#include <numbers>
+
+#include "coupling/grains/bed_drag.h"
+#include "coupling/grains/sphere_rows.h"
+#include "coupling/solid_fields.h"
+#include "coupling/transfer_vectors.h"
+#include "lbm/grid/row_types.h"
+#include "lbm/step/row_moments.h"
+
+namespace lahar::coupling {
+
+using lbm::BlockIndex;
+using lbm::kBlockWidth;
+
+namespace {
+
+/// Spheres do not pack denser; a thin sheet of water around grains has no room for more.
+constexpr double kDensest = 0.74;
+
+/// Where the cells of a block stand between the nodes.
+template <class Real>
+struct BlockNodes {
+  Vec3i lowest, count;             ///< first node, and how many along each axis
+  int below[3][kBlockWidth];       ///< by cell, from `lowest` on
+  Real weight[3][2][kBlockWidth];  ///< of the node below and of the one above
+
+  BlockNodes(const AveragingGrid& grid, const Vec3i& lowest_cell) {
+    for (int a = 0; a < 3; ++a) {
+      for (int c = 0; c < kBlockWidth; ++c) {
+        const AveragingGrid::Between b = grid.between(a, lowest_cell[a] + c + 0.5);
+        if (c == 0) lowest[a] = b.below;
+        below[a][c] = b.below - lowest[a];
+        weight[a][0][c] = static_cast<Real>(1 - b.above_weight), weight[a][1][c] = static_cast<Real>(b.above_weight);
+      }
+      count[a] = below[a][kBlockWidth - 1] + 2;
+    }
+  }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(count.prod()); }
+  [[nodiscard]] std::size_t at(int x, int y, int z) const {
+    return static_cast<std::size_t>((x * count.y() + y) * count.z() + z);
+  }
+  /// visit(x, y, z) from `lowest` on.
+  template <class Visit>
+  void for_nodes(const Visit& visit) const {
+    for (int x = 0; x < count.x(); ++x)
+      for (int y = 0; y < count.y(); ++y)
+        for (int z = 0; z < count.z(); ++z) visit(x, y, z);
+  }
+  /// visit(y node, z node, weight) for the rows of nodes around a row of cells.
+  template <class Visit>
+  void around_row(int y, int z, const Visit& visit) const {
+    for (int j = 0; j < 2; ++j)
+      for (int k = 0; k < 2; ++k) visit(below[1][y] + j, below[2][z] + k, weight[1][j][y] * weight[2][k][z]);
+  }
+};
+
+/// Volume of water in a row of cells, bodies included: 1 in liquid, the fill level at the surface, else 0.
+template <class Real>
+Row<Real> water_in(const lbm::Block<Real>& block, int row) {
+  const auto wet = Row<Real>::mask_type::from_bits(lbm::wet_cells(block, row));
+  const int n = kBlockWidth * row;
+  const Row<Real> level = block.surface ? load_aligned<Row<Real>>(block.surface->fill_level + n) : Row<Real>(1);
+  return select(wet, min(Row<Real>(1), max(Row<Real>(0), level)), Row<Real>(0));
+}
+
+/// Water and its momentum around nodes.
+struct WaterSum {
+  double sum[4] = {};  ///< volume, momentum along x, y, z
+};
+
+template <class Real>
+std::vector<WaterSum> sum_water(const lbm::FluidGrid<Real>& grid, BlockIndex b, lbm::Parity parity,
+                                const BlockNodes<Real>& nodes) {
+  const lbm::Block<Real>& block = grid.block(b);
+  lbm::BlockMoments<Real> moments;
+  lbm::find_moments(grid, b, parity, moments);
+  std::vector<std::array<Row<Real>, 4>> rows(static_cast<std::size_t>(nodes.count.y() * nodes.count.z()),
+                                             {Row<Real>(0), Row<Real>(0), Row<Real>(0), Row<Real>(0)});
+  for (std::uint64_t left = block.wet_rows; left != 0; left &= left - 1) {
+    const int row = std::countr_zero(left), n = kBlockWidth * row;
+    const Row<Real> water = water_in(block, row);
+    Row<Real> carried[4] = {water, water, water, water};
+    for (int a = 0; a < 3; ++a)
+      carried[a + 1] = select(water > Row<Real>(0), water * load_aligned<Row<Real>>(moments.u[a] + n), Row<Real>(0));
+    nodes.around_row(row & 7, row >> 3, [&](int j, int k, Real weight) {
+      auto& sums = rows[static_cast<std::size_t>(j * nodes.count.z() + k)];
+      for (std::size_t q = 0; q < 4; ++q) sums[q] += weight * carried[q];
+    });
+  }
+  std::vector<WaterSum> sums(nodes.size());
+  for (int j = 0; j < nodes.count.y(); ++j)
+    for (int k = 0; k < nodes.count.z(); ++k)
+      for (std::size_t q = 0; q < 4; ++q)
+        for (int c = 0; c < kBlockWidth; ++c) {
+          const double x = rows[static_cast<std::size_t>(j * nodes.count.z() + k)][q][static_cast<std::size_t>(c)];
+          for (int i = 0; i < 2; ++i)
+            sums[nodes.at(nodes.below[0][c] + i, j, k)].sum[q] += static_cast<double>(nodes.weight[0][i][c]) * x;
+        }
+  return sums;
+}
+
+/// Adds to the cells of a block what the nodes around accelerate them by, lu; returns the sum of what was added.
+template <class Real>
+Vec3 add_impulses(lbm::Block<Real>& block, const BlockNodes<Real>& nodes, const std::vector<Vec3>& acceleration) {
+  Real* const field[3] = {block.impulse->x, block.impulse->y, block.impulse->z};
+  Vec3 given = Vec3::Zero();
+  std::vector<Vec3> along(static_cast<std::size_t>(nodes.count.x()));
+  for (std::uint64_t left = block.wet_rows; left != 0; left &= left - 1) {
+    const int row = std::countr_zero(left), n = kBlockWidth * row;
+    std::fill(along.begin(), along.end(), Vec3(Vec3::Zero()));
+    nodes.around_row(row & 7, row >> 3, [&](int j, int k, Real weight) {
+      for (int i = 0; i < nodes.count.x(); ++i)
+        along[static_cast<std::size_t>(i)] += static_cast<double>(weight) * acceleration[nodes.at(i, j, k)];
+    });
+    const Row<Real> water = water_in(block, row);
+    for (int a = 0; a < 3; ++a)
+      for (int c = 0; c < kBlockWidth; ++c) {
+        const auto below = static_cast<std::size_t>(nodes.below[0][c]);
+        const Real more = static_cast<Real>(water[static_cast<std::size_t>(c)]) *
+                          (nodes.weight[0][0][c] * static_cast<Real>(along[below][a]) +
+                           nodes.weight[0][1][c] * static_cast<Real>(along[below + 1][a]));
+        field[a][n + c] += more;
+        given[a] += static_cast<double>(more);
+      }
+  }
+  return given;
+}
+
+double sphere_volume(double radius) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
+
+}  // namespace
+
+template <class Real>
+AveragedExchange<Real>::AveragedExchange(const AveragedGrains& options, const lbm::FluidOptions& fluid)
+    : options_(options),
+      nodes_at_(lbm::Domain(fluid.domain), std::max(options.averaging_length, fluid.domain.cell_size)),
+      // Sound takes as long from node to node; what is faster the cells do not know.
+      smoothing_(std::numbers::sqrt3 * nodes_at_.spacing().minCoeff()) {
+  nodes_.resize(nodes_at_.size());
+}
+
+template <class Real>
+void AveragedExchange<Real>::shape_sphere(double /*radius*/, GridSphere<Real>& sphere) const {
+  sphere.surface = -2;
+  sphere.reach = covered_reach(sphere);
+}
+
+template <class Real>
+void AveragedExchange<Real>::prepare(const lbm::Fluid<Real>& /*fluid*/, const dem::Particles& particles,
+                                     const GrainMap<Real>& /*map*/) {
+  states_.resize(particles.size());
+}
+
+template <class Real>
+void AveragedExchange<Real>::write_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const {
+  lbm::BodyFields<Real>& fields = *fluid.grid().block(static_cast<BlockIndex>(block)).body;
+  for (const std::uint32_t k : map.by_block().in(block)) {
+    const GrainInBlock& pair = map.pairs()[k];
+    for_covered_rows(map.sphere(pair.grain), pair.lowest,
+                     [&](int row, const Row<Real>& eps) { add_to_row(fields.solid_fraction + row, eps); });
+  }
+}
+
+template <class Real>
+ExchangedMomentum AveragedExchange<Real>::give_impulses(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map,
+                                                        const DisplacedVolume<Real>& displaced,
+                                                        dem::Particles& particles, SolidFields<Real>& fields) {
+  grains_.clear();
+  find_wet_grains(fluid, map, displaced, particles);
+  if (options_.beads_as_grains) find_wet_beads(fluid, particles);
+  choose_nodes(fluid);
+  average_fluid(fluid);
+  average_grains(fluid, particles);
+  parallel_for(0, grains_.size(), 64, [&](std::size_t k) { act_on(fluid, grains_[k], particles); });
+  ExchangedMomentum sum;
+  for (const WetGrain& grain : grains_) {
+    for (const AveragingGrid::Share& s : grain.shares) nodes_[s.node].impulse += s.weight * grain.impulse;
+    sum.to_solids -= grain.impulse;
+  }
+  sum.from_fluid = -push_cells(fluid, fields);
+  return sum;
+}
+
+template <class Real>
+void AveragedExchange<Real>::find_wet_grains(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map,
+                                             const DisplacedVolume<Real>& displaced, const dem::Particles& particles) {
+  for (std::size_t k = 0; k < map.grains().size(); ++k) {
+    const MappedGrain& g = map.grains()[k];
+    const double wet = displaced.wet_volume_of(g);
+    State& state = states_[g.id];
+    if (wet <= 0) {
+      state.known = false;
+      continue;
+    }
+    const Vec3 place =
+        (particles.position[particles.index(g.id)] - fluid.grid().domain().origin()) / fluid.units().cell_size;
+    grains_.push_back({.id = g.id, .place = place, .wet = wet, .in_cells = true});
+  }
+}
+
+/// A bead is as wet as the cell that it is in.
+template <class Real>
+void AveragedExchange<Real>::find_wet_beads(const lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+  const auto& grid = fluid.grid();
+  for (dem::ParticleId id = 0; id < particles.size(); ++id) {
+    const dem::ParticleIndex i = particles.index(id);
+    if (particles.kind[i] != dem::ParticleKind::bead) continue;
+    const Vec3 place = (particles.position[i] - grid.domain().origin()) / fluid.units().cell_size;
+    const Vec3i cell = place.array().floor().cast<int>();
+    const BlockIndex b = grid.topology().find(lbm::block_of(cell));
+    double share = 0;
+    if (b != lbm::kNoBlock && grid.block(b).wet_cells > 0) {
+      const Row<Real> water = water_in(grid.block(b), (cell.y() & 7) + 8 * (cell.z() & 7));
+      share = static_cast<double>(static_cast<Real>(water[static_cast<std::size_t>(cell.x() & 7)]));
+    }
+    if (share <= 0) {
+      states_[id].known = false;
+      continue;
+    }
+    const double volume = sphere_volume(particles.radius[i] / fluid.units().cell_size);
+    grains_.push_back({.id = id, .place = place, .wet = share * volume, .in_cells = false});
+  }
+}
+
+/// Nodes around wet grains, and the wet blocks that have a part in them.
+template <class Real>
+void AveragedExchange<Real>::choose_nodes(const lbm::Fluid<Real>& fluid) {
+  std::fill(nodes_.begin(), nodes_.end(), Node{});
+  for (WetGrain& grain : grains_) {
+    std::size_t n = 0;
+    nodes_at_.around(grain.place, [&](std::size_t node, double weight) {
+      nodes_[node].used = true;
+      grain.shares[n++] = {node, weight};
+    });
+  }
+  blocks_.clear();
+  const auto& grid = fluid.grid();
+  for (const BlockIndex b : grid.owned()) {
+    if (grid.block(b).wet_cells == 0) continue;
+    const BlockNodes<Real> nodes(nodes_at_, grid.lowest_cell(b));
+    bool used = false;
+    nodes.for_nodes(
+        [&](int x, int y, int z) { used = used || nodes_[nodes_at_.index(nodes.lowest + Vec3i(x, y, z))].used; });
+    if (used) blocks_.push_back(b);
+  }
+}
+
+template <class Real>
+void AveragedExchange<Real>::average_fluid(const lbm::Fluid<Real>& fluid) {
+  const auto& grid = fluid.grid();
+  std::vector<std::vector<WaterSum>> sums(blocks_.size());
+  parallel_for(0, blocks_.size(), 4, [&](std::size_t k) {
+    sums[k] = sum_water(grid, blocks_[k], fluid.parity(), BlockNodes<Real>(nodes_at_, grid.lowest_cell(blocks_[k])));
+  });
+  for (std::size_t k = 0; k < blocks_.size(); ++k) {
+    const BlockNodes<Real> nodes(nodes_at_, grid.lowest_cell(blocks_[k]));
+    nodes.for_nodes([&](int x, int y, int z) {
+      Node& node = nodes_[nodes_at_.index(nodes.lowest + Vec3i(x, y, z))];
+      const auto& s = sums[k][nodes.at(x, y, z)].sum;
+      node.water += s[0], node.water_momentum += Vec3(s[1], s[2], s[3]);
+    });
+  }
+}
+
+/// Each grain shares itself among its nodes by nearness and by the water there: nothing hangs on a few drops. What
+/// moves in the grains' place moves as they did one step ago, when the cells were last told.
+template <class Real>
+void AveragedExchange<Real>::average_grains(const lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+  for (WetGrain& grain : grains_) {
+    double sum = 0;
+    for (AveragingGrid::Share& s : grain.shares) sum += s.weight *= nodes_[s.node].water;
+    for (AveragingGrid::Share& s : grain.shares) s.weight = sum > 0 ? s.weight / sum : 0.0;
+    if (!grain.in_cells) continue;
+    const State& state = states_[grain.id];
+    const Vec3 now = particles.velocity[particles.index(grain.id)];
+    const Vec3 velocity = (state.known ? state.velocity : now) * fluid.units().velocity_to_lu(1.0);
+    for (const AveragingGrid::Share& s : grain.shares) {
+      nodes_[s.node].solid += s.weight * grain.wet;
+      nodes_[s.node].solid_momentum += s.weight * grain.wet * velocity;
+    }
+  }
+}
+
+template <class Real>
+auto AveragedExchange<Real>::look_around(const lbm::Fluid<Real>& fluid, const WetGrain& grain) const -> Surroundings {
+  double phi = 0;
+  Vec3 mixture = Vec3::Zero(), of_grains = Vec3::Zero();
+  for (const AveragingGrid::Share& s : grain.shares) {
+    const Node& node = nodes_[s.node];
+    if (s.weight <= 0) continue;
+    phi += s.weight * node.solid / node.water;
+    mixture += s.weight / node.water * node.water_momentum;
+    of_grains += s.weight / node.water * node.solid_momentum;
+  }
+  const double held = phi > kDensest ? kDensest / phi : 1.0;
+  const Vec3 liquid = (mixture - held * of_grains) / (1 - held * phi);
+  return {held * phi, held, liquid * fluid.units().velocity_to_si(1.0)};
+}
+
+namespace {
+
+/// Of what drives a slip, each step adds so much of the newest to the mean: with half of it a stiff drag (x = 50)
+/// swings up, with a quarter no drag does (roots of the recursion, for masses that are up to 1.2 times too large).
+constexpr double kDriveShare = 0.25;
+
+/// Impulse of a drag `beta` (kg/s) over a step, divided by the mass that it acts on: of a slip s that decays with x =
+/// beta dt / mass while something else drives it by `driven` a step. Exact for a constant drive, so that a stiff drag
+/// neither overshoots nor loses its balance with what drives.
+Vec3 drag_of_step(double x, const Vec3& slip, const Vec3& driven) {
+  const double decayed = -std::expm1(-x), held = x > 1e-4 ? 1 - decayed / x : x / 2;
+  return decayed * slip + held * driven;
+}
+
+}  // namespace
+
+template <class Real>
+void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, WetGrain& grain, dem::Particles& particles) {
+  const auto& units = fluid.units();
+  const dem::ParticleIndex i = particles.index(grain.id);
+  const Surroundings around = look_around(fluid, grain);
+  const double rho = fluid.options().density, dt = units.time_step, radius = particles.radius[i];
+  const double cell = units.cell_size * units.cell_size * units.cell_size;
+  const double volume = around.held * grain.wet * cell;
+  State& state = states_[grain.id];
+  const Vec3 liquid_velocity = state.known ? Vec3(0.5 * (around.liquid + state.sampled)) : around.liquid;
+  const Vec3 velocity = particles.velocity[i], slip = liquid_velocity - velocity;
+  const double beta = std::min(1.0, volume / sphere_volume(radius)) *
+                      bed_drag(options_.drag, {.diameter = 2 * radius,
+                                               .solid_fraction = around.solid_fraction,
+                                               .speed = slip.norm(),
+                                               .density = rho,
+                                               .viscosity = fluid.options().kinematic_viscosity});
+  const double liquid = rho * volume * (1 - around.solid_fraction) / std::max(around.solid_fraction, 1e-6);
+  const double mass = 1 / (particles.inverse_mass[i] + 1 / liquid);  // that a change of the slip moves
+  Vec3 change = Vec3::Zero();                                        // of the grain's velocity
+  if (state.known) {
+    change = velocity - state.velocity;
+    const Vec3 driven = slip - (state.liquid - state.velocity) + state.dragged;
+    state.driven += kDriveShare * (driven - state.driven);
+    state.acceleration += ((liquid_velocity - state.liquid) / dt - state.acceleration) / smoothing_;
+  } else {
+    state.driven = state.acceleration = Vec3::Zero();
+  }
+  const Vec3 dragged = drag_of_step(beta * dt / mass, slip, state.driven), drag = mass * dragged;  // m/s, N s
+  state.velocity = velocity, state.sampled = around.liquid, state.liquid = liquid_velocity;
+  state.dragged = dragged, state.known = true;
+
+  const Vec3 accelerated = rho * volume * dt * state.acceleration;
+  const Vec3 weight = rho * grain.wet * cell * dt * fluid.options().gravity;  // of the liquid in its place
+  particles.external_force.add(i, (drag + accelerated - weight) / dt);
+  const Vec3 own = grain.in_cells ? Vec3(rho * volume * change) : weight;
+  grain.impulse = (own - drag - accelerated) * (units.force_to_lu(1.0) / dt);
+}
+
+template <class Real>
+Vec3 AveragedExchange<Real>::push_cells(lbm::Fluid<Real>& fluid, SolidFields<Real>& fields) {
+  auto& grid = fluid.grid();
+  for (const BlockIndex b : blocks_) {
+    fields.reach(grid, b);
+    grid.require_impulse(b);
+  }
+  return ordered_sum<Vec3>(
+      blocks_.size(),
+      [&](std::size_t k) {
+        const BlockNodes<Real> nodes(nodes_at_, grid.lowest_cell(blocks_[k]));
+        std::vector<Vec3> acceleration(nodes.size());
+        nodes.for_nodes([&](int x, int y, int z) {
+          const Node& node = nodes_[nodes_at_.index(nodes.lowest + Vec3i(x, y, z))];
+          acceleration[nodes.at(x, y, z)] = node.water > 0 ? Vec3(node.impulse / node.water) : Vec3(Vec3::Zero());
+        });
+        return add_impulses(grid.block(blocks_[k]), nodes, acceleration);
+      },
+      4, Vec3(Vec3::Zero()));
+}
+
+template <class Real>
+void AveragedExchange<Real>::transfer(Archive& archive) {
+  std::size_t particles = states_.size();
+  archive.value("particles", particles);
+  states_.resize(particles);
+  archive.pieces<double>("grain", particles, 19, [&](std::size_t k, double* stored) {
+    State& s = states_[k];
+    transfer_vectors(archive, {&s.velocity, &s.sampled, &s.liquid, &s.acceleration, &s.driven, &s.dragged}, stored);
+    if (archive.loading())
+      s.known = stored[18] != 0;
+    else
+      stored[18] = s.known ? 1 : 0;
+  });
+}
+
+template class AveragedExchange<float>;
+template class AveragedExchange<double>;
+
+}  // namespace lahar::coupling

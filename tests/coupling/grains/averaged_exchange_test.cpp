@@ -1,0 +1,179 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "coupling/coupled_step.h"
+#include "coupling/grains/bed_drag.h"
+#include "tests/coupling/tanks.h"
+
+namespace lahar::coupling {
+namespace {
+
+constexpr double kRadius = 0.02, kRho = 1000;
+
+/// Grains in rows, that do not touch, through a periodic box of 16 cells of 2 cm.
+dem::Solids grains_in_rows(const Vec3& gravity, dem::ParticleState state = dem::ParticleState::free) {
+  dem::Particles particles;
+  for (int x = 0; x < 5; ++x)
+    for (int y = 0; y < 5; ++y)
+      for (int z = 0; z < 5; ++z) {
+        dem::ParticleSpec spec = grain(0.064 * Vec3(x + 0.4, y + 0.4, z + 0.4), kRadius, 2500);
+        spec.state = state;
+        particles.add(spec);
+      }
+  dem::SolidsOptions options;
+  options.gravity = gravity;
+  options.time_step = 1;  // set by the coupled step
+  return {std::move(particles), dem::Bonds{}, rock(), Walls{}, options};
+}
+
+CouplingOptions averaged(double length, BedDrag drag = BedDrag::di_felice) {
+  return {.grains = AveragedGrains{.averaging_length = length, .drag = drag},
+          .thin_wires = ThinWires::uncoupled,
+          .substeps = 5};
+}
+
+template <class Real>
+std::unique_ptr<CoupledStep<Real>> box_of_grains(const Vec3& gravity, const Vec3& velocity_lu = Vec3::Zero(),
+                                                 BedDrag drag = BedDrag::di_felice,
+                                                 dem::ParticleState state = dem::ParticleState::free) {
+  lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);
+  fluid.gravity = gravity;
+  fluid.kinematic_viscosity = 1e-5;
+  auto step = std::make_unique<CoupledStep<Real>>(fluid, grains_in_rows(gravity, state), averaged(0.08, drag));
+  step->fluid()->fill_everything([&](const Vec3&) { return velocity_lu; }, [](const Vec3&) { return 0.0; });
+  return step;
+}
+
+/// Of liquid and grains by volume, m/s.
+template <class Real>
+Vec3 mixture_velocity(CoupledStep<Real>& step) {
+  Vec3 sum = Vec3::Zero();
+  double cells = 0;
+  step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) { sum += c.velocity, ++cells; });
+  return sum / cells;
+}
+
+constexpr double kBox = 0.32 * 0.32 * 0.32, kGrain = 4.0 / 3 * std::numbers::pi * kRadius * kRadius * kRadius;
+constexpr double kSolid = 125 * kGrain / kBox;  // of the box
+
+/// The liquid between grains: what moves in the cells less what moves in the grains' place.
+template <class Real>
+Vec3 liquid_velocity(CoupledStep<Real>& step) {
+  const dem::Particles& p = step.solids()->particles();
+  Vec3 sum = kBox * mixture_velocity(step);
+  for (dem::ParticleIndex i = 0; i < p.size(); ++i) sum -= kGrain * p.velocity[i];
+  return sum / (kBox * (1 - kSolid));
+}
+
+/// Momentum of liquid and grains, and both sides of the step's books. The cells know the grains' velocity of the step
+/// before.
+TEST(AveragedExchange, MomentumIsKept) {
+  const auto step = box_of_grains<double>(Vec3::Zero());
+  dem::Particles& p = step->solids()->particles();
+  for (dem::ParticleIndex i = 0; i < p.size(); ++i) p.velocity.set(i, Vec3(0.1, 0.02 * (i % 3), 0));
+  const auto momentum_after_a_step = [&] {
+    Vec3 in_place = Vec3::Zero(), of_grains = Vec3::Zero();
+    for (dem::ParticleIndex i = 0; i < p.size(); ++i) in_place += kRho * kGrain * p.velocity[i];
+    step->advance();
+    for (dem::ParticleIndex i = 0; i < p.size(); ++i) of_grains += p.mass[i] * p.velocity[i];
+    return Vec3(kRho * kBox * mixture_velocity(*step) - in_place + of_grains);
+  };
+  const Vec3 start = momentum_after_a_step();
+  const double slip = (p.velocity[0] - liquid_velocity(*step)).norm();
+  for (int n = 0; n < 400; ++n) step->advance();
+  EXPECT_LT((p.velocity[0] - liquid_velocity(*step)).norm(), 0.8 * slip);
+  EXPECT_LT((momentum_after_a_step() - start).norm(), 1e-9 * start.norm());
+  EXPECT_LT(step->audit().relative(), 1e-12);
+}
+
+/// Water and grains that fall together feel nothing of each other: no buoyancy acts along the fall, and none drags.
+TEST(AveragedExchange, MixtureInFreeFallStaysTogether) {
+  const Vec3 gravity(2, 0, 0);
+  const auto step = box_of_grains<double>(gravity);
+  for (int n = 0; n < 300; ++n) step->advance();
+  const dem::Particles& p = step->solids()->particles();
+  const double expected = 0.6;  // m/s
+  EXPECT_NEAR(liquid_velocity(*step).x(), expected, 0.02 * expected);
+  for (dem::ParticleIndex i = 0; i < p.size(); ++i) EXPECT_NEAR(p.velocity[i].x(), expected, 0.02 * expected);
+}
+
+/// Held grains slow a stream as the law says: rho du/dt = -n beta u, as no pressure acts along a periodic box (the
+/// grains feel the drag less what the liquid in their place would need to slow down).
+TEST(AveragedExchange, HeldGrainsSlowTheLiquid) {
+  for (const BedDrag law : {BedDrag::di_felice, BedDrag::gidaspow, BedDrag::beetstra}) {
+    const auto step = box_of_grains<double>(Vec3::Zero(), Vec3(0.02, 0, 0), law, dem::ParticleState::fixed);
+    double u = 0.02 * 0.02 / 1e-3 / (1 - kSolid);
+    const double start = u;
+    for (int n = 0; n < 200; ++n) {
+      step->advance();
+      const double beta = bed_drag(
+          law, {.diameter = 2 * kRadius, .solid_fraction = kSolid, .speed = u, .density = kRho, .viscosity = 1e-5});
+      u -= 1e-3 * 125 / kBox * beta * u / kRho;
+    }
+    EXPECT_LT(u, 0.95 * start);
+    EXPECT_NEAR(liquid_velocity(*step).x() / start, u / start, 0.04 * (1 - u / start));
+  }
+}
+
+/// A grain as heavy as water stays where it is; under water a heavy one weighs less by the water in its place.
+TEST(AveragedExchange, BuoyancyOfWaterAtRest) {
+  lbm::FluidOptions fluid = tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4);
+  dem::Particles particles;
+  particles.add(grain(Vec3(0.1, 0.1, 0.1), kRadius, kRho));
+  particles.add(grain(Vec3(0.22, 0.2, 0.1), kRadius, 2500));
+  dem::SolidsOptions options;
+  options.gravity = fluid.gravity;
+  options.time_step = 1;
+  CoupledStep<double> step(fluid, dem::Solids(particles, {}, rock(), {}, options), averaged(0.08));
+  step.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.24)}});
+  for (int n = 0; n < 50; ++n) step.advance();
+  const dem::Particles& p = step.solids()->particles();
+  EXPECT_NEAR(p.velocity[0].z(), 0, 0.02 * 9.81 * step.time());
+  EXPECT_NEAR(p.velocity[1].z(), -0.6 * 9.81 * step.time(), 0.03 * 9.81 * step.time());
+}
+
+/// Grains that fall in raise the level; no liquid is lost.
+TEST(AveragedExchange, LiquidIsKeptWhereGrainsFallIn) {
+  lbm::FluidOptions fluid = tank(Vec3(0.32, 0.32, 0.48), 0.02, 2e-4);
+  fluid.kinematic_viscosity = 0.001;
+  dem::Particles particles;
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 4; ++y) particles.add(grain(Vec3(0.04 + 0.08 * x, 0.04 + 0.08 * y, 0.2), kRadius, 2500));
+  Walls walls;
+  walls.add({"bed", HalfSpace{Vec3::Zero(), Vec3::UnitZ()}});
+  dem::SolidsOptions options;
+  options.gravity = fluid.gravity;
+  options.time_step = 1;
+  CoupledStep<float> step(fluid, dem::Solids(particles, {}, rock(), walls, options), averaged(0.08));
+  step.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.16)}});
+  for (int n = 0; n < 2000; ++n) step.advance();
+  EXPECT_NEAR(step.fluid()->mass_drift(), 0, 1e-6);
+  EXPECT_LT(step.audit().relative(), 1e-6);
+  double volume = 0;
+  step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) { volume += c.fill_level; });
+  const double grains = 16 * 4.0 / 3 * std::numbers::pi * std::pow(kRadius / 0.02, 3);
+  EXPECT_NEAR(volume, 16 * 16 * 8 + grains, 0.02 * grains);
+}
+
+/// However stiff the drag, grain and liquid only come to one velocity.
+TEST(AveragedExchange, StiffDragDoesNotOvershoot) {
+  lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);
+  fluid.kinematic_viscosity = 0.05;  // mud: the grain answers within a small part of the step
+  CoupledStep<double> step(fluid, grains_in_rows(Vec3::Zero()), averaged(0.08));
+  step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
+  dem::Particles& p = step.solids()->particles();
+  for (dem::ParticleIndex i = 0; i < p.size(); ++i) p.velocity.set(i, Vec3(0.1, 0, 0));
+  double last = 0.1;
+  for (int n = 0; n < 100; ++n) {
+    step.advance();
+    const double slip = (p.velocity[0] - liquid_velocity(step)).x();
+    EXPECT_GE(slip, -1e-3);
+    EXPECT_LE(slip, last + 1e-3);
+    last = slip;
+  }
+  EXPECT_LT(last, 0.005);
+}
+
+}  // namespace
+}  // namespace lahar::coupling
