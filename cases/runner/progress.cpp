@@ -30,9 +30,18 @@ std::string progress_text(double simulated, double duration, double wall, double
 Progress::Progress(double duration, ProgressStyle style, std::FILE* stream)
     : duration_(duration), style_(style), stream_(stream), start_(Clock::now()), last_(start_) {}
 
+int Progress::tenths(double simulated) const { return static_cast<int>(10 * simulated / duration_ * (1 + 1e-12)); }
+
+/// Rates count from now on: what it took to load the checkpoint is no time of a step.
+void Progress::start_from(double simulated) {
+  from_ = simulated;
+  start_ = last_ = Clock::now();
+  last_tenth_ = tenths(simulated);
+}
+
 void Progress::update(double simulated) {
   if (style_ == ProgressStyle::silent) return;
-  const int tenth = static_cast<int>(10 * simulated / duration_ * (1 + 1e-12));
+  const int tenth = tenths(simulated);
   if (style_ == ProgressStyle::lines) {
     if (tenth > last_tenth_) print(simulated, Clock::now());
     last_tenth_ = std::max(last_tenth_, tenth);

@@ -28,13 +28,14 @@ class Progress {
   /// To be told the simulated time (s) after each step; cheap, and allocates only when something is printed.
   void update(double simulated);
   /// The run goes on from there (s).
-  void start_from(double simulated) { from_ = simulated; }
+  void start_from(double simulated);
   /// Ends the live line.
   void finish();
 
  private:
   using Clock = std::chrono::steady_clock;
   void print(double simulated, Clock::time_point now);
+  [[nodiscard]] int tenths(double simulated) const;
 
   double duration_, from_ = 0;
   ProgressStyle style_;

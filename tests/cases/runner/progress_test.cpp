@@ -53,6 +53,17 @@ TEST(Progress, OneLongStepSaysOneLine) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
 }
 
+/// A run that goes on says its next tenth, not the one that it was in already.
+TEST(Progress, OfARunThatGoesOn) {
+  const Capture capture;
+  Progress progress(1, ProgressStyle::lines, capture.stream);
+  progress.start_from(0.42);
+  for (int i = 1; i <= 100; ++i) progress.update(0.42 + i * 0.001);
+  const std::string text = capture.text();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
+  EXPECT_EQ(text.substr(0, 5), " 50 %");
+}
+
 TEST(Progress, IsSilentWhenQuiet) {
   const Capture capture;
   {
