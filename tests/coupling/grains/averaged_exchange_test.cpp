@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <tuple>
 
+#include "core/parallel.h"
 #include "coupling/coupled_step.h"
 #include "coupling/grains/bed_drag.h"
 #include "tests/coupling/tanks.h"
@@ -173,6 +175,18 @@ TEST(AveragedExchange, StiffDragDoesNotOvershoot) {
     last = slip;
   }
   EXPECT_LT(last, 0.005);
+}
+
+/// Every bit, on one thread and on three.
+TEST(AveragedExchange, DoesNotDependOnThreads) {
+  const auto end = [](int threads) {
+    const ThreadLimit limit(threads);
+    const auto step = box_of_grains<float>(Vec3(2, 0, -1), Vec3(0.02, 0.01, 0));
+    for (int n = 0; n < 50; ++n) step->advance();
+    return std::tuple{step->solids()->particles().position.x, step->solids()->particles().velocity.z,
+                      mixture_velocity(*step), step->audit().relative()};
+  };
+  EXPECT_EQ(end(1), end(3));
 }
 
 }  // namespace
