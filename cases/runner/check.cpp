@@ -132,6 +132,7 @@ double run_time(const scene::Scene& scene, const CheckReport& report) {
   if (!report.solids) return seconds;
   const SolidsFigures& s = *report.solids;
   seconds += s.steps * static_cast<double>(s.grains + s.beads) / particles_per_second;
+  seconds += scene.barrier.settle_time / s.time_step * static_cast<double>(s.beads) / particles_per_second;
   if (!report.fluid || !scene.coupling.enabled) return seconds;
   double body_cells = 0;  // a cell is touched on either side of a grain
   const auto add = [&](double diameter, double count) {

@@ -71,6 +71,9 @@ TEST(Check, DoubleTakesTwiceTheMemory) {
 TEST(Check, MoreThreadsAreFaster) {
   const scene::Scene debris = scene::debris_flow();
   EXPECT_NEAR(check_scene(debris, 1).run_time / check_scene(debris, 4).run_time, 4, 1e-9);
+  scene::Scene hanging = debris;
+  hanging.barrier.settle_time = 0.5;
+  EXPECT_GT(check_scene(hanging, 1).run_time, check_scene(debris, 1).run_time);
 }
 
 TEST(Warnings, Fluid) {
