@@ -21,9 +21,9 @@ const std::vector<Choice>& sweeps() {
 const std::vector<Choice>& presets() {
   static const std::vector<Choice> all{
       {"coarse",
-       "cells of 2 cm, an adaptive step, contacts of a fifth and bonds of a tenth of the stiffness",
+       "cells of 2 cm, an adaptive step, contacts and bonds of a fifth of the stiffness",
        {"fluid.cell_size_m=0.02", "fluid.adaptive_time_step=true", "solids.contact_modulus_scale=0.2",
-        "solids.bond_stiffness_scale=0.1", "solids.contact_safety=0.3"}},
+        "solids.bond_stiffness_scale=0.2", "solids.contact_safety=0.3", "solids.bond_safety=0.7"}},
       {"standard", "cells of 1 cm, nothing softened"},
       {"fine", "cells of 5 mm, nothing softened", {"fluid.cell_size_m=0.005"}}};
   return all;
@@ -51,7 +51,7 @@ const std::vector<Choice>& variants() {
       {"half_speed", "half the time step of the fluid", {"fluid.max_speed_m_s=14"}},
       {"stiffer",
        "contacts and bonds four times as stiff as the preset coarse",
-       {"solids.contact_modulus_scale=0.8", "solids.bond_stiffness_scale=0.4"}}};
+       {"solids.contact_modulus_scale=0.8", "solids.bond_stiffness_scale=0.8"}}};
   return all;
 }
 
