@@ -131,13 +131,13 @@ TEST(Report, IsWholeAndNeedsNoOtherFile) {
 TEST(Jobs, GoOnAndAreNotRunTwice) {
   const cases::TestFolder folder;
   Selection selection{.sweeps = {"as_printed"}, .couplings = {"averaged"}, .releases = {1.85}};
-  selection.further = {"run.duration_s=0.003", "run.image_interval_s=0", "barrier.settle_time_s=0"};
+  selection.further = {"run.duration_s=0.01", "run.image_interval_s=1", "barrier.settle_time_s=0"};
   const std::vector<StudyCase> one = cases_of(selection);
   const JobOptions options{LAHAR_EXECUTABLE, folder.path(), 1, 2};
   const std::filesystem::path place = folder.path() / one.at(0).name();
   std::vector<std::string> told;
   const auto tell = [&](const std::string& line) { told.push_back(line); };
-  const auto stop = [&] { return std::filesystem::exists(place / "series.h5.open"); };
+  const auto stop = [&] { return std::filesystem::exists(place / "image_000000.png"); };  // it has begun
   EXPECT_EQ(run_all(one, options, stop, tell).at(0).exit_code, cases::exit_interrupted);
   EXPECT_EQ(standing_of(one[0], place), Standing::begun);
   EXPECT_EQ(run_all(
