@@ -7,8 +7,11 @@
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
+#include "cases/assembly/grain_sizes.h"
+#include "cases/assembly/load.h"
 #include "cases/files/output_file.h"
 #include "cases/validate/reference_table.h"
 #include "core/check.h"
@@ -27,7 +30,7 @@ double CaseResult::metric(const std::string& name) const {
 }
 
 CaseResult read_case(const StudyCase& study_case, const std::filesystem::path& folder) {
-  CaseResult result{study_case, {}, {}, 0, cases::read_series(folder / "series.h5"), folder};
+  CaseResult result{study_case, {}, {}, 0, 0, cases::read_series(folder / "series.h5"), folder};
   std::ifstream file(folder / "summary.json");
   try {
     const nlohmann::json summary = nlohmann::json::parse(file);
@@ -38,6 +41,9 @@ CaseResult read_case(const StudyCase& study_case, const std::filesystem::path& f
   } catch (const nlohmann::json::exception&) {
     throw cases::FileError(folder / "summary.json", "not the summary of a run");
   }
+  for (const scene::GrainSize& g : scene::grain_sizes(scene::load(folder / "scene.resolved.toml", {})))
+    result.grain_mass +=
+        static_cast<double>(g.count) * std::numbers::pi / 6 * g.diameter * g.diameter * g.diameter * g.density;
   return result;
 }
 
@@ -96,10 +102,7 @@ double e_b(const CaseResult& c) {
 }
 
 /// The mass that is there while the flow arrives: liquid and grains, kg.
-double mass(const CaseResult& c) {
-  constexpr double grains = 1265.7;  // 3260 of 40 mm and 1481 of 80 mm, 2500 kg/m^3
-  return c.metric("liquid_mass_start_kg") + grains;
-}
+double mass(const CaseResult& c) { return c.metric("liquid_mass_start_kg") + c.grain_mass; }
 /// Energies about the bed 1.30 m downstream, which the paper's numbers ask for: all mass that counts is higher.
 double e_in_lower(const CaseResult& c) { return e_in(c) + mass(c) * kGravity * kLowerDatum / 1000; }
 double e_out_lower(const CaseResult& c) {
@@ -108,7 +111,7 @@ double e_out_lower(const CaseResult& c) {
   return e_out(c) + (c.metric("liquid_passed_kg") + grains) * kGravity * kLowerDatum / 1000;
 }
 
-/// Value of a column at the first row of another that is at least `level`.
+/// s: the first row in which a column is at least `level`.
 double first_at_least(const CaseResult& c, const char* column, double level) {
   const auto* values = c.series.find(column);
   for (std::size_t k = 0; values && k < values->values.size(); ++k)
@@ -127,7 +130,7 @@ double front_froude(const CaseResult& c) {
   return front_speed(c) / std::sqrt(kGravity * c.metric("depth_at_inflow_m") * cos35);
 }
 
-/// kN: largest of a column in the last part of the run over the last `seconds`, mean.
+/// Mean of a column over the last `seconds` of the run.
 double final_mean(const CaseResult& c, const char* column, double seconds) {
   const auto* values = c.series.find(column);
   double sum = 0, count = 0;

@@ -18,6 +18,7 @@ struct CaseResult {
   std::map<std::string, double> metrics;  ///< of summary.json
   std::vector<std::string> failed_checks;
   double wall_seconds = 0;
+  double grain_mass = 0;  ///< kg, of the scene
   cases::Series series;
   std::filesystem::path folder;
 

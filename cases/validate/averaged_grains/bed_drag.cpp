@@ -1,6 +1,6 @@
 // Liquids through fixed random beds under a body force: the drag that comes out is that of the law at the bed's solid
-// fraction, whatever cells and averaging length. Forms and numbers of the laws are written down twice, here and in
-// coupling/grains/bed_drag.h.
+// fraction, whatever cells and averaging length. The laws are written down twice, in
+// grains_in_fluid/closed_forms.h and in coupling/grains/bed_drag.h.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -56,7 +56,7 @@ Answer ask(const Question& q) {
 
 Row beetstra_row(double fraction, double viscosity, double cell_size, double length) {
   const Answer a = ask({fraction, viscosity, cell_size, length, coupling::BedDrag::beetstra});
-  return relative_row(fmt::format("F, Beetstra, phi {}, Re {:.3g}, cells of {} d, averaged over {:.1f} d", fraction,
+  return relative_row(fmt::format("F, Beetstra, phi {}, Re {:.3g}, cells of {:.2f} d, averaged over {:.1f} d", fraction,
                                   a.reynolds, cell_size / kDiameter, length / kDiameter),
                       a.coefficient, drag_of_pack(fraction, a.reynolds), kTolerance);
 }
