@@ -173,7 +173,8 @@ struct Builder {
       if (!cable.present) continue;
       const auto [start, end] = cable_ends(layout, net.pattern, side);
       const Polyline line = placed(cable_line({.start = start, .end = end}, spec.wire_diameter), place);
-      net.cables.push_back(add_cable(line, cable.support, properties, sorts, next_body(), particles, bonds));
+      net.cables.push_back(
+          add_cable(line, cable.support, spec.cable_properties(), sorts, next_body(), particles, bonds));
       net.cable_sides.push_back(side);
       NetLayout without = layout;
       without.cable_overhang = 0;

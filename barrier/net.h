@@ -3,6 +3,7 @@
 // 2020, sections 2.1 and 4.1, Table 4).
 #include <array>
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct RingNetSpec {
   int beads_per_ring = 36;
   double wire_diameter = 0.0061;  ///< m, of all beads
   double density = 7800;          ///< kg/m^3, of a bead
+  double cable_density = 0;       ///< kg/m^3, of a bead of a cable; 0: density
   int material = 0;               ///< index into dem::Materials
   NetFit fit = NetFit::inside;
   bool free_net = false;  ///< rings only: no cables, nothing fixed
@@ -60,6 +62,18 @@ struct RingNetSpec {
   /// In place of the rings a hexagonal mesh, whose keys above do not count but for those of frame, wire diameter and
   /// density of the cables: see mesh_net.h.
   std::optional<HexagonalMesh> mesh{};
+
+  [[nodiscard]] WireProperties cable_properties() const {
+    return {wire_diameter, cable_density > 0 ? cable_density : density, material};
+  }
+  /// kg, of a bead of a ring, of a cable.
+  [[nodiscard]] double ring_bead_mass() const { return bead_volume() * density; }
+  [[nodiscard]] double cable_bead_mass() const { return bead_volume() * cable_properties().density; }
+
+ private:
+  [[nodiscard]] double bead_volume() const {
+    return std::numbers::pi / 6 * wire_diameter * wire_diameter * wire_diameter;
+  }
 };
 
 /// A net that was built: which particles, by id, and which bonds are its parts. Ids of beads and numbers of bonds of a

@@ -164,8 +164,7 @@ void check_bond_steps(const Scene& scene, Findings& findings) {
   if (!findings.sound({"barrier", "materials", "solids"})) return;
   constexpr double least = 1e-8;  // s; the paper's is 5e-7
   const barrier::RingNetSpec spec = make_net_spec(scene);
-  const double mass = scene.barrier.net.density * std::numbers::pi / 6 * std::pow(scene.barrier.net.wire_diameter, 3);
-  const auto refuse = [&](const dem::BondSort& sort, const std::string& key) {
+  const auto refuse = [&](const dem::BondSort& sort, double mass, const std::string& key) {
     const double step = dem::bond_time_step(sort, mass);
     if (step < least)
       findings.mistake("barrier.bonds." + key,
@@ -173,9 +172,10 @@ void check_bond_steps(const Scene& scene, Findings& findings) {
                                    "stiffness per unit area (N/m^3) that allows {:g} s",
                                    key, step, mass, least));
   };
-  if (!spec.mesh) refuse(spec.ring, "ring_stiffness_N_m3");
-  refuse(spec.cable, "cable_stiffness_N_m3");
-  if (!scene.barrier.bonds.dissipator_stiffness.empty()) refuse(spec.dissipator, "dissipator_stiffness_N_m3");
+  if (!spec.mesh) refuse(spec.ring, spec.ring_bead_mass(), "ring_stiffness_N_m3");
+  refuse(spec.cable, spec.cable_bead_mass(), "cable_stiffness_N_m3");
+  if (!scene.barrier.bonds.dissipator_stiffness.empty())
+    refuse(spec.dissipator, spec.cable_bead_mass(), "dissipator_stiffness_N_m3");
 }
 
 void check_memory_of_particles(const Scene& scene, Findings& findings) {

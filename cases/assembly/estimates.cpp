@@ -21,8 +21,6 @@ double highest(const Vec3& lower, const Vec3& upper, const Vec3& direction) {
   return (direction.array() > 0).select(upper, lower).dot(direction);
 }
 
-double bead_mass(const scene::Net& net) { return net.density * std::numbers::pi / 6 * std::pow(net.wire_diameter, 3); }
-
 }  // namespace
 
 double expected_max_speed(const scene::Scene& scene) {
@@ -86,6 +84,13 @@ double smallest_grain(const scene::Scene& scene) {
   return smallest;
 }
 
+double largest_grain(const scene::Scene& scene) {
+  double largest = 0;
+  for (const scene::GrainSize& s : scene::grain_sizes(scene)) largest = std::max(largest, s.diameter);
+  for (const scene::GrainSphere& s : scene.grains.spheres) largest = std::max(largest, s.diameter);
+  return largest;
+}
+
 double settling_speed(double diameter, double density_ratio, double viscosity, double gravity) {
   const double weight = 4.0 / 3 * std::abs(density_ratio - 1) * gravity * diameter;  // = Cd v^2
   double slow = 0, fast = std::sqrt(weight / 0.44);
@@ -127,9 +132,9 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
   if (!scene.barrier.enabled) return limits;
   const scene::Net& net = scene.barrier.net;
   const barrier::RingNetSpec spec = scene::make_net_spec(scene);
-  const double mass = bead_mass(net);
-  limits.bead_rayleigh = rayleigh(net.wire_diameter, net.density, net.material);
-  limits.ring_bond = dem::bond_time_step(spec.ring, mass);
+  limits.bead_rayleigh =
+      rayleigh(net.wire_diameter, std::min(net.density, net.cable_density.value_or(net.density)), net.material);
+  limits.ring_bond = dem::bond_time_step(spec.ring, spec.ring_bead_mass());
   if (spec.mesh) {
     const double volume = std::numbers::pi / 6 * std::pow(net.node_diameter, 3), node = spec.mesh->node_mass();
     limits.bead_rayleigh = std::min(limits.bead_rayleigh, rayleigh(net.node_diameter, node / volume, net.material));
@@ -147,9 +152,10 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
       for (const auto& element : list) limits.cable_bond = std::min(limits.cable_bond, element.bond_limit(spans));
     });
   }
-  limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.cable, mass));
+  const double cable_mass = spec.cable_bead_mass();
+  limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.cable, cable_mass));
   if (!scene.barrier.bonds.dissipator_stiffness.empty())
-    limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.dissipator, mass));
+    limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.dissipator, cable_mass));
   return limits;
 }
 

@@ -26,8 +26,9 @@ std::int64_t barrier_beads(const scene::Scene& scene);
 /// Grains of all packings and spheres.
 std::int64_t grain_count(const scene::Scene& scene);
 
-/// Diameter of the smallest grain, m; infinity without grains.
+/// Diameters of the smallest and the largest grain, m; infinity and 0 without grains.
 double smallest_grain(const scene::Scene& scene);
+double largest_grain(const scene::Scene& scene);
 
 /// m/s: at which a sphere sinks or rises in still liquid, `density_ratio` its density over the liquid's; drag of
 /// Schiller & Naumann 1935 up to Re 1000, Cd = 0.44 beyond.

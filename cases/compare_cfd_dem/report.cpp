@@ -191,18 +191,18 @@ std::string table_of_flow(const std::string& sweep, double release, const std::v
   return html + "</tr></table>\n";
 }
 
-/// A few pictures of a run, beside each other.
-std::string pictures_of(const CaseResult& c) {
+/// A few numbered pictures of a run whose names begin with `stem`, beside each other.
+std::string pictures_of(const CaseResult& c, const char* stem) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(c.folder))
-    if (entry.path().filename().string().starts_with("image_") && entry.path().extension() == ".png")
+    if (entry.path().filename().string().starts_with(stem) && entry.path().extension() == ".png")
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   if (files.empty()) return {};
   std::string html = fmt::format("<h3>{}</h3>\n<div class=\"pictures\">", c.study_case.name());
   constexpr std::size_t kShown = 4;
-  for (std::size_t k = 1; k <= kShown; ++k) {
-    const auto& file = files[(files.size() - 1) * k / kShown];
+  for (std::size_t k = 1; k <= std::min(kShown, files.size()); ++k) {
+    const auto& file = files[(files.size() - 1) * k / std::min(kShown, files.size())];
     html += fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", file.filename().string(),
                         base64(text_of(file)));
   }
@@ -268,7 +268,10 @@ void write_report(const std::vector<CaseResult>& results, const Sitting& sitting
                 table_of_flow(sweep.name, release, results);
   html += "<h2>Pictures</h2>\n";
   for (const CaseResult& c : results)
-    if (c.study_case.release == 4.1) html += pictures_of(c);
+    if (c.study_case.release == 4.1) html += pictures_of(c, "image_");
+  html += "<h2>Forces in the net</h2>\n<p>Force in each bond, seen along the flow (as Fig. 12).</p>\n";
+  for (const CaseResult& c : results)
+    if (c.study_case.release == 4.1) html += pictures_of(c, "forces_");
   cases::replace_text_file(folder / "report.html", html + "</body></html>\n");
 }
 

@@ -21,9 +21,10 @@ const std::vector<Choice>& sweeps() {
 const std::vector<Choice>& presets() {
   static const std::vector<Choice> all{
       {"coarse",
-       "cells of 2 cm, an adaptive step, contacts and bonds of a fifth of the stiffness",
+       "cells of 2 cm, an adaptive step, contacts and bonds of a fifth of the stiffness, heavy cables",
        {"fluid.cell_size_m=0.02", "fluid.adaptive_time_step=true", "solids.contact_modulus_scale=0.2",
-        "solids.bond_stiffness_scale=0.2", "solids.contact_safety=0.3", "solids.bond_safety=0.7"}},
+        "solids.bond_stiffness_scale=0.2", "solids.contact_safety=0.3", "solids.bond_safety=0.7",
+        "barrier.net.cable_density_kg_m3=30000"}},
       {"standard", "cells of 1 cm, nothing softened"},
       {"fine", "cells of 5 mm, nothing softened", {"fluid.cell_size_m=0.005"}}};
   return all;

@@ -17,6 +17,7 @@
 #include "cases/observers/ring_links.h"
 #include "cases/observers/ring_travel.h"
 #include "cases/observers/sections.h"
+#include "cases/observers/solids_energy.h"
 
 namespace lahar::cases {
 
@@ -34,9 +35,10 @@ std::unique_ptr<Observer> make(const Observed& run, const ObserverList& before) 
 
 /// Every kind of observer, in the order of the columns in series.h5.
 constexpr std::unique_ptr<Observer> (*kKinds[])(const Observed&, const ObserverList&) = {
-    make<LiquidMass>, make<Flow>,      make<FluidCells>, make<FluidTimeStep>,   make<Outflow>,
-    make<Grains>,     make<Retention>, make<FlowEnergy>, make<BarrierResponse>, make<BarrierLoads>,
-    make<RingTravel>, make<Probes>,    make<Sections>,   make<Audit>,           make<RingLinks>,
+    make<LiquidMass>,      make<Flow>,         make<FluidCells>,   make<FluidTimeStep>,
+    make<Outflow>,         make<Grains>,       make<Retention>,    make<FlowEnergy>,
+    make<BarrierResponse>, make<BarrierLoads>, make<SolidsEnergy>, make<RingTravel>,
+    make<Probes>,          make<Sections>,     make<Audit>,        make<RingLinks>,
 };
 
 }  // namespace

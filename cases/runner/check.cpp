@@ -14,9 +14,9 @@ namespace {
 
 // Rates of one thread assumed for the estimate of the run time, from the timers of two debris flows (cells of 1 and 2
 // cm, docs/performance.md): wet cells with a surface, particles with contacts and bonds, cells around grains that are
-// mapped and give loads, beads that feel the water.
+// mapped and give loads, cells over which grains are averaged, beads that feel the water.
 constexpr double cells_per_second = 10e6, particles_per_second = 12e6;
-constexpr double body_cells_per_second = 40e6, wet_beads_per_second = 2.5e6;
+constexpr double body_cells_per_second = 40e6, averaged_cells_per_second = 9e6, wet_beads_per_second = 2.5e6;
 // A layer that runs out thin touches more blocks than the same liquid in a heap.
 constexpr double spreading = 3;
 
@@ -88,6 +88,10 @@ FluidFigures fluid_figures(const scene::Scene& scene) {
   return f;
 }
 
+bool averages_grains(const scene::Scene& scene) {
+  return scene.coupling.enabled && scene.coupling.grains == scene::GrainFluid::averaged;
+}
+
 SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<FluidFigures>& fluid) {
   SolidsFigures s;
   s.grains = grain_count(scene);
@@ -98,10 +102,14 @@ SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<Flui
     s.substeps = substeps(fluid->time_step, s.time_step);
     s.time_step = fluid->time_step / static_cast<double>(s.substeps);
     s.long_step = long_step_of(scene);
-    const double grain = smallest_grain(scene);
-    if (s.grains > 0) s.cells_per_smallest_grain = grain / scene.fluid.cell_size;
-    if (const auto speed = settling_speed(scene))
-      s.cell_reynolds = *speed * scene.fluid.cell_size / scene.fluid.kinematic_viscosity;
+    if (s.grains > 0 && averages_grains(scene)) {
+      s.averaging_cells = scene.coupling.averaging_length / scene.fluid.cell_size;
+      s.averaging_diameters = scene.coupling.averaging_length / largest_grain(scene);
+    } else if (s.grains > 0) {
+      s.cells_per_smallest_grain = smallest_grain(scene) / scene.fluid.cell_size;
+      if (const auto speed = settling_speed(scene))
+        s.cell_reynolds = *speed * scene.fluid.cell_size / scene.fluid.kinematic_viscosity;
+    }
     if (s.beads > 0) s.cells_per_wire = scene.barrier.net.wire_diameter / scene.fluid.cell_size;
   }
   s.steps = std::ceil(scene.run.duration / s.time_step);
@@ -134,14 +142,16 @@ double run_time(const scene::Scene& scene, const CheckReport& report) {
   seconds += s.steps * static_cast<double>(s.grains + s.beads) / particles_per_second;
   seconds += scene.barrier.settle_time / s.time_step * static_cast<double>(s.beads) / particles_per_second;
   if (!report.fluid || !scene.coupling.enabled) return seconds;
+  seconds += report.fluid->steps * static_cast<double>(s.beads) / wet_beads_per_second;
+  if (averages_grains(scene))
+    return seconds + (s.grains > 0 ? report.fluid->steps * report.fluid->liquid_cells / averaged_cells_per_second : 0);
   double body_cells = 0;  // a cell is touched on either side of a grain
   const auto add = [&](double diameter, double count) {
     body_cells += count * std::pow(diameter / scene.fluid.cell_size + 2, 3);
   };
   for (const scene::GrainSize& g : scene::grain_sizes(scene)) add(g.diameter, static_cast<double>(g.count));
   for (const scene::GrainSphere& g : scene.grains.spheres) add(g.diameter, 1);
-  return seconds + report.fluid->steps *
-                       (body_cells / body_cells_per_second + static_cast<double>(s.beads) / wet_beads_per_second);
+  return seconds + report.fluid->steps * body_cells / body_cells_per_second;
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ bool written_by_run(const std::string& name) {
       "run.log",           "cable_forces.png",    "cable_forces.svg",  "cable_forces.pdf"};
   if (std::find(names.begin(), names.end(), name) != names.end()) return true;
   return (name.starts_with("fluid_") && name.ends_with(".vdb")) ||
-         (name.starts_with("image_") && name.ends_with(".png"));
+         ((name.starts_with("image_") || name.starts_with("forces_")) && name.ends_with(".png"));
 }
 
 }  // namespace

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstring>
 #include <vector>
 
 #include "cases/assembly/geometry.h"
 #include "cases/files/png_file.h"
 #include "cases/pictures/camera.h"
+#include "cases/pictures/force_map.h"
 #include "cases/pictures/picture.h"
 
 namespace lahar::cases {
@@ -28,7 +30,8 @@ Outputs::Outputs(const scene::Scene& scene, std::filesystem::path folder)
       folder_(std::move(folder)),
       walls_(scene::make_walls(scene)),
       frames_(scene.run.output_interval),
-      pictures_(scene.run.image_interval) {
+      pictures_(scene.run.image_interval),
+      force_maps_(scene.barrier.enabled ? scene.run.force_map_interval : 0.0) {
   if (scene.run.output_interval <= 0) return;
   if (scene.has_solids()) particles_.emplace(folder_);
   if (scene.fluid.enabled) volumes_.emplace(folder_);
@@ -37,11 +40,13 @@ Outputs::Outputs(const scene::Scene& scene, std::filesystem::path folder)
 void Outputs::write_due(Simulation& run) {
   if (frames_.due(run.time())) write_fields(run);
   if (pictures_.due(run.time())) write_picture(run);
+  if (force_maps_.due(run.time())) write_force_map(run);
 }
 
 void Outputs::finish(Simulation& run) {
   if (frames_.wants_last(run.time())) write_fields(run);
   if (pictures_.wants_last(run.time())) write_picture(run);
+  if (force_maps_.wants_last(run.time())) write_force_map(run);
   if (particles_) particles_->close();
 }
 
@@ -73,9 +78,24 @@ void Outputs::write_picture(Simulation& run) {
   pictures_.note(run.time());
 }
 
+void Outputs::write_force_map(Simulation& run) {
+  const barrier::Net& net = *run.net();
+  ForceMap map;
+  map.particles = &run.solids()->particles();
+  map.bonds = &run.solids()->bonds();
+  map.first_bond = net.first_bond, map.bond_count = net.bonds;
+  map.origin = scene_.barrier.net.origin, map.across = net.across, map.up = net.up;
+  map.width = static_cast<double>(net.spans) * scene_.barrier.net.width, map.height = scene_.barrier.net.height;
+  map.time_s = run.time();
+  map.title = scene_.identity.title;
+  write_png(folder_ / fmt::format("forces_{:06d}.png", force_maps_.done()), force_map(map));
+  force_maps_.note(run.time());
+}
+
 void Outputs::transfer(Archive& archive) {
   archive.part("frames", frames_);
   archive.part("pictures", pictures_);
+  archive.part("force_maps", force_maps_);
   ParticleWriter none(folder_);  // of a run that has no frames of particles
   archive.part("particles", particles_ ? *particles_ : none);
   if (!archive.loading()) return;
@@ -88,11 +108,14 @@ void Outputs::remove_later_files() const {
   std::vector<std::filesystem::path> later;
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();
-    long long n = 0;
-    const bool volume = std::sscanf(name.c_str(), "fluid_%6lld", &n) == 1 && name == fmt::format("fluid_{:06d}.vdb", n);
-    const bool picture =
-        std::sscanf(name.c_str(), "image_%6lld", &n) == 1 && name == fmt::format("image_{:06d}.png", n);
-    if ((volume && n >= frames_.done()) || (picture && n >= pictures_.done())) later.push_back(entry.path());
+    const auto is_later = [&](const char* stem, const char* ending, const Schedule& schedule) {
+      long long n = 0;
+      return name.starts_with(stem) && std::sscanf(name.c_str() + std::strlen(stem), "%6lld", &n) == 1 &&
+             name == fmt::format("{}{:06d}{}", stem, n, ending) && n >= schedule.done();
+    };
+    if (is_later("fluid_", ".vdb", frames_) || is_later("image_", ".png", pictures_) ||
+        is_later("forces_", ".png", force_maps_))
+      later.push_back(entry.path());
   }
   for (const auto& path : later) std::filesystem::remove(path);
 }

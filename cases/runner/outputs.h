@@ -1,5 +1,5 @@
 #pragma once
-// The files of a run beside series.h5: particles, fluid volumes, pictures.
+// The files of a run beside series.h5: particles, fluid volumes, pictures, maps of forces.
 #include <filesystem>
 #include <optional>
 
@@ -32,13 +32,14 @@ class Outputs {
   void remove_later_files() const;
   void write_fields(Simulation& run);
   void write_picture(Simulation& run);
+  void write_force_map(Simulation& run);
 
   const scene::Scene& scene_;
   std::filesystem::path folder_;
   Walls walls_;
   std::optional<ParticleWriter> particles_;
   std::optional<VdbWriter> volumes_;
-  Schedule frames_, pictures_;
+  Schedule frames_, pictures_, force_maps_;
 };
 
 }  // namespace lahar::cases

@@ -27,9 +27,8 @@ std::string key_of(const std::string& assignment) {
 
 const std::vector<std::string>& resumable_keys() {
   static const std::vector<std::string> keys{
-      "run.duration_s",       "run.series_interval_s",     "run.output_interval_s",
-      "run.image_interval_s", "run.checkpoint_interval_s", "run.checkpoint_wall_s",
-      "scene.title"};
+      "run.duration_s",           "run.series_interval_s",     "run.output_interval_s", "run.image_interval_s",
+      "run.force_map_interval_s", "run.checkpoint_interval_s", "run.checkpoint_wall_s", "scene.title"};
   return keys;
 }
 

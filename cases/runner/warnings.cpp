@@ -25,6 +25,7 @@ void add_times(const scene::Scene& s, List& list) {
   longer(s.run.series_interval, "series_interval_s");
   longer(s.run.output_interval, "output_interval_s");
   longer(s.run.image_interval, "image_interval_s");
+  longer(s.run.force_map_interval, "force_map_interval_s");
   longer(s.run.checkpoint_interval, "checkpoint_interval_s");
 }
 
@@ -66,6 +67,9 @@ void add_solids(const scene::Scene& s, const SolidsFigures& f, List& list) {
     list.push_back(fmt::format("contacts are softened: moduli times {:g}", s.solids.contact_modulus_scale));
   if (s.solids.bond_stiffness_scale < 1 && s.barrier.enabled)
     list.push_back(fmt::format("bonds are softened: stiffness times {:g}", s.solids.bond_stiffness_scale));
+  if (const scene::Net& net = s.barrier.net; s.barrier.enabled && net.cable_density.value_or(0) > net.density)
+    list.push_back(fmt::format("beads of cables are made heavier: {:.3g} times the density of the net",
+                               *net.cable_density / net.density));
   if (s.walls.empty() && f.grains > 0) list.push_back("there are grains but no walls: nothing holds them");
 }
 
@@ -74,6 +78,10 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
   if (f.cells_per_smallest_grain && *f.cells_per_smallest_grain < 4)
     list.push_back(fmt::format("the smallest grain is {:.1f} cells across: its drag is uncertain below about 4",
                                *f.cells_per_smallest_grain));
+  if (f.averaging_diameters && *f.averaging_diameters < 2)
+    list.push_back(fmt::format(
+        "coupling.averaging_length_m is {:.2g} diameters of the largest grain: averages swing with every grain below 2",
+        *f.averaging_diameters));
   constexpr double shift_of_note = 0.05;  // cells: a fifth of the drag of grains of 4 cells
   if (f.cell_reynolds && s.coupling.body_weighting == scene::BodyWeighting::wall_distance)
     if (const double shift = coupling::radius_shift_at(*f.cell_reynolds);

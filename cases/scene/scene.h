@@ -57,6 +57,7 @@ struct Run {
   double series_interval = 0.01;   ///< s
   double output_interval = 0;      ///< s, 0 = off
   double image_interval = 0;       ///< s, 0 = off
+  double force_map_interval = 0;   ///< s, 0 = off
   double checkpoint_interval = 0;  ///< s, 0 = off
   double checkpoint_wall = 600;    ///< s of wall time, 0 = off
   std::int64_t seed = 1;
@@ -257,8 +258,9 @@ struct Net {
   double ring_diameter = 0;      ///< m, of the wire's centre line
   double ring_pitch = 0;         ///< m, between ring centres
   std::int64_t beads_per_ring = 0;
-  double wire_diameter = 0;  ///< m
-  double density = 7800;     ///< kg/m^3
+  double wire_diameter = 0;             ///< m
+  double density = 7800;                ///< kg/m^3
+  std::optional<double> cable_density;  ///< kg/m^3; none: as all beads
   std::string material;
   // of a hexagonal mesh
   double mesh_width = 0, mesh_height = 0, twist_length = 0;  ///< m

@@ -57,6 +57,8 @@ void describe(V& v, Run& s) {
   v.value("series_interval_s", s.series_interval, {positive()}, "Time between entries of the time series.");
   v.value("output_interval_s", s.output_interval, {non_negative()}, "Time between full outputs; 0 = none.");
   v.value("image_interval_s", s.image_interval, {non_negative()}, "Time between images; 0 = none.");
+  v.value("force_map_interval_s", s.force_map_interval, {non_negative()},
+          "Time between maps of the forces in the barrier's wires; 0 = none.");
   v.value("checkpoint_interval_s", s.checkpoint_interval, {non_negative()},
           "Simulated time between checkpoints, from which `lahar resume` goes on; 0 = only by wall time.");
   v.value(
@@ -358,6 +360,9 @@ void describe(V& v, Net& s) {
   only_with(v, "kind", s.kind, {NetKind::hexagonal}, [&] { describe_mesh(v, s); });
   v.value("wire_diameter_m", s.wire_diameter, required(positive()), "Diameter of wire and beads of rings and cables.");
   v.value("density_kg_m3", s.density, {positive()}, "Density of the beads.");
+  v.value("cable_density_kg_m3", s.cable_density, {positive()},
+          "Density of the beads of cables alone. Cables are stiff and light: heavier beads allow a longer time step. "
+          "Default: density_kg_m3.");
   v.value("material", s.material, required(), "Name of a material.");
 }
 

@@ -58,6 +58,17 @@ TEST(Net, PaperNetHasItsRingsBeadsAndMass) {
   EXPECT_NEAR(mass, 17, 0.3);
 }
 
+/// Beads of cables may be heavier than those of rings: their bonds then allow a longer step.
+TEST(Net, CablesMayHaveADensityOfTheirOwn) {
+  RingNetSpec spec = small_spec();
+  spec.cable_density = 4 * spec.density;
+  const Built heavy(spec);
+  const auto mass = [&](const Wire& wire) { return heavy.particles.mass[heavy.particles.index(wire.first_bead)]; };
+  EXPECT_NEAR(mass(*heavy.net.cable(Side::upper)), spec.cable_bead_mass(), 1e-15);
+  EXPECT_NEAR(mass(heavy.net.rings[0]), spec.ring_bead_mass(), 1e-15);
+  EXPECT_NEAR(spec.cable_bead_mass(), 4 * spec.ring_bead_mass(), 1e-15);
+}
+
 TEST(Net, PaperNetIsHeldWhereThePaperHoldsIt) {
   const auto& [particles, bonds, net] = paper_net();
   std::vector<dem::ParticleIndex> expected;

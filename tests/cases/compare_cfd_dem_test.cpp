@@ -2,14 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <set>
 #include <sstream>
 
 #include "cases/assembly/load.h"
 #include "cases/compare_cfd_dem/jobs.h"
 #include "cases/compare_cfd_dem/report.h"
+#include "cases/files/png_file.h"
 #include "cases/runner/options.h"
 #include "core/check.h"
 #include "tests/cases/files/test_folder.h"
@@ -125,6 +128,43 @@ TEST(Report, IsWholeAndNeedsNoOtherFile) {
   EXPECT_EQ(html.str().find("src=\"image"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "flows_eta.png"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "comparison.csv"));
+}
+
+/// What a command prints.
+std::string printed_by(const std::string& command) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  for (int c = 0; pipe && (c = std::fgetc(pipe.get())) != EOF;) text += static_cast<char>(c);
+  return text;
+}
+
+/// Opened from a file in a browser the page shows every drawing, picture and table, and asks for nothing else.
+TEST(Report, OpensInABrowser) {
+  if (printed_by("command -v chromium-headless-shell").empty()) GTEST_SKIP() << "no headless Chromium";
+  const cases::TestFolder folder;
+  std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10)};
+  for (CaseResult& c : results) c.folder = folder.path();
+  for (const char* name : {"image_000000.png", "image_000001.png", "forces_000000.png", "forces_000001.png"})
+    cases::write_png(folder.path() / name, cases::Image(40, 30, cases::Colour(0.2F, 0.5F, 0.7F)));
+  write_report(results, {"machine", "commit", "today", {}}, folder.path());
+  std::ofstream(folder.path() / "probe.html") << R"(<!DOCTYPE html><p id="found"></p><iframe src="report.html"
+    width="1200" height="900" onload="
+    const d = this.contentDocument, all = s => [...d.querySelectorAll(s)];
+    const asked = this.contentWindow.performance.getEntriesByType('resource').filter(r => !r.name.startsWith('data:'));
+    document.getElementById('found').textContent = [
+      'tables', all('table').length, 'drawings', all('svg').length,
+      'flat', all('svg').filter(s => s.getBoundingClientRect().width < 100).length, 'pictures', d.images.length,
+      'broken', [...d.images].filter(i => i.naturalWidth != 40).length, 'asked', asked.length].join(' ');
+    "></iframe>)";
+  const std::string dom = printed_by(
+      "chromium-headless-shell --no-sandbox --disable-gpu --allow-file-access-from-files "
+      "--virtual-time-budget=10000 --dump-dom 'file://" +
+      (std::filesystem::absolute(folder.path()) / "probe.html").string() + "' 2>/dev/null");
+  const std::size_t drawings = figures_of(results).size();
+  EXPECT_GT(drawings, 5u);
+  EXPECT_NE(dom.find("tables 2 drawings " + std::to_string(drawings) + " flat 0 pictures 4 broken 0 asked 0<"),
+            std::string::npos)
+      << dom;
 }
 
 /// A study that is stopped leaves checkpoints and goes on; what is done is not run again; another scene is refused.

@@ -61,6 +61,29 @@ TEST(Check, NamesARadiusShiftForAnotherFlow) {
   EXPECT_FALSE(warns(check_scene(debris), key));
 }
 
+/// Grains that are averaged have no size in cells; what counts is the length over which they are.
+TEST(Check, AveragedGrainsAreJudgedByTheirLength) {
+  scene::Scene debris = scene::debris_flow();
+  debris.fluid.cell_size = 0.02;
+  debris.coupling.radius_shift_cells = coupling::kRadiusShift;
+  debris.coupling.averaging_length = 0.2;
+  EXPECT_TRUE(warns(check_scene(debris), "cells across"));
+  EXPECT_TRUE(warns(check_scene(debris), "radius_shift_cells"));
+  EXPECT_EQ(report_text(debris, check_scene(debris)).find("averaging length"), std::string::npos);
+
+  debris.coupling.grains = scene::GrainFluid::averaged;
+  const CheckReport report = check_scene(debris);
+  EXPECT_FALSE(warns(report, "cells across"));
+  EXPECT_FALSE(warns(report, "radius_shift_cells"));
+  EXPECT_FALSE(warns(report, "averaging_length_m"));
+  EXPECT_DOUBLE_EQ(*report.solids->averaging_cells, 10);
+  EXPECT_DOUBLE_EQ(*report.solids->averaging_diameters, 0.2 / largest_grain(debris));
+  EXPECT_NE(report_text(debris, report).find("averaging length"), std::string::npos);
+
+  debris.coupling.averaging_length = 1.5 * largest_grain(debris);
+  EXPECT_TRUE(warns(check_scene(debris), "coupling.averaging_length_m is 1.5 diameters"));
+}
+
 TEST(Check, DoubleTakesTwiceTheMemory) {
   const double single = check_scene(load(case_file("dam_break/scene.toml"))).fluid->start_bytes;
   const double twice =

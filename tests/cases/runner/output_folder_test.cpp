@@ -34,11 +34,11 @@ TEST(OutputFolder, ForeignFilesAreNeverTouched) {
 TEST(OutputFolder, AFormerRunIsReplacedOnlyOnDemand) {
   const scene::ScratchFolder scratch;
   scratch.write("scene.resolved.toml", std::string(scene::resolved_mark) + "\n");
-  for (const char* name :
-       {"summary.json", "run.log", "fluid_000010.vdb", "image_000001.png", "particles.h5", "notes.txt"})
+  for (const char* name : {"summary.json", "run.log", "fluid_000010.vdb", "image_000001.png", "forces_000001.png",
+                           "particles.h5", "notes.txt"})
     scratch.write(name, "old");
   EXPECT_THROW(prepare_output(scratch.path(), false), InputError);
-  EXPECT_EQ(count(scratch.path()), 7u);
+  EXPECT_EQ(count(scratch.path()), 8u);
   prepare_output(scratch.path(), true);
   EXPECT_EQ(count(scratch.path()), 1u);
   EXPECT_TRUE(fs::exists(scratch.path() / "notes.txt"));
