@@ -92,7 +92,7 @@ Net build_mesh_net(const RingNetSpec& spec, dem::Particles& particles, dem::Bond
     const RingPose frame{spec.origin, spec.across, spec.up, spec.normal};
     const Polyline line = placed(cable_line({.start = e.start, .end = e.end}, d), frame);
     const auto body = spec.first_body + 1 + static_cast<std::int32_t>(net.cables.size());
-    net.cables.push_back(add_cable(line, e.cable.support, spec.cable_properties(), sorts, body, particles, bonds));
+    net.cables.push_back(add_cable(line, e.cable.support, spec.bead_properties(), sorts, body, particles, bonds));
     net.cable_sides.push_back(e.side);
     net.corners.push_back({line.points.front(), line.points.back()});
     const Wire& wire = net.cables.back();

@@ -6,6 +6,7 @@
 #include "barrier/clearance.h"
 #include "barrier/mesh_net.h"
 #include "core/check.h"
+#include "dem/time_step.h"
 
 namespace lahar::barrier {
 
@@ -126,13 +127,12 @@ struct Builder {
   const RingNetSpec& spec;
   NetLayout layout;
   RingPose place;  // of the net's own plane
-  WireProperties properties;
   dem::Particles& particles;
   dem::Bonds& bonds;
   Net net{};
 
   Builder(const RingNetSpec& s, dem::Particles& p, dem::Bonds& b)
-      : spec(s), layout(layout_of(s)), properties{s.wire_diameter, s.density, s.material}, particles(p), bonds(b) {
+      : spec(s), layout(layout_of(s)), particles(p), bonds(b) {
     const double left = 0.5 * (s.width - (layout.columns - 1) * layout.pitch_across);
     const double below = 0.5 * (s.height - (layout.rows - 1) * layout.pitch_up);
     place = {s.origin + left * s.across + below * s.up, s.across, s.up, s.normal};
@@ -155,7 +155,7 @@ struct Builder {
 
   void add_rings() {
     WireSpec ring;
-    ring.properties = properties;
+    ring.properties = spec.bead_properties();
     ring.sort = bonds.add_sort(with_radius(spec.ring, spec.wire_diameter));
     for (const Polyline& line : draw_rings(layout, net.pattern)) {
       ring.line = placed(line, place);
@@ -174,7 +174,7 @@ struct Builder {
       const auto [start, end] = cable_ends(layout, net.pattern, side);
       const Polyline line = placed(cable_line({.start = start, .end = end}, spec.wire_diameter), place);
       net.cables.push_back(
-          add_cable(line, cable.support, spec.cable_properties(), sorts, next_body(), particles, bonds));
+          add_cable(line, cable.support, spec.bead_properties(), sorts, next_body(), particles, bonds));
       net.cable_sides.push_back(side);
       NetLayout without = layout;
       without.cable_overhang = 0;
@@ -205,6 +205,10 @@ void note_beads_since(dem::ParticleId first, const dem::Particles& particles, Ne
     net.start.push_back(particles.position[i]);
     if (particles.state[i] == dem::ParticleState::fixed) net.fixed_beads.push_back(bead);
   }
+}
+
+double RingNetSpec::bond_limit(const dem::BondSort& sort) const {
+  return dem::bond_time_step(with_radius(sort, wire_diameter), bead_properties().bead_mass(), bead_inertia_scale);
 }
 
 const Wire* Net::cable(Side side) const {

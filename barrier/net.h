@@ -3,7 +3,6 @@
 // 2020, sections 2.1 and 4.1, Table 4).
 #include <array>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -43,7 +42,8 @@ struct RingNetSpec {
   int beads_per_ring = 36;
   double wire_diameter = 0.0061;  ///< m, of all beads
   double density = 7800;          ///< kg/m^3, of a bead
-  double cable_density = 0;       ///< kg/m^3, of a bead of a cable; 0: density
+  double bead_mass_scale = 1;     ///< inertial over gravitational mass of a bead
+  double bead_inertia_scale = 1;  ///< moment of inertia of a bead over that of a sphere of its inertial mass
   int material = 0;               ///< index into dem::Materials
   NetFit fit = NetFit::inside;
   bool free_net = false;  ///< rings only: no cables, nothing fixed
@@ -63,22 +63,15 @@ struct RingNetSpec {
   /// density of the cables: see mesh_net.h.
   std::optional<HexagonalMesh> mesh{};
 
-  [[nodiscard]] WireProperties cable_properties() const {
-    return {wire_diameter, cable_density > 0 ? cable_density : density, material};
+  [[nodiscard]] WireProperties bead_properties() const {
+    return {wire_diameter, density, material, bead_mass_scale, bead_inertia_scale};
   }
-  /// kg, of a bead of a ring, of a cable.
-  [[nodiscard]] double ring_bead_mass() const { return bead_volume() * density; }
-  [[nodiscard]] double cable_bead_mass() const { return bead_volume() * cable_properties().density; }
-
- private:
-  [[nodiscard]] double bead_volume() const {
-    return std::numbers::pi / 6 * wire_diameter * wire_diameter * wire_diameter;
-  }
+  /// s: the longest stable step of a bond between beads.
+  [[nodiscard]] double bond_limit(const dem::BondSort& sort) const;
 };
 
 /// A net that was built: which particles, by id, and which bonds are its parts. Ids of beads and numbers of bonds of a
-/// net are contiguous. A net
-/// of several spans (see spans.h) is one net: first all rings, span by span, then all cables.
+/// net are contiguous. A net of several spans (see spans.h) is one net: first all rings, span by span, then all cables.
 struct Net {
   int spans = 1;
   int columns = 0, rows = 0;              ///< of a span

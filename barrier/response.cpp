@@ -88,7 +88,7 @@ void add_motion(const Net& net, const dem::Particles& particles, const Vec3& gra
     const dem::ParticleIndex i = particles.index(net.first_bead + k);
     const Vec3 moved = particles.position[i] - net.start[k];
     r.elongation = std::max(r.elongation, moved.dot(net.normal));
-    r.potential_energy -= particles.mass[i] * gravity.dot(moved);
+    r.potential_energy -= particles.gravitational_mass[i] * gravity.dot(moved);
     if (particles.state[i] != dem::ParticleState::free) continue;
     r.kinetic_energy += 0.5 * (particles.mass[i] * particles.velocity[i].squaredNorm() +
                                particles.inertia[i] * particles.angular_velocity[i].squaredNorm());

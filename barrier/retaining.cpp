@@ -50,7 +50,7 @@ void add_at_post(int k, const RetainingCable& cable, Construction& c, std::vecto
   const CableSorts& sorts = c.cable_sorts();
   const Retaining made =
       add_retaining(c.net.posts[static_cast<std::size_t>(k)], post_base(c.spec, k) + cable.anchor, cable.dissipators_at,
-                    net.cable_properties(), sorts, c.tie_sort, c.next_body(), c.particles, c.bonds);
+                    net.bead_properties(), sorts, c.tie_sort, c.next_body(), c.particles, c.bonds);
   wires.push_back(made.wire);
   c.net.ties.push_back(made.tie);
   for (std::size_t b = made.wire.first_bond; b < made.wire.first_bond + made.wire.bonds; ++b)
@@ -74,9 +74,8 @@ double RetainingCable::beads(const SpansSpec& spec) const {
 }
 
 double RetainingCable::bond_limit(const SpansSpec& spec) const {
-  const double mass = spec.net.cable_bead_mass();
-  const double wire = dem::bond_time_step(spec.net.cable, mass);
-  return dissipators_at.empty() ? wire : std::min(wire, dem::bond_time_step(spec.net.dissipator, mass));
+  const double wire = spec.net.bond_limit(spec.net.cable);
+  return dissipators_at.empty() ? wire : std::min(wire, spec.net.bond_limit(spec.net.dissipator));
 }
 
 Retaining add_retaining(const Post& post, const Vec3& anchor, const std::vector<double>& dissipators_at,

@@ -19,6 +19,8 @@ Wire add_wire(const WireSpec& spec, dem::Particles& particles, dem::Bonds& bonds
     particles.add({.position = points[k],
                    .radius = 0.5 * spec.properties.diameter,
                    .density = spec.properties.density,
+                   .mass_scale = spec.properties.mass_scale,
+                   .inertia_scale = spec.properties.inertia_scale,
                    .material = spec.properties.material,
                    .kind = dem::ParticleKind::bead,
                    .state = fixed ? dem::ParticleState::fixed : dem::ParticleState::free,

@@ -2,6 +2,7 @@
 // A wire as the DEM sees it: beads on a centre-line, neighbours joined by bonds. Rings are closed wires, cables open
 // ones.
 #include <cstdint>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -13,9 +14,16 @@ namespace lahar::barrier {
 
 /// What all beads of a wire share.
 struct WireProperties {
-  double diameter = 0;  ///< m, of a bead
-  double density = 0;   ///< kg/m^3, of a bead
-  int material = 0;     ///< index into dem::Materials
+  double diameter = 0;       ///< m, of a bead
+  double density = 0;        ///< kg/m^3, of a bead
+  int material = 0;          ///< index into dem::Materials
+  double mass_scale = 1;     ///< inertial over gravitational mass of a bead
+  double inertia_scale = 1;  ///< moment of inertia of a bead over that of a sphere of its inertial mass
+
+  /// kg, inertial
+  [[nodiscard]] double bead_mass() const {
+    return mass_scale * density * std::numbers::pi / 6 * diameter * diameter * diameter;
+  }
 };
 
 /// A range of beads, by id, and of bonds. Bond k joins beads k and k + 1; the last bond of a closed wire closes it.

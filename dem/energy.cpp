@@ -10,7 +10,7 @@ namespace {
 Vec3 motion_terms(const Particles& p, std::size_t i, const Vec3& gravity) {
   if (p.state[i] == ParticleState::removed) return Vec3::Zero();
   return {0.5 * p.mass[i] * p.velocity[i].squaredNorm(), 0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm(),
-          -p.mass[i] * gravity.dot(p.position[i])};
+          -p.gravitational_mass[i] * gravity.dot(p.position[i])};
 }
 
 }  // namespace

@@ -20,13 +20,13 @@ void drift_component(double* x, const double* v, double dt, std::size_t first, s
 }
 
 void kick_range(Particles& p, double dt, std::size_t a, std::size_t b) {
-  const double *m = p.inverse_mass.data(), *r = p.radius.data();
+  const double *m = p.inverse_mass.data(), *inertia = p.inertia.data();
   kick_component(p.velocity.x.data(), p.force.x.data(), m, dt, a, b);
   kick_component(p.velocity.y.data(), p.force.y.data(), m, dt, a, b);
   kick_component(p.velocity.z.data(), p.force.z.data(), m, dt, a, b);
-  // For spheres 1/I = 2.5 / (m r^2), 0 where the inverse mass is 0. Divided once for all three components.
+  // 1/I, 0 where the inverse mass is 0. Divided once for all three components.
   std::array<double, kChunk> inverse_inertia;
-  for (std::size_t i = a; i < b; ++i) inverse_inertia[i - a] = 2.5 * m[i] / (r[i] * r[i]);
+  for (std::size_t i = a; i < b; ++i) inverse_inertia[i - a] = m[i] > 0 ? 1 / inertia[i] : 0.0;
   const auto spin = [&](std::vector<double>& rate, const std::vector<double>& torque) {
     double* w = rate.data() + a;
     const double* t = torque.data() + a;

@@ -34,6 +34,8 @@ struct ParticleSpec {
   Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
   double radius = 0;                     ///< m
   double density = 0;                    ///< kg/m^3
+  double mass_scale = 1;                 ///< inertial over gravitational mass
+  double inertia_scale = 1;              ///< moment of inertia over that of a sphere of that inertial mass, 2/5 m r^2
   int material = 0;
   ParticleKind kind = ParticleKind::grain;
   ParticleState state = ParticleState::free;
@@ -45,7 +47,8 @@ struct Particles {
   Vec3Field position, velocity, angular_velocity;  // m, m/s, rad/s
   Vec3Field force, torque;                         // N, N m: sum of contact, bond, gravity and external
   Vec3Field external_force, external_torque;       // N, N m: from the fluid, held over the sub-steps of a fluid step
-  std::vector<double> radius, mass, inverse_mass, inertia;  // inverse_mass 0 when fixed or removed; inertia 2/5 m r^2
+  std::vector<double> radius, mass, inverse_mass, inertia;  // inertial mass; its inverse is 0 when fixed or removed
+  std::vector<double> gravitational_mass;                   // kg, that weighs
   std::vector<std::int32_t> material, body;
   std::vector<ParticleKind> kind;
   std::vector<ParticleState> state;
@@ -55,6 +58,8 @@ struct Particles {
   [[nodiscard]] std::size_t size() const { return radius.size(); }
   [[nodiscard]] ParticleId id(std::size_t index) const { return numbering.id(index); }
   [[nodiscard]] ParticleIndex index(std::size_t id) const { return numbering.index(id); }
+  /// 1/(kg m^2), 0 where the inverse mass is 0.
+  [[nodiscard]] double inverse_inertia(std::size_t i) const { return inverse_mass[i] > 0 ? 1 / inertia[i] : 0.0; }
 
   /// State of a checkpoint, by id (solids_transfer.cpp); on loading there are as many particles as were stored.
   void transfer(Archive& archive);
@@ -63,15 +68,17 @@ struct Particles {
 
   /// Returns the id, which is also the index at which the particle now stands.
   ParticleId add(const ParticleSpec& s) {
-    const double m = 4.0 / 3.0 * std::numbers::pi * s.radius * s.radius * s.radius * s.density;
+    const double weighs = 4.0 / 3.0 * std::numbers::pi * s.radius * s.radius * s.radius * s.density;
+    const double m = s.mass_scale * weighs;
     position.push_back(s.position);
     velocity.push_back(s.velocity);
     angular_velocity.push_back(s.angular_velocity);
     for (Vec3Field* f : {&force, &torque, &external_force, &external_torque}) f->push_back(Vec3::Zero());
     radius.push_back(s.radius);
     mass.push_back(m);
+    gravitational_mass.push_back(weighs);
     inverse_mass.push_back(s.state == ParticleState::free ? 1.0 / m : 0.0);
-    inertia.push_back(0.4 * m * s.radius * s.radius);
+    inertia.push_back(s.inertia_scale * 0.4 * m * s.radius * s.radius);
     material.push_back(s.material);
     body.push_back(s.body);
     kind.push_back(s.kind);

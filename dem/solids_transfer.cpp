@@ -30,6 +30,7 @@ void Particles::transfer(Archive& archive) {
   archive.list_of("mass", mass, n);
   archive.list_of("inverse_mass", inverse_mass, n);
   archive.list_of("inertia", inertia, n);
+  archive.list_of("gravitational_mass", gravitational_mass, n);
   archive.list_of("material", material, n);
   archive.list_of("body", body, n);
   archive.list_of("kind", kind, n);

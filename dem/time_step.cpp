@@ -75,10 +75,11 @@ double linear_contact_time(double effective_mass, double stiffness) {
   return std::numbers::pi * std::sqrt(effective_mass / stiffness);
 }
 
-double bond_time_step(const BondSort& sort, double mass) {
+double bond_time_step(const BondSort& sort, double mass, double inertia_scale) {
   const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius, axial = stiffest_branch(sort.axial);
   const double translation = axial > 0 ? std::sqrt(mass / (axial * area)) : kInfinity;
-  const double rotation = sort.shear_stiffness > 0 ? std::sqrt(0.4 * mass / (sort.shear_stiffness * area)) : kInfinity;
+  const double rotation =
+      sort.shear_stiffness > 0 ? std::sqrt(inertia_scale * 0.4 * mass / (sort.shear_stiffness * area)) : kInfinity;
   return std::min(translation, rotation) * lowered_by(sort.damping_ratio);
 }
 

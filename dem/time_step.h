@@ -21,10 +21,11 @@ double hertz_contact_time(double effective_mass, double effective_radius, double
 /// Half a period of a linear contact, s: pi sqrt(m* / k). Effective mass in kg, stiffness in N/m.
 double linear_contact_time(double effective_mass, double stiffness);
 
-/// Limit of one bond between equal spheres of `mass` (kg), s: the smaller of sqrt(m / K_n) for translation and
-/// sqrt(0.4 m / K_s) for rotation, K = stiffness per area x pi (bond radius)^2. Unbounded axial stiffening is covered:
-/// K_n uses the stiffest branch. Bond damping lowers the limit by sqrt(1 + d^2) - d.
-double bond_time_step(const BondSort& sort, double mass);
+/// Limit of one bond between equal spheres of `mass` (kg), whose moment of inertia is `inertia_scale` times 0.4 m r^2,
+/// s: the smaller of sqrt(m / K_n) for translation and sqrt(inertia_scale 0.4 m / K_s) for rotation, K = stiffness per
+/// area x pi (bond radius)^2. Unbounded axial stiffening is covered: K_n uses the stiffest branch. Bond damping lowers
+/// the limit by sqrt(1 + d^2) - d.
+double bond_time_step(const BondSort& sort, double mass, double inertia_scale = 1);
 
 /// The smallest limit of all free particles, s, each with all its intact bonds as long as they are now: in translation,
 /// in rotation by shear (whose lever is half of the bond's length, so a dissipator that is drawn out lowers the limit)

@@ -164,18 +164,17 @@ void check_bond_steps(const Scene& scene, Findings& findings) {
   if (!findings.sound({"barrier", "materials", "solids"})) return;
   constexpr double least = 1e-8;  // s; the paper's is 5e-7
   const barrier::RingNetSpec spec = make_net_spec(scene);
-  const auto refuse = [&](const dem::BondSort& sort, double mass, const std::string& key) {
-    const double step = dem::bond_time_step(sort, mass);
+  const auto refuse = [&](double step, const barrier::WireProperties& bead, const std::string& key) {
     if (step < least)
       findings.mistake("barrier.bonds." + key,
                        fmt::format("barrier.bonds.{} needs a time step of {:.2g} s with beads of {:.2g} kg, expected a "
                                    "stiffness per unit area (N/m^3) that allows {:g} s",
-                                   key, step, mass, least));
+                                   key, step, bead.bead_mass(), least));
   };
-  if (!spec.mesh) refuse(spec.ring, spec.ring_bead_mass(), "ring_stiffness_N_m3");
-  refuse(spec.cable, spec.cable_bead_mass(), "cable_stiffness_N_m3");
+  if (!spec.mesh) refuse(spec.bond_limit(spec.ring), spec.bead_properties(), "ring_stiffness_N_m3");
+  refuse(spec.bond_limit(spec.cable), spec.bead_properties(), "cable_stiffness_N_m3");
   if (!scene.barrier.bonds.dissipator_stiffness.empty())
-    refuse(spec.dissipator, spec.cable_bead_mass(), "dissipator_stiffness_N_m3");
+    refuse(spec.bond_limit(spec.dissipator), spec.bead_properties(), "dissipator_stiffness_N_m3");
 }
 
 void check_memory_of_particles(const Scene& scene, Findings& findings) {

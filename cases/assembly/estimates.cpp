@@ -132,9 +132,8 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
   if (!scene.barrier.enabled) return limits;
   const scene::Net& net = scene.barrier.net;
   const barrier::RingNetSpec spec = scene::make_net_spec(scene);
-  limits.bead_rayleigh =
-      rayleigh(net.wire_diameter, std::min(net.density, net.cable_density.value_or(net.density)), net.material);
-  limits.ring_bond = dem::bond_time_step(spec.ring, spec.ring_bead_mass());
+  limits.bead_rayleigh = rayleigh(net.wire_diameter, net.density * net.bead_mass_scale, net.material);
+  limits.ring_bond = spec.bond_limit(spec.ring);
   if (spec.mesh) {
     const double volume = std::numbers::pi / 6 * std::pow(net.node_diameter, 3), node = spec.mesh->node_mass();
     limits.bead_rayleigh = std::min(limits.bead_rayleigh, rayleigh(net.node_diameter, node / volume, net.material));
@@ -152,10 +151,9 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
       for (const auto& element : list) limits.cable_bond = std::min(limits.cable_bond, element.bond_limit(spans));
     });
   }
-  const double cable_mass = spec.cable_bead_mass();
-  limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.cable, cable_mass));
+  limits.cable_bond = std::min(limits.cable_bond, spec.bond_limit(spec.cable));
   if (!scene.barrier.bonds.dissipator_stiffness.empty())
-    limits.cable_bond = std::min(limits.cable_bond, dem::bond_time_step(spec.dissipator, cable_mass));
+    limits.cable_bond = std::min(limits.cable_bond, spec.bond_limit(spec.dissipator));
   return limits;
 }
 

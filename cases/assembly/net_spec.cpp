@@ -82,7 +82,8 @@ barrier::RingNetSpec make_net_spec(const Scene& scene) {
   spec.beads_per_ring = static_cast<int>(net.beads_per_ring);
   spec.wire_diameter = net.wire_diameter;
   spec.density = net.density;
-  spec.cable_density = net.cable_density.value_or(net.density);
+  spec.bead_mass_scale = net.bead_mass_scale;
+  spec.bead_inertia_scale = net.bead_inertia_scale;
   spec.material = material_index(scene, net.material);
   spec.ring = wire(scene, scene.barrier.bonds.ring_stiffness);
   spec.cable = wire(scene, scene.barrier.bonds.cable_stiffness);

@@ -67,9 +67,8 @@ void add_solids(const scene::Scene& s, const SolidsFigures& f, List& list) {
     list.push_back(fmt::format("contacts are softened: moduli times {:g}", s.solids.contact_modulus_scale));
   if (s.solids.bond_stiffness_scale < 1 && s.barrier.enabled)
     list.push_back(fmt::format("bonds are softened: stiffness times {:g}", s.solids.bond_stiffness_scale));
-  if (const scene::Net& net = s.barrier.net; s.barrier.enabled && net.cable_density.value_or(0) > net.density)
-    list.push_back(fmt::format("beads of cables are made heavier: {:.3g} times the density of the net",
-                               *net.cable_density / net.density));
+  if (s.barrier.enabled && s.barrier.net.bead_mass_scale > 1)
+    list.push_back(fmt::format("beads of the barrier are slow: inertia times {:g}", s.barrier.net.bead_mass_scale));
   if (s.walls.empty() && f.grains > 0) list.push_back("there are grains but no walls: nothing holds them");
 }
 

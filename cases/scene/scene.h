@@ -258,9 +258,9 @@ struct Net {
   double ring_diameter = 0;      ///< m, of the wire's centre line
   double ring_pitch = 0;         ///< m, between ring centres
   std::int64_t beads_per_ring = 0;
-  double wire_diameter = 0;             ///< m
-  double density = 7800;                ///< kg/m^3
-  std::optional<double> cable_density;  ///< kg/m^3; none: as all beads
+  double wire_diameter = 0;  ///< m
+  double density = 7800;     ///< kg/m^3
+  double bead_mass_scale = 1, bead_inertia_scale = 1;
   std::string material;
   // of a hexagonal mesh
   double mesh_width = 0, mesh_height = 0, twist_length = 0;  ///< m

@@ -26,10 +26,6 @@ bool is_grain(const dem::Particles& particles, dem::ParticleIndex i) {
 
 Vec3 across(const Vec3& v, const Vec3& normal) { return v - v.dot(normal) * normal; }
 
-double inverse_inertia(const dem::Particles& particles, dem::ParticleIndex k) {
-  return particles.inverse_mass[k] > 0 ? 1 / particles.inertia[k] : 0.0;
-}
-
 /// The sum of the rates at which a film slows what it acts on bounds the fastest of them: the share of it that at most
 /// stops the motion within a step.
 double bounded_share(double rate, double time_step) { return 1 / std::max(1.0, rate * time_step); }
@@ -77,7 +73,7 @@ struct Film {
              const Vec3& spin_i, const Vec3& spin_j) const {
     const ShearResistance c = shear_resistance(particles.radius[i], particles.radius[j], gap, shear_cut_off, viscosity);
     const double rate =
-        c.aa * inverse_inertia(particles, i) + c.bb * inverse_inertia(particles, j) +
+        c.aa * particles.inverse_inertia(i) + c.bb * particles.inverse_inertia(j) +
         (c.aa + 2 * c.ab + c.bb) / (distance * distance) * (particles.inverse_mass[i] + particles.inverse_mass[j]);
     const double share = bounded_share(rate, time_step);
     const Vec3 torque_i = -share * (c.aa * spin_i + c.ab * spin_j), torque_j = -share * (c.ab * spin_i + c.bb * spin_j);
@@ -100,7 +96,7 @@ struct Film {
     const Vec3 slip = across(past, normal), spin = across(particles.angular_velocity[i], normal);
     if (gap >= shear_cut_off || (slip.isZero(0) && spin.isZero(0))) return approach != 0;
     const double unit = 4.0 / 5.0 * std::numbers::pi * viscosity * a * film_logarithm(a, gap, shear_cut_off);
-    const double rate = 4 * unit * (inverse_mass + a * a * inverse_inertia(particles, i));
+    const double rate = 4 * unit * (inverse_mass + a * a * particles.inverse_inertia(i));
     const double share = bounded_share(rate, time_step) * unit;
     particles.external_force.add(i, share * (4 * slip + a * normal.cross(spin)));
     particles.external_torque.add(i, share * a * (normal.cross(slip) - 4 * a * spin));

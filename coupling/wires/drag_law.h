@@ -84,6 +84,7 @@ struct WireInCells {
 inline double self_induced_share(const WireInCells& w, double u) {
   const double width = kernel_scale(w.diameter_cells);
   const double excess = std::max(0.0, kRomaSquares / width - w.screen.parallel / w.diameter_cells);
+  if (excess == 0) return 0;
   const double sigma = std::numbers::inv_sqrtpi * width / w.diameter_cells * w.diameter;
   const double cd = normal_drag_coefficient(u * w.diameter / w.kinematic_viscosity) * screen_factor(w.screen);
   const double s = u * sigma / w.kinematic_viscosity, g = oseen_share(s);

@@ -4,10 +4,12 @@
 #include <numbers>
 
 #include "core/parallel.h"
+#include "coupling/rows.h"
 #include "coupling/wires/drag_law.h"
 #include "coupling/wires/wire_bonds.h"
 #include "coupling/wires/wire_crowding.h"
 #include "coupling/wires/wire_kernel.h"
+#include "lbm/grid/row_types.h"
 
 namespace lahar::coupling {
 
@@ -17,16 +19,33 @@ using lbm::kNoBlock;
 
 namespace {
 
-constexpr std::int64_t kCrowdingEvery = 16;  // fluid steps between looks at the neighbours
+constexpr std::int64_t kCrowdingEvery = 32;  // fluid steps between looks at the neighbours
+constexpr std::size_t kBeadsPerTask = 128;
 
-int cell_in_block(const Vec3i& cell) { return lbm::cell_index(cell.x() & 7, cell.y() & 7, cell.z() & 7); }
+/// Calls visit(first cell of a row, kernel weights of its eight cells) for the rows of a block within reach. `lowest`:
+/// the first cell of the block.
+template <class Real, class Visit>
+[[gnu::always_inline]] inline void for_rows(const WireKernel& kernel, const Vec3i& lowest, const Visit& visit) {
+  const Vec3i from = (kernel.lowest() - lowest).cwiseMax(0);
+  const Vec3i to = (kernel.highest() - lowest).cwiseMin(lbm::kBlockWidth - 1), shift = lowest - kernel.lowest();
+  Row<Real> along(0);
+  for (int x = from.x(); x <= to.x(); ++x)
+    along.set(static_cast<std::size_t>(x), static_cast<Real>(kernel.weight(0, x + shift.x())));
+  for (int z = from.z(); z <= to.z(); ++z)
+    for (int y = from.y(); y <= to.y(); ++y) {
+      const double across = kernel.weight(1, y + shift.y()) * kernel.weight(2, z + shift.z());
+      visit(lbm::cell_index(0, y, z), Row<Real>(static_cast<Real>(across) * along));
+    }
+}
 
-/// Share of a wet cell that is liquid.
+/// Share of each cell of a row that is liquid: 0 in dry ones.
 template <class Real>
-double liquid_share(const Block<Real>& block, int cell) {
-  const double fill = block.surface ? static_cast<double>(block.surface->fill_level[cell]) : 1.0;
-  const double eps = block.body ? static_cast<double>(block.body->solid_fraction[cell]) : 0.0;
-  return std::max(0.0, fill - std::min(1.0, eps));
+[[gnu::always_inline]] inline Row<Real> liquid_shares(const Block<Real>& block, int row) {
+  const Row<Real> none(0), one(1);
+  const auto wet = Row<Real>::mask_type::from_bits(lbm::wet_cells(block, row / lbm::kBlockWidth));
+  Row<Real> share = block.surface ? load_aligned<Row<Real>>(block.surface->fill_level + row) : one;
+  if (block.body) share = max(none, share - min(one, load_aligned<Row<Real>>(block.body->solid_fraction + row)));
+  return select(wet, share, none);
 }
 
 /// Drag on a piece of wire, SI: normal and tangential parts by their own laws.
@@ -58,7 +77,6 @@ WireDrag<Real>::WireDrag(const dem::Particles& particles, const dem::Bonds& bond
     beads_[static_cast<std::size_t>(place_[bonds.id_j[k]])].before = bonds.id_i[k];
   }
   leave_out(bonds, {});
-  samples_.resize(beads_.size());
 }
 
 template <class Real>
@@ -69,7 +87,7 @@ void WireDrag<Real>::leave_out(const dem::Bonds& bonds, const std::vector<std::u
     for (const dem::ParticleId id : {bonds.id_i[k], bonds.id_j[k]})
       beads_[static_cast<std::size_t>(place_[id])].length += bonds.rest_length[k] / 2;
   }
-  applied_ = 0;  // other neighbours
+  since_look_ = kCrowdingEvery;  // other neighbours
 }
 
 template <class Real>
@@ -80,40 +98,27 @@ std::size_t WireDrag<Real>::beads() const {
 
 template <class Real>
 ExchangedMomentum WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields) {
-  if (applied_++ % kCrowdingEvery == 0) look_at_neighbours(fluid, particles);
-  allocate_fields(fluid, particles, fields);
-  parallel_for(0, beads_.size(), 128,
-               [&](std::size_t k) { samples_[k] = beads_[k].near ? sample(fluid, particles, beads_[k]) : Sample{}; });
-  auto& grid = fluid.grid();
+  find_pairs(fluid, particles);
+  if (!pairs_.empty() && since_look_ >= kCrowdingEvery) look_at_neighbours(fluid, particles);
+  ++since_look_;
+  allocate_fields(fluid, fields);
+  by_block_.for_each_block([&](std::size_t block) {
+    for (const std::uint32_t k : by_block_.in(block)) sample(fluid, pairs_[k]);
+  });
+  parallel_for(0, beads_.size(), kBeadsPerTask, [&](std::size_t k) { choose_force(fluid, particles, beads_[k]); });
+  by_block_.for_each_block([&](std::size_t block) {
+    for (const std::uint32_t k : by_block_.in(block)) spread(fluid, pairs_[k]);
+  });
   ExchangedMomentum total;
   wet_beads_ = 0;
-  for (std::size_t k = 0; k < beads_.size(); ++k) {
-    const Sample& s = samples_[k];
-    if (s.weight <= 0) continue;
-    const dem::ParticleIndex i = particles.index(beads_[k].id);
+  for (const Bead& bead : beads_) {
+    if (bead.weight == 0) continue;
     ++wet_beads_;
-    total.to_solids += s.force;
-    particles.external_force.add(i, s.force * fluid.units().force_to_si(1.0));
-    kernel_at(fluid, particles, i).for_cells([&](const Vec3i& cell, double w) {
-      const BlockIndex b = block_at(beads_[k], cell);
-      const int n = cell_in_block(cell);
-      if (b == kNoBlock || !lbm::is_wet(grid.block(b).type[static_cast<std::size_t>(n)])) return;
-      const Vec3 part = -s.force * (w * liquid_share(grid.block(b), n) / s.weight);
-      lbm::ImpulseFields<Real>& impulse = *grid.block(b).impulse;
-      impulse.x[n] += static_cast<Real>(part.x());
-      impulse.y[n] += static_cast<Real>(part.y());
-      impulse.z[n] += static_cast<Real>(part.z());
-      total.from_fluid -= part;
-    });
+    total.to_solids += bead.force;
+    particles.external_force.add(particles.index(bead.id), bead.force * fluid.units().force_to_si(1.0));
+    for (std::size_t p = bead.first_pair; p < bead.first_pair + bead.pairs; ++p) total.from_fluid -= pairs_[p].given;
   }
   return total;
-}
-
-template <class Real>
-WireKernel WireDrag<Real>::kernel_at(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
-                                     dem::ParticleIndex i) {
-  const double dx = fluid.units().cell_size;
-  return {(particles.position[i] - fluid.grid().domain().origin()) / dx, kernel_scale(2 * particles.radius[i] / dx)};
 }
 
 template <class Real>
@@ -128,6 +133,7 @@ void WireDrag<Real>::look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem
       lbm::kBlockWidth * fluid.units().cell_size * fluid.grid().domain().period().template cast<double>();
   const std::vector<Crowding> crowding = wire_crowding(pieces, period);
   for (std::size_t k = 0; k < beads_.size(); ++k) beads_[k].crowding = crowding[k];
+  since_look_ = 0;
 }
 
 /// Along the wire: from the bead before to the one after.
@@ -137,70 +143,91 @@ Vec3 WireDrag<Real>::tangent_of(const dem::Particles& particles, const Bead& bea
   return chord.squaredNorm() > 0 ? Vec3(chord.normalized()) : Vec3(Vec3::UnitX());
 }
 
+/// Pairs of beads and wet blocks, chunk by chunk, then one after the other.
 template <class Real>
-BlockIndex WireDrag<Real>::block_at(const Bead& bead, const Vec3i& cell) {
-  const Vec3i d = lbm::block_of(cell) - bead.lowest;
-  return bead.blocks[static_cast<std::size_t>(9 * d.x() + 3 * d.y() + d.z())];
+void WireDrag<Real>::find_pairs(const lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
+  kernels_.resize(beads_.size());
+  chunk_pairs_.resize((beads_.size() + kBeadsPerTask - 1) / kBeadsPerTask);
+  parallel_for_chunks(beads_.size(), kBeadsPerTask, [&](std::size_t first, std::size_t last) {
+    auto& pairs = chunk_pairs_[first / kBeadsPerTask];
+    pairs.clear();
+    for (std::size_t k = first; k < last; ++k) look_up_blocks(fluid, particles, k, pairs);
+  });
+  pairs_.clear();
+  for (const auto& pairs : chunk_pairs_) pairs_.insert(pairs_.end(), pairs.begin(), pairs.end());
+  std::size_t pairs = 0;
+  for (Bead& bead : beads_) bead.first_pair = pairs, pairs += bead.pairs;
+  by_block_.sort(pairs_, fluid.grid().topology().capacity());
 }
 
-/// Blocks in reach of a bead are looked up once, and get fields, so that impulses can be written and velocities sampled
-/// there.
 template <class Real>
-void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles,
-                                     SolidFields<Real>& fields) {
+void WireDrag<Real>::look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, std::size_t k,
+                                    std::vector<BeadInBlock>& pairs) {
+  const auto& grid = fluid.grid();
+  Bead& bead = beads_[k];
+  bead.pairs = 0;
+  if (bead.length <= 0) return;
+  const dem::ParticleIndex i = particles.index(bead.id);
+  const double dx = fluid.units().cell_size;
+  WireKernel& kernel = kernels_[k];
+  kernel = WireKernel((particles.position[i] - grid.domain().origin()) / dx, kernel_scale(2 * particles.radius[i] / dx));
+  const Vec3i low = lbm::block_of(kernel.lowest()), high = lbm::block_of(kernel.highest());
+  // Beads of a wire follow each other: mostly the block is that of the one before.
+  const bool known = !pairs.empty() && pairs.back().lowest == low * lbm::kBlockWidth;
+  const BlockIndex first = known ? pairs.back().block : grid.topology().find(low);
+  const bool by_neighbours = first != kNoBlock && (high - low).maxCoeff() <= 1;
+  for (int x = low.x(); x <= high.x(); ++x)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int z = low.z(); z <= high.z(); ++z) {
+        const Vec3i place(x, y, z), step = place - low;
+        const auto slot = static_cast<std::size_t>(lbm::neighbour_slot(step.x(), step.y(), step.z()));
+        const BlockIndex b = by_neighbours ? grid.topology().neighbours(first)[slot] : grid.topology().find(place);
+        if (b == kNoBlock || grid.block(b).wet_cells == 0) continue;
+        pairs.push_back({b, static_cast<std::uint32_t>(k), place * lbm::kBlockWidth});
+        ++bead.pairs;
+      }
+}
+
+/// Blocks in reach get fields, so that impulses can be written and velocities sampled there.
+template <class Real>
+void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, SolidFields<Real>& fields) {
   auto& grid = fluid.grid();
-  parallel_for(0, beads_.size(), 128, [&](std::size_t k) { look_up_blocks(fluid, particles, beads_[k]); });
-  for (const Bead& bead : beads_) {
-    if (!bead.near) continue;
-    for (const BlockIndex b : bead.blocks) {
-      if (b == kNoBlock) continue;
-      fields.reach(grid, b);
-      grid.require_impulse(b);
-    }
+  for (std::size_t b = 0; b < by_block_.blocks(); ++b) {
+    if (!by_block_.any_in(b)) continue;
+    fields.reach(grid, static_cast<BlockIndex>(b));
+    grid.require_impulse(static_cast<BlockIndex>(b));
   }
 }
 
 template <class Real>
-void WireDrag<Real>::look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, Bead& bead) {
-  const auto& grid = fluid.grid();
-  bead.near = false;
-  if (bead.length <= 0) return;
-  const WireKernel kernel = kernel_at(fluid, particles, particles.index(bead.id));
-  bead.lowest = lbm::block_of(kernel.lowest());
-  const Vec3i more = lbm::block_of(kernel.highest()) - bead.lowest;
-  bead.blocks.fill(kNoBlock);
-  for (int x = 0; x <= more.x(); ++x)
-    for (int y = 0; y <= more.y(); ++y)
-      for (int z = 0; z <= more.z(); ++z) {
-        const BlockIndex b = grid.topology().find(bead.lowest + Vec3i(x, y, z));
-        if (b == kNoBlock || grid.block(b).wet_cells == 0) continue;
-        bead.blocks[static_cast<std::size_t>(9 * x + 3 * y + z)] = b;
-        bead.near = true;
-      }
+void WireDrag<Real>::sample(const lbm::Fluid<Real>& fluid, BeadInBlock& pair) const {
+  const Block<Real>& block = fluid.grid().block(pair.block);
+  const lbm::BodyFields<Real>& fields = *block.body;
+  Row<Real> weight(0), x(0), y(0), z(0);
+  for_rows<Real>(
+      kernels_[pair.bead], pair.lowest, [&](int row, const Row<Real>& kernel) __attribute__((always_inline)) {
+        const Row<Real> share = kernel * liquid_shares(block, row);
+        weight += share;
+        x += share * load_aligned<Row<Real>>(fields.velocity_x + row);
+        y += share * load_aligned<Row<Real>>(fields.velocity_y + row);
+        z += share * load_aligned<Row<Real>>(fields.velocity_z + row);
+      });
+  pair.weight = sum_in_double(weight);
+  pair.velocity = Vec3(sum_in_double(x), sum_in_double(y), sum_in_double(z));
 }
 
+/// Drag and buoyancy of what was sampled.
 template <class Real>
-typename WireDrag<Real>::Sample WireDrag<Real>::sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
-                                                       const Bead& bead) const {
-  const auto& grid = fluid.grid();
+void WireDrag<Real>::choose_force(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, Bead& bead) const {
   const auto& units = fluid.units();
-  const dem::ParticleIndex i = particles.index(bead.id);
-  Sample s;
+  bead.weight = 0, bead.force = Vec3::Zero();
   Vec3 velocity = Vec3::Zero();
-  kernel_at(fluid, particles, i).for_cells([&](const Vec3i& cell, double w) {
-    const BlockIndex b = block_at(bead, cell);
-    if (b == kNoBlock) return;
-    const int n = cell_in_block(cell);
-    const Block<Real>& block = grid.block(b);
-    if (!lbm::is_wet(block.type[static_cast<std::size_t>(n)])) return;
-    const double share = w * liquid_share(block, n);
-    s.weight += share;
-    velocity +=
-        share * Vec3(static_cast<double>(block.body->velocity_x[n]), static_cast<double>(block.body->velocity_y[n]),
-                     static_cast<double>(block.body->velocity_z[n]));
-  });
-  if (s.weight < 1e-6) return {};
-  const Vec3 relative = units.velocity_to_si(1.0) * (velocity / s.weight) - particles.velocity[i];
+  for (std::size_t p = bead.first_pair; p < bead.first_pair + bead.pairs; ++p)
+    bead.weight += pairs_[p].weight, velocity += pairs_[p].velocity;
+  if (bead.weight < 1e-6) bead.weight = 0;
+  if (bead.weight == 0) return;
+  const dem::ParticleIndex i = particles.index(bead.id);
+  const Vec3 relative = units.velocity_to_si(1.0) * (velocity / bead.weight) - particles.velocity[i];
   const double d = 2 * particles.radius[i], rho = fluid.options().density;
   const WireInCells wire{.diameter = d,
                          .diameter_cells = d / units.cell_size,
@@ -208,15 +235,35 @@ typename WireDrag<Real>::Sample WireDrag<Real>::sample(const lbm::Fluid<Real>& f
                          .screen = bead.crowding};
   const Vec3 drag = wire_force(relative, tangent_of(particles, bead), bead.length, rho, wire);
   const Vec3 buoyancy = -rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
-  s.force = std::min(1.0, s.weight) * (drag + buoyancy) * units.force_to_lu(1.0);
-  return s;
+  bead.force = std::min(1.0, bead.weight) * (drag + buoyancy) * units.force_to_lu(1.0);
+}
+
+/// Gives the opposite of the force to the cells, as they were sampled.
+template <class Real>
+void WireDrag<Real>::spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair) const {
+  const Bead& bead = beads_[pair.bead];
+  pair.given.setZero();
+  if (bead.weight == 0) return;
+  Block<Real>& block = fluid.grid().block(pair.block);
+  lbm::ImpulseFields<Real>& impulse = *block.impulse;
+  const Vec3 unit = -bead.force / bead.weight;
+  const Row<Real> ux(static_cast<Real>(unit.x())), uy(static_cast<Real>(unit.y())), uz(static_cast<Real>(unit.z()));
+  Row<Real> x(0), y(0), z(0);
+  for_rows<Real>(
+      kernels_[pair.bead], pair.lowest, [&](int row, const Row<Real>& kernel) __attribute__((always_inline)) {
+        const Row<Real> share = kernel * liquid_shares(block, row);
+        const Row<Real> dx = share * ux, dy = share * uy, dz = share * uz;
+        add_to_row(impulse.x + row, dx), add_to_row(impulse.y + row, dy), add_to_row(impulse.z + row, dz);
+        x += dx, y += dy, z += dz;
+      });
+  pair.given = Vec3(sum_in_double(x), sum_in_double(y), sum_in_double(z));
 }
 
 /// The neighbours of the beads are looked at once in many steps.
 template <class Real>
 void WireDrag<Real>::transfer(Archive& archive) {
   archive.value("wet_beads", wet_beads_);
-  archive.value("applied", applied_);
+  archive.value("since_look", since_look_);
   archive.pieces<double>("crowding", beads_.size(), 3, [&](std::size_t k, double* stored) {
     Crowding& c = beads_[k].crowding;
     double* const own[] = {&c.area, &c.parallel, &c.solidity};

@@ -2,10 +2,10 @@
 // Rings and cables thinner than a cell: each bead is a piece of a slender cylinder that feels the drag of the local
 // flow and gives the opposite force to the cells around it. (Immersed boundaries are blind to such wires: as tau -> 1/2
 // the weighting of Noble & Torczynski lets the water through, B = eps overdrags; DESIGN figures in docs/coupling.md.)
-#include <array>
 #include <vector>
 
 #include "coupling/audit.h"
+#include "coupling/pairs_by_block.h"
 #include "coupling/solid_fields.h"
 #include "coupling/wires/wire_crowding.h"
 #include "coupling/wires/wire_kernel.h"
@@ -39,35 +39,44 @@ class WireDrag {
  private:
   struct Bead {
     dem::ParticleId id;
-    dem::ParticleId before, after;             ///< neighbours along the wire; itself where there is none
-    double length;                             ///< m, of wire that the bead stands for
-    bool near = false;                         ///< a wet block is in reach in this step
-    Vec3i lowest = Vec3i::Zero();              ///< block coordinate of the lowest cell in reach
-    Crowding crowding = {};                    ///< the screen that it is part of
-    std::array<lbm::BlockIndex, 27> blocks{};  ///< wet blocks in reach, from `lowest` on, (x, y, z) at 9x + 3y + z
+    dem::ParticleId before, after;    ///< neighbours along the wire; itself where there is none
+    double length;                    ///< m, of wire that the bead stands for
+    Crowding crowding = {};           ///< the screen that it is part of
+    // Of this step:
+    std::size_t first_pair = 0, pairs = 0;  ///< with the wet blocks in reach; they lie next to each other
+    double weight = 0;                      ///< sum of kernel weights over wet cells, by liquid content
+    Vec3 force = Vec3::Zero();              ///< on the bead, lu
   };
-  /// What a bead samples and gives, filled in parallel.
-  struct Sample {
-    Vec3 force = Vec3::Zero();  ///< on the bead, lu
-    double weight = 0;          ///< sum of kernel weights over wet cells, by liquid content
+  /// A bead and a wet block that its kernel reaches; what it finds there and gives.
+  struct BeadInBlock {
+    lbm::BlockIndex block;
+    std::uint32_t bead;           ///< index into beads_
+    Vec3i lowest;                 ///< first cell of the block as the bead sees it: past the end of a periodic axis
+    double weight = 0;            ///< sum of kernel weights over wet cells, by liquid content
+    Vec3 velocity = Vec3::Zero();  ///< the same sum of velocities, lu
+    Vec3 given = Vec3::Zero();     ///< momentum given to the cells, lu
   };
 
-  /// The block in reach of a bead that holds a cell; kNoBlock if it is missing or dry.
-  static lbm::BlockIndex block_at(const Bead& bead, const Vec3i& cell);
   [[nodiscard]] const Bead& bead_at(dem::ParticleId id) const { return beads_[static_cast<std::size_t>(place_[id])]; }
-  static WireKernel kernel_at(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, dem::ParticleIndex i);
   static Vec3 tangent_of(const dem::Particles& particles, const Bead& bead);
   void look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
-  void allocate_fields(lbm::Fluid<Real>& fluid, const dem::Particles& particles, SolidFields<Real>& fields);
-  static void look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, Bead& bead);
-  [[nodiscard]] Sample sample(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const Bead& bead) const;
+  void find_pairs(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
+  void look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, std::size_t bead,
+                      std::vector<BeadInBlock>& pairs);
+  void allocate_fields(lbm::Fluid<Real>& fluid, SolidFields<Real>& fields);
+  void sample(const lbm::Fluid<Real>& fluid, BeadInBlock& pair) const;
+  void choose_force(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, Bead& bead) const;
+  void spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair) const;
 
   std::vector<Bead> beads_;                // by id, ascending
+  std::vector<WireKernel> kernels_;        // of the beads
+  std::vector<BeadInBlock> pairs_;         // by bead, then block
+  std::vector<std::vector<BeadInBlock>> chunk_pairs_;
+  PairsByBlock by_block_;
   std::vector<std::int32_t> place_;        // by id: index into beads_, -1 for grains
   std::vector<std::uint32_t> wire_bonds_;  // that are pieces of a wire
-  std::vector<Sample> samples_;
   std::size_t wet_beads_ = 0;
-  std::int64_t applied_ = 0;
+  std::int64_t since_look_ = 0;  // fluid steps since neighbours were last looked at
 };
 
 extern template class WireDrag<float>;

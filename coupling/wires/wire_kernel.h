@@ -12,6 +12,7 @@ namespace lahar::coupling {
 /// wide, its sum set right where the scale is no whole number.
 class WireKernel {
  public:
+  WireKernel() = default;
   WireKernel(const Vec3& place, double scale) {
     const double reach = 1.5 * scale;
     for (int a = 0; a < 3; ++a) {
@@ -26,16 +27,8 @@ class WireKernel {
   [[nodiscard]] const Vec3i& lowest() const { return lowest_; }
   [[nodiscard]] Vec3i highest() const { return lowest_ + count_ - Vec3i::Ones(); }
 
-  /// visit(cell, weight)
-  template <class Visit>
-  void for_cells(const Visit& visit) const {
-    for (int x = 0; x < count_.x(); ++x)
-      for (int y = 0; y < count_.y(); ++y)
-        for (int z = 0; z < count_.z(); ++z) {
-          const double w = weight_[0][x] * weight_[1][y] * weight_[2][z];
-          if (w > 0) visit(Vec3i(lowest_ + Vec3i(x, y, z)), w);
-        }
-  }
+  /// Of the k-th cell in reach along an axis.
+  [[nodiscard]] double weight(int axis, int k) const { return weight_[axis][k]; }
 
   static constexpr int kMost = 16;  ///< cells along an axis: within three blocks, for scales up to 5
 

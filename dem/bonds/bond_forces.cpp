@@ -171,13 +171,10 @@ void BondForces::build(const Bonds& bonds, const Particles& particles) {
 /// turns them: 1/m_s = 1/m_i + 1/m_j + (l/2)^2 (1/I_i + 1/I_j).
 void BondForces::build_effective_masses(const Bonds& bonds, const Particles& particles) {
   const auto root_of_inverse = [](double v) { return v > 0 ? 1 / std::sqrt(v) : 0.0; };
-  const auto inverse_inertia = [&](ParticleIndex p) {
-    return particles.inverse_mass[p] > 0 ? 1 / particles.inertia[p] : 0.0;
-  };
   masses_ = EffectiveMasses{};
   for (std::size_t b = 0; b < bonds.size(); ++b) {
     const double mass = particles.inverse_mass[bonds.i[b]] + particles.inverse_mass[bonds.j[b]];
-    const double inertia = inverse_inertia(bonds.i[b]) + inverse_inertia(bonds.j[b]);
+    const double inertia = particles.inverse_inertia(bonds.i[b]) + particles.inverse_inertia(bonds.j[b]);
     const double lever = 0.5 * bonds.rest_length[b];
     masses_.axial.push_back(root_of_inverse(mass));
     masses_.shear.push_back(root_of_inverse(mass + lever * lever * inertia));

@@ -12,7 +12,7 @@ namespace {
 /// Eight particles, one row per number.
 struct EightBodies {
   std::array<Row<double>, 3> x, v, w, kicked_v, kicked_w, force, torque;
-  Row<double> radius, inverse_mass, damping;
+  Row<double> radius, inverse_mass, inertia, damping;
 };
 
 /// Visits each number of `e` with where it comes from.
@@ -31,6 +31,7 @@ void for_each_number(EightBodies& e, const Particles& p, const std::vector<doubl
   vectors(e.torque, p.torque);
   fetch(e.radius, p.radius);
   fetch(e.inverse_mass, p.inverse_mass);
+  fetch(e.inertia, p.inertia);
   fetch(e.damping, damping);
 }
 
@@ -60,8 +61,8 @@ void ContactBodies::pack(const Particles& p, const ContactParties& parties, cons
     for (std::size_t l = 0; l < count; ++l) removed.set(l, p.state[index[l]] == ParticleState::removed);
     e.x[0] = select(removed, Row<double>(nowhere), e.x[0]);
 
-    const Row<double> curvature = 1.0 / e.radius;
-    const Row<double> kick = (0.5 * dt) * e.inverse_mass, turn = 2.5 * kick * curvature * curvature;
+    const Row<double> kick = (0.5 * dt) * e.inverse_mass;
+    const Row<double> turn = select(e.inverse_mass > 0, (0.5 * dt) / e.inertia, Row<double>{});
     std::array<Row<double>, 3> v_end, w_end;
     for (std::size_t a = 0; a < 3; ++a) {
       v_end[a] = e.kicked_v[a] + kick * e.force[a];

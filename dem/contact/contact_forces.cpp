@@ -14,7 +14,7 @@ void set_body_forces(Particles& p, const Vec3& acceleration, const RateShare& sh
                      std::size_t last) {
   const auto set = [&](std::vector<double>& force, const std::vector<double>& external, double gravity) {
     double* f = force.data();
-    const double *e = external.data(), *mass = p.mass.data();
+    const double *e = external.data(), *mass = p.gravitational_mass.data();
     const ParticleState* state = p.state.data();
     for (std::size_t i = first; i < last; ++i)
       f[i] = (state[i] == ParticleState::removed ? 0.0 : mass[i]) * gravity + e[i];

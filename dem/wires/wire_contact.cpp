@@ -24,10 +24,10 @@ Motion motion_of(const WireSide& side, const Particles& p, double dt) {
   for (std::size_t k = 0; k < side.count; ++k) {
     const ParticleIndex i = side.shares[k].particle;
     const double weight = side.shares[k].weight;
-    const double inverse = p.inverse_mass[i], r = p.radius[i];
+    const double inverse = p.inverse_mass[i];
     const Triple v = triple_at(p.velocity, i), w = triple_at(p.angular_velocity, i);
     const Triple v_end = v + (0.5 * dt * inverse) * triple_at(p.force, i);
-    const Triple w_end = w + (0.5 * dt * 2.5 * inverse / (r * r)) * triple_at(p.torque, i);
+    const Triple w_end = w + (0.5 * dt * p.inverse_inertia(i)) * triple_at(p.torque, i);
     m.velocity = m.velocity + weight * v, m.velocity_end = m.velocity_end + weight * v_end;
     m.spin = m.spin + weight * w, m.spin_end = m.spin_end + weight * w_end;
     m.inverse_mass += weight * weight * inverse;

@@ -10,6 +10,7 @@
 namespace lahar::dem {
 namespace {
 
+using testing::ground;
 using testing::one_material;
 using testing::options;
 using testing::sphere;
@@ -26,6 +27,26 @@ TEST(Solids, free_fall_is_exact) {
   EXPECT_NEAR(solids.particles().position.x[0], 3 * t, 1e-12);
   EXPECT_NEAR(solids.particles().position.z[0], 10 + t - 0.5 * kG * t * t, 1e-11);
   EXPECT_NEAR(solids.particles().velocity.z[0], 1 - kG * t, 1e-11);
+}
+
+// It weighs what its density says and resists four times as much.
+TEST(Solids, a_scaled_mass_resists_acceleration_alone) {
+  constexpr double r = 0.01, density = 1000, scale = 4;
+  Particles p;
+  for (const double z : {1.0, 0.0099}) {
+    ParticleSpec slow = sphere({10 * z, 0, z}, r, density);
+    slow.mass_scale = scale;
+    p.add(slow);
+  }
+  const double weight = density * 4.0 / 3.0 * std::numbers::pi * r * r * r * kG;
+  EXPECT_NEAR(p.inertia[0], 0.4 * scale * weight / kG * r * r, 1e-15);
+  Solids solids(p, {}, one_material(1e7, 0.2, 0, 0.1), ground(),
+                options(1e-5, Vec3(0, 0, -kG)));
+  const double start = solids.ledger().total();
+  solids.advance(40000);
+  EXPECT_NEAR(solids.particles().position.z[0], 1 - 0.5 * kG / scale * 0.4 * 0.4, 1e-9);
+  EXPECT_NEAR(solids.force_on_wall(0).z() / weight, -1, 1e-3);
+  EXPECT_NEAR(solids.ledger().total() / start, 1, 1e-3);  // what the ledger of a damped impact closes to (0051)
 }
 
 // On a line at an angle to gravity and to a force from outside: what acts across is taken up, and the rest is exact.
