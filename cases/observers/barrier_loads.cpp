@@ -41,8 +41,7 @@ std::array<Vec3, BarrierLoads::loads> BarrierLoads::now() const {
     const bool of_net = id >= net.first_bead && id < net.first_bead + net.beads;
     if (of_net) {
       force[water_on_net] += p.external_force[i];
-      force[contacts_on_net] +=
-          p.force[i] - p.external_force[i] - p.gravitational_mass[i] * solids.options().gravity;
+      force[contacts_on_net] += p.force[i] - p.external_force[i] - p.gravitational_mass[i] * solids.options().gravity;
     } else if (p.kind[i] == dem::ParticleKind::grain) {
       force[water_on_grains] += p.external_force[i];
     }

@@ -170,7 +170,8 @@ void WireDrag<Real>::look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Pa
   const dem::ParticleIndex i = particles.index(bead.id);
   const double dx = fluid.units().cell_size;
   WireKernel& kernel = kernels_[k];
-  kernel = WireKernel((particles.position[i] - grid.domain().origin()) / dx, kernel_scale(2 * particles.radius[i] / dx));
+  kernel =
+      WireKernel((particles.position[i] - grid.domain().origin()) / dx, kernel_scale(2 * particles.radius[i] / dx));
   const Vec3i low = lbm::block_of(kernel.lowest()), high = lbm::block_of(kernel.highest());
   // Beads of a wire follow each other: mostly the block is that of the one before.
   const bool known = !pairs.empty() && pairs.back().lowest == low * lbm::kBlockWidth;
@@ -199,6 +200,7 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, SolidFields<Real>&
   }
 }
 
+/// Dry cells hold some finite velocity, which counts for nothing.
 template <class Real>
 void WireDrag<Real>::sample(const lbm::Fluid<Real>& fluid, BeadInBlock& pair) const {
   const Block<Real>& block = fluid.grid().block(pair.block);

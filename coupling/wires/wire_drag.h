@@ -39,9 +39,9 @@ class WireDrag {
  private:
   struct Bead {
     dem::ParticleId id;
-    dem::ParticleId before, after;    ///< neighbours along the wire; itself where there is none
-    double length;                    ///< m, of wire that the bead stands for
-    Crowding crowding = {};           ///< the screen that it is part of
+    dem::ParticleId before, after;  ///< neighbours along the wire; itself where there is none
+    double length;                  ///< m, of wire that the bead stands for
+    Crowding crowding = {};         ///< the screen that it is part of
     // Of this step:
     std::size_t first_pair = 0, pairs = 0;  ///< with the wet blocks in reach; they lie next to each other
     double weight = 0;                      ///< sum of kernel weights over wet cells, by liquid content
@@ -50,9 +50,9 @@ class WireDrag {
   /// A bead and a wet block that its kernel reaches; what it finds there and gives.
   struct BeadInBlock {
     lbm::BlockIndex block;
-    std::uint32_t bead;           ///< index into beads_
-    Vec3i lowest;                 ///< first cell of the block as the bead sees it: past the end of a periodic axis
-    double weight = 0;            ///< sum of kernel weights over wet cells, by liquid content
+    std::uint32_t bead;            ///< index into beads_
+    Vec3i lowest;                  ///< first cell of the block as the bead sees it: past the end of a periodic axis
+    double weight = 0;             ///< sum of kernel weights over wet cells, by liquid content
     Vec3 velocity = Vec3::Zero();  ///< the same sum of velocities, lu
     Vec3 given = Vec3::Zero();     ///< momentum given to the cells, lu
   };
@@ -68,9 +68,9 @@ class WireDrag {
   void choose_force(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, Bead& bead) const;
   void spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair) const;
 
-  std::vector<Bead> beads_;                // by id, ascending
-  std::vector<WireKernel> kernels_;        // of the beads
-  std::vector<BeadInBlock> pairs_;         // by bead, then block
+  std::vector<Bead> beads_;          // by id, ascending
+  std::vector<WireKernel> kernels_;  // of the beads
+  std::vector<BeadInBlock> pairs_;   // by bead, then block
   std::vector<std::vector<BeadInBlock>> chunk_pairs_;
   PairsByBlock by_block_;
   std::vector<std::int32_t> place_;        // by id: index into beads_, -1 for grains

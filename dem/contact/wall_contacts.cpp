@@ -74,8 +74,7 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
   const Triple v = triple(work.mean != nullptr ? work.mean->velocity : p.velocity, i);
   const Triple spin = triple(work.mean != nullptr ? work.mean->spin : p.angular_velocity, i);
   const Triple v_end = triple(p.velocity, i) + (0.5 * work.dt * inverse_mass) * triple(p.force, i);
-  const Triple spin_end =
-      triple(p.angular_velocity, i) + (0.5 * work.dt * p.inverse_inertia(i)) * triple(p.torque, i);
+  const Triple spin_end = triple(p.angular_velocity, i) + (0.5 * work.dt * p.inverse_inertia(i)) * triple(p.torque, i);
   const Triple wall_velocity = triple(wall.velocity);
   EightContacts& c = contacts;
   c.touches.set(lane, distance < r);

@@ -74,6 +74,17 @@ TEST(Net, BeadsMayHaveAMomentOfInertiaOfTheirOwn) {
   EXPECT_NEAR(spec.bond_limit(spec.ring) / light, std::sqrt(2.5), 1e-12);
 }
 
+TEST(Net, SlowBeadsWeighWhatTheyWeighed) {
+  RingNetSpec spec = small_spec();
+  const Built built(spec);
+  spec.bead_mass_scale = 4;
+  const Built slow(spec);
+  for (std::size_t i = 0; i < slow.particles.size(); ++i) {
+    EXPECT_EQ(slow.particles.gravitational_mass[i], built.particles.mass[i]);
+    EXPECT_NEAR(slow.particles.mass[i] / built.particles.mass[i], 4, 1e-14);
+  }
+}
+
 TEST(Net, PaperNetIsHeldWhereThePaperHoldsIt) {
   const auto& [particles, bonds, net] = paper_net();
   std::vector<dem::ParticleIndex> expected;

@@ -40,8 +40,7 @@ TEST(Solids, a_scaled_mass_resists_acceleration_alone) {
   }
   const double weight = density * 4.0 / 3.0 * std::numbers::pi * r * r * r * kG;
   EXPECT_NEAR(p.inertia[0], 0.4 * scale * weight / kG * r * r, 1e-15);
-  Solids solids(p, {}, one_material(1e7, 0.2, 0, 0.1), ground(),
-                options(1e-5, Vec3(0, 0, -kG)));
+  Solids solids(p, {}, one_material(1e7, 0.2, 0, 0.1), ground(), options(1e-5, Vec3(0, 0, -kG)));
   const double start = solids.ledger().total();
   solids.advance(40000);
   EXPECT_NEAR(solids.particles().position.z[0], 1 - 0.5 * kG / scale * 0.4 * 0.4, 1e-9);
