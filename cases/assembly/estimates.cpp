@@ -77,18 +77,37 @@ std::int64_t grain_count(const scene::Scene& scene) {
   return count;
 }
 
+namespace {
+
+struct GrainKind {
+  double diameter, density;
+};
+
+std::vector<GrainKind> grain_kinds(const scene::Scene& scene) {
+  std::vector<GrainKind> kinds;
+  for (const scene::GrainSize& s : scene::grain_sizes(scene)) kinds.push_back({s.diameter, s.density});
+  for (const scene::GrainSphere& s : scene.grains.spheres) kinds.push_back({s.diameter, s.density});
+  return kinds;
+}
+
+}  // namespace
+
 double smallest_grain(const scene::Scene& scene) {
   double smallest = never;
-  for (const scene::GrainSize& s : scene::grain_sizes(scene)) smallest = std::min(smallest, s.diameter);
-  for (const scene::GrainSphere& s : scene.grains.spheres) smallest = std::min(smallest, s.diameter);
+  for (const auto& [diameter, density] : grain_kinds(scene)) smallest = std::min(smallest, diameter);
   return smallest;
 }
 
 double largest_grain(const scene::Scene& scene) {
   double largest = 0;
-  for (const scene::GrainSize& s : scene::grain_sizes(scene)) largest = std::max(largest, s.diameter);
-  for (const scene::GrainSphere& s : scene.grains.spheres) largest = std::max(largest, s.diameter);
+  for (const auto& [diameter, density] : grain_kinds(scene)) largest = std::max(largest, diameter);
   return largest;
+}
+
+double lightest_grain(const scene::Scene& scene) {
+  double lightest = never;
+  for (const auto& [diameter, density] : grain_kinds(scene)) lightest = std::min(lightest, density);
+  return lightest;
 }
 
 double settling_speed(double diameter, double density_ratio, double viscosity, double gravity) {

@@ -29,6 +29,7 @@ std::int64_t grain_count(const scene::Scene& scene);
 /// Diameters of the smallest and the largest grain, m; infinity and 0 without grains.
 double smallest_grain(const scene::Scene& scene);
 double largest_grain(const scene::Scene& scene);
+double lightest_grain(const scene::Scene& scene);  ///< its density, kg/m^3
 
 /// m/s: at which a sphere sinks or rises in still liquid, `density_ratio` its density over the liquid's; drag of
 /// Schiller & Naumann 1935 up to Re 1000, Cd = 0.44 beyond.

@@ -77,6 +77,12 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
   if (f.cells_per_smallest_grain && *f.cells_per_smallest_grain < 4)
     list.push_back(fmt::format("the smallest grain is {:.1f} cells across: its drag is uncertain below about 4",
                                *f.cells_per_smallest_grain));
+  constexpr double light = 0.2;  // docs/decisions/0034
+  if (f.lightest_grain && *f.lightest_grain < light)
+    list.push_back(
+        fmt::format("the lightest grain has {:.2g} of the liquid's density: those below {:g} that touch each "
+                    "other or a wall may be thrown about",
+                    *f.lightest_grain, light));
   if (f.averaging_diameters && *f.averaging_diameters < 2)
     list.push_back(fmt::format(
         "coupling.averaging_length_m is {:.2g} diameters of the largest grain: averages swing with every grain below 2",

@@ -17,6 +17,7 @@ struct RowSums {
   Row<Real> y_fx{0}, z_fx{0}, z_fy{0}, y_fz{0};  ///< moments by the arms along y and z
   Row<Real> interior{0}, interior_arm{0};        ///< liquid in the body's place; times the squared arm across x
   Row<Real> entrained{0}, entrained_arm{0};      ///< liquid that a step brings to the body's velocity; the same
+  Row<Real> held{0};                             ///< interior that a step brings there, of cells that are its alone
 
   [[gnu::always_inline]] void add(const Row<Real>& share, const lbm::BodyFields<Real>& f, int row, Real ry, Real rz) {
     const Row<Real> fx = share * load_aligned<Row<Real>>(f.momentum_exchange_x + row);
@@ -25,10 +26,13 @@ struct RowSums {
     force[0] += fx, force[1] += fy, force[2] += fz;
     y_fx += ry * fx, z_fx += rz * fx, z_fy += rz * fy, y_fz += ry * fz;
   }
-  [[gnu::always_inline]] void add_liquid(const Row<Real>& in_place, const Row<Real>& moved, Real ry, Real rz) {
+  [[gnu::always_inline]] void add_liquid(const Row<Real>& in_place, const Row<Real>& moved, const Row<Real>& share,
+                                         Real ry, Real rz) {
+    constexpr Real all = Real(0.99);
     const Real square = ry * ry + rz * rz;
     interior += in_place, interior_arm += square * in_place;
     entrained += moved, entrained_arm += square * moved;
+    held += select(share > Row<Real>(all), min(in_place, moved), Row<Real>(0));
   }
 
   /// `rx`: arms along x. Sets force, torque, interior and entrained, and these times 2/3 of the squared arm.
@@ -39,6 +43,7 @@ struct RowSums {
     load.torque = Vec3(sum(y_fz - z_fy), sum(z_fx - rx * force[2]), sum(rx * force[1] - y_fx));
     load.interior = sum(interior), load.interior_inertia = 2.0 / 3.0 * sum(interior_arm + rx * rx * interior);
     load.entrained = sum(entrained), load.entrained_inertia = 2.0 / 3.0 * sum(entrained_arm + rx * rx * entrained);
+    load.held = sum(held);
   }
 };
 
@@ -82,7 +87,7 @@ template <class Real, bool kByDistance, bool kMixed, class Load>
           const Row<Real> liquid = load_aligned<Row<Real>>(block.wet + row);
           entrained *= liquid, interior *= liquid;
         }
-        sums.add_liquid(interior, entrained, ry, rz);
+        sums.add_liquid(interior, entrained, share, ry, rz);
       });
   sums.reduce(static_cast<Real>(lowest.x()) + lane_index<Row<Real>>() + Real(0.5) - s.centre[0], load);
 }
@@ -102,6 +107,7 @@ auto ResolvedExchange<Real>::Load::operator+=(const Load& o) -> Load& {
   force += o.force, torque += o.torque;
   interior += o.interior, interior_inertia += o.interior_inertia;
   entrained += o.entrained, entrained_inertia += o.entrained_inertia;
+  held += o.held;
   return *this;
 }
 
@@ -157,6 +163,23 @@ double interior_mass(double interior, double entrained, double own, lbm::BodyWei
   return std::min(interior, most);
 }
 
+/// What of it is spared while contacts or the waves between bodies jolt the body: half of what it holds alone, more
+/// where it is nearly as heavy as the liquid. A jolt that came back by more than the exchange takes at once would drive
+/// a light body on.
+double interior_mass_in_jolts(double spared, double held, double own) {
+  constexpr double share = 0.5;
+  return std::min(spared, std::max(2 * own - spared, share * held));
+}
+
+/// Calm goes from 0 to 1 in so many steps after a jolt: a step that changes the acceleration by more than half.
+constexpr double kStepsToCalm = 40;
+
+double calm_after(double calm, const Vec3& acceleration, const Vec3& former) {
+  const double most = std::max(acceleration.squaredNorm(), former.squaredNorm());
+  const bool jolted = (acceleration - former).squaredNorm() > 0.25 * most;
+  return jolted ? 0.0 : std::min(1.0, calm + 1 / kStepsToCalm);
+}
+
 }  // namespace
 
 template <class Real>
@@ -173,13 +196,17 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
   if (state.known) {
     acceleration = (particles.velocity[i] - state.velocity) / time_step_;
     spin_up = (particles.angular_velocity[i] - state.spin) / time_step_;
+    if (!state.acceleration.isZero()) state.calm = calm_after(state.calm, acceleration, state.acceleration);
+    state.acceleration = acceleration;
   }
   state.velocity = particles.velocity[i], state.spin = particles.angular_velocity[i];
   state.known = true;
   const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
   const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
-  const double interior = interior_mass(sum.interior, sum.entrained, particles.mass[i] / to_kg, weighting_);
-  Vec3 force = sum.force + interior * units.acceleration_to_lu(1.0) * acceleration - wet_volume * gravity;
+  const double own = particles.mass[i] / to_kg, interior = interior_mass(sum.interior, sum.entrained, own, weighting_),
+               jolted = interior_mass_in_jolts(interior, sum.held, own);
+  const double spared = jolted + (interior - jolted) * state.calm;
+  Vec3 force = sum.force + spared * units.acceleration_to_lu(1.0) * acceleration - wet_volume * gravity;
   const double spun = std::min({sum.interior_inertia, sum.entrained_inertia, particles.inertia[i] / to_kg_m2});
   Vec3 torque = sum.torque + spun * units.time_step * units.time_step * spin_up;
   force *= units.force_to_si(1.0), torque *= units.torque_to_si(1.0);
@@ -197,13 +224,13 @@ void ResolvedExchange<Real>::transfer(Archive& archive) {
   std::size_t particles = states_.size();
   archive.value("particles", particles);
   states_.resize(particles);
-  archive.pieces<double>("grain", particles, 13, [&](std::size_t k, double* stored) {
+  archive.pieces<double>("grain", particles, 17, [&](std::size_t k, double* stored) {
     State& s = states_[k];
-    transfer_vectors(archive, {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque}, stored);
+    transfer_vectors(archive, {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque, &s.acceleration}, stored);
     if (archive.loading())
-      s.known = stored[12] != 0;
+      s.known = stored[15] != 0, s.calm = stored[16];
     else
-      stored[12] = s.known ? 1 : 0;
+      stored[15] = s.known ? 1 : 0, stored[16] = s.calm;
   });
 }
 

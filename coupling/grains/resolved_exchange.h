@@ -30,6 +30,7 @@ class ResolvedExchange final : public GrainExchange<Real> {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     double interior = 0;          ///< liquid that stands in the grain's place in wet cells, cells
     double entrained = 0;         ///< liquid in wet cells that a step brings to the grain's velocity, cells
+    double held = 0;              ///< interior that a step brings there, of cells that the grain covers alone
     double interior_inertia = 0;  ///< the same times 2/3 of the squared distance from the grain's centre
     double entrained_inertia = 0;
     Load& operator+=(const Load& o);
@@ -38,6 +39,8 @@ class ResolvedExchange final : public GrainExchange<Real> {
   struct State {
     Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();           ///< m/s, rad/s, at the last mapping
     Vec3 felt_force = Vec3::Zero(), felt_torque = Vec3::Zero();  ///< N, N m, under-relaxed
+    Vec3 acceleration = Vec3::Zero();                            ///< m/s^2, mean over the step before the last mapping
+    double calm = 1;                                             ///< 0 in a jolt, 1 some steps after
     bool known = false;                                          ///< velocity and spin are set
   };
 

@@ -170,8 +170,7 @@ void WireDrag<Real>::look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Pa
   const dem::ParticleIndex i = particles.index(bead.id);
   const double dx = fluid.units().cell_size;
   WireKernel& kernel = kernels_[k];
-  kernel =
-      WireKernel((particles.position[i] - grid.domain().origin()) / dx, kernel_scale(2 * particles.radius[i] / dx));
+  kernel.set_reach((particles.position[i] - grid.domain().origin()) / dx, kernel_scale(2 * particles.radius[i] / dx));
   const Vec3i low = lbm::block_of(kernel.lowest()), high = lbm::block_of(kernel.highest());
   // Beads of a wire follow each other: mostly the block is that of the one before.
   const bool known = !pairs.empty() && pairs.back().lowest == low * lbm::kBlockWidth;
@@ -187,6 +186,7 @@ void WireDrag<Real>::look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Pa
         pairs.push_back({b, static_cast<std::uint32_t>(k), place * lbm::kBlockWidth});
         ++bead.pairs;
       }
+  if (bead.pairs > 0) kernel.set_weights();
 }
 
 /// Blocks in reach get fields, so that impulses can be written and velocities sampled there.

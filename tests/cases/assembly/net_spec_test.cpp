@@ -21,7 +21,7 @@ TEST(NetSpec, TheNetOfThePaper) {
   EXPECT_EQ(spec.dissipator.axial.force_limit, (std::array<double, 2>{2000, infinite}));
   EXPECT_EQ(spec.dissipator.bond_radius, 0.00305);
   EXPECT_EQ(spec.ring.damping_ratio, 0.02);
-  EXPECT_TRUE(spec.lower.support.fixed_all);
+  EXPECT_TRUE(spec.lower.support.held_across && !spec.lower.support.fixed_all);
   EXPECT_TRUE(spec.lower.support.dissipators_at.empty());
   EXPECT_EQ(spec.left.support.fixed_at, (std::vector<double>{0, 0.5, 1}));
   EXPECT_EQ(spec.upper.support.dissipators_at, (std::vector<double>{0, 1}));
