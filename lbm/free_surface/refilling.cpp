@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lbm/collision/equilibrium.h"
+#include "lbm/free_surface/covered_cells.h"
 #include "lbm/free_surface/touching.h"
 
 namespace lahar::lbm {
@@ -64,6 +65,15 @@ void expose(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   surface.fill_level[place.cell] = Real(1);
 }
 
+/// What a body covers moves as it does: at the neighbours' velocity a cell would bring it momentum from nowhere.
+template <class Real>
+void take_over_velocity(const BodyFields<Real>& body, int cell, CellMoments<Real>& m) {
+  const Real weight = std::max(body.exchange_weight[cell], Real(1e-6));
+  m.u[0] = body.weighted_velocity_x[cell] / weight;
+  m.u[1] = body.weighted_velocity_y[cell] / weight;
+  m.u[2] = body.weighted_velocity_z[cell] / weight;
+}
+
 }  // namespace
 
 template <class Real>
@@ -94,7 +104,11 @@ void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex
   if (own.new_surface) grid.clear_surface(b);
   if (!own.opened.empty()) {
     NeighbourMeans<Real> means(grid, changes, b, parity);
-    own.opened.for_each([&](int cell) { refill_cell(grid, {b, cell}, parity, means.around(cell), Real(0)); });
+    own.opened.for_each([&](int cell) {
+      CellMoments<Real> m = means.around(cell);
+      if (is_covered(grid.block(b), cell)) take_over_velocity(*grid.block(b).body, cell, m);
+      refill_cell(grid, {b, cell}, parity, m, Real(0));
+    });
   }
   own.arrivals.for_each([&](int cell, const Arrival<Real>& a) {
     refill_cell(grid, {b, cell}, parity, a.moments, a.liquid);

@@ -85,6 +85,38 @@ TEST(CoupledStep, LightSpheresThatTouchStayCalm) {
     }
 }
 
+/// Water falls off a heap of fixed spheres; what clings to them can bear on them with no more than its cells weigh when
+/// full. Covered cells that turned wet at their neighbours' velocity brought momentum from nowhere, every other step:
+/// six times as much.
+TEST(CoupledStep, DrainedSpheresBearWhatClingsToThem) {
+  auto fluid = by_distance(tank(Vec3(0.48, 0.48, 0.96), 0.02, 3e-4));
+  fluid.kinematic_viscosity = 1e-6;
+  fluid.smagorinsky = 0.16;
+  std::vector<dem::ParticleSpec> heap;
+  for (int k = 0; k < 27; ++k) {
+    const Vec3 jitter(0.012 * std::sin(7.0 * k), 0.012 * std::cos(5.0 * k), 0.012 * std::sin(3.0 * k));
+    heap.push_back(
+        grain(Vec3(0.17 + 0.07 * (k % 3), 0.17 + 0.07 * (k / 3 % 3), 0.53 + 0.07 * (k / 9)) + jitter, 0.03, 2500));
+    heap.back().state = dem::ParticleState::fixed;
+  }
+  CoupledStep<float> step(fluid, grains(fluid, heap),
+                          {.grains = ResolvedGrains{-0.2}, .thin_wires = ThinWires::uncoupled, .substeps = 1});
+  step.fill({{Vec3(0.1, 0.1, 0.48), Vec3(0.38, 0.38, 0.72)}});
+  while (step.time() < 0.6) step.advance();
+  Vec3 force = Vec3::Zero();
+  double weight = 0;
+  int steps = 0;
+  for (; step.time() < 1.0; ++steps) {
+    step.advance();
+    const dem::Particles& p = step.solids()->particles();
+    for (std::size_t i = 0; i < p.size(); ++i) force += p.external_force[i];
+    step.fluid()->for_each_wet_cell(
+        [&](const auto& c) { weight += c.centre.z() > 0.45 ? 0.02 * 0.02 * 0.02 * 9810 : 0; });
+  }
+  EXPECT_LT(force.norm() / steps, weight / steps);
+  EXPECT_LT(force.z(), 0);
+}
+
 /// A heavy sphere in water starts with (rho_s - rho) / (rho_s + rho/2) g: buoyancy and added mass. At 8 cells a
 /// diameter and B = eps it is some 30 % too slow (docs/coupling.md); without buoyancy it would be 1.7 times too fast.
 TEST(CoupledStep, SphereStartsWithAddedMass) {
