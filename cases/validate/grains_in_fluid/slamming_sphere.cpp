@@ -88,9 +88,9 @@ std::vector<Row> run(const Context& context) {
         rows.push_back(at_most_row(what + ": highest density", slam.highest, 1.2));
         peaks.push_back(slam.peak);
       }
-      const std::size_t n = peaks.size();
-      rows.push_back(relative_row(fmt::format("density {:g}: peak force, the last two sizes", 1000 * density),
-                                  peaks[n - 2], peaks[n - 1], context.quick ? 0.5 : 0.2));
+      if (!context.quick)
+        rows.push_back(relative_row(fmt::format("density {:g}: peak force, the last two sizes", 1000 * density),
+                                    peaks[1], peaks[2], 0.2));
     }
     if (!context.quick) float_up<Real>(rows);
     return rows;
