@@ -171,20 +171,23 @@ std::vector<Compared> make_quantities() {
   add("grains_arrival", "s", "grains at the net", metric("particle_arrival_s"), of_one(0.92), "4.3");
   add("froude_deepest", "1", "Froude number of the deepest section", metric("froude_deepest_section"),
       of_table(&Flow::froude), "Table 5");
-  add("froude_mean", "1", "the same with the mean speed of the liquid", metric("froude_mean_speed"),
+  add("froude_mean", "1", "Froude number with the mean speed of the liquid", metric("froude_mean_speed"),
       of_table(&Flow::froude), "Table 5");
-  add("froude_front", "1", "the same with the speed of the front", front_froude, of_table(&Flow::froude), "Table 5");
+  add("froude_front", "1", "Froude number with the speed of the front", front_froude, of_table(&Flow::froude),
+      "Table 5");
   add("depth", "m", "depth of the deepest section", metric("depth_at_inflow_m"), not_given, "");
   add("e_in", "kJ", "energy that arrives, about the bed at the net", e_in, of_table(&Flow::e_in), "Table 5");
-  add("e_in_lower", "kJ", "the same about the bed 1.30 m downstream", e_in_lower, of_table(&Flow::e_in), "Table 5");
+  add("e_in_lower", "kJ", "energy that arrives, about the bed 1.30 m downstream", e_in_lower, of_table(&Flow::e_in),
+      "Table 5");
   add("e_out", "kJ", "energy that leaves, about the bed at the net", e_out, of_table(&Flow::e_out), "Table 5");
-  add("e_out_lower", "kJ", "the same about the bed 1.30 m downstream", e_out_lower, of_table(&Flow::e_out), "Table 5");
+  add("e_out_lower", "kJ", "energy that leaves, about the bed 1.30 m downstream", e_out_lower, of_table(&Flow::e_out),
+      "Table 5");
   add("e_d", "kJ", "energy that is dissipated or passed on, E_in - E_out", e_d, of_table(&Flow::e_d), "Table 5");
   add("e_b", "kJ", "energy that the barrier holds at the end", e_b, of_table(&Flow::e_b), "Table 5");
   add(
       "eta", "1", "E_d / E_in", [](const CaseResult& c) { return e_d(c) / e_in(c); }, of_table(&Flow::eta), "Table 5");
   add(
-      "eta_lower", "1", "the same about the bed 1.30 m downstream",
+      "eta_lower", "1", "E_d / E_in, about the bed 1.30 m downstream",
       [](const CaseResult& c) { return 1 - e_out_lower(c) / e_in_lower(c); }, of_table(&Flow::eta), "Table 5");
   add(
       "zeta", "1", "E_b / E_d", [](const CaseResult& c) { return e_b(c) / e_d(c); }, of_table(&Flow::zeta), "Table 5");
@@ -194,19 +197,22 @@ std::vector<Compared> make_quantities() {
         return (c.metric("e_out_liquid_kinetic_kJ") + c.metric("e_out_liquid_potential_kJ")) / e_out(c);
       },
       not_given, "Fig. 16");
-  add("retained_mass", "1", "share of the grains' mass that is held", metric("retained_mass_ratio"), of_ends(0.98, 0.90),
-      "4.2: ends of the range");
+  add("retained_mass", "1", "share of the grains' mass that is held", metric("retained_mass_ratio"),
+      of_ends(0.98, 0.90), "4.2: ends of the range");
   add("retained_large", "1", "share of the large grains", metric("retained_large_grains_ratio"), of_ends(0.999, 0.965),
       "4.2: ends of the range");
   add("retained_small", "1", "share of the small grains", metric("retained_small_grains_ratio"), of_ends(0.902, 0.649),
       "4.2: ends of the range");
   add("lower_cable_sum", "kN", "largest sum of bond forces in the lower cable", metric("peak_lower_cable_sum_kN"),
       of_one(517.54), "4.3");
-  add("upper_cable_sum", "kN", "the same in the upper cable", metric("peak_upper_cable_sum_kN"), not_given, "Fig. 13");
-  add("left_cable_sum", "kN", "the same in the left cable", metric("peak_left_cable_sum_kN"), not_given, "Fig. 13");
-  add("right_cable_sum", "kN", "the same in the right cable", metric("peak_right_cable_sum_kN"), not_given, "Fig. 13");
-  add("barrier_sum", "kN", "the same in the whole barrier", metric("peak_barrier_sum_kN"), of_ends(kNone, 4131.31),
-      "Fig. 14: the largest of all flows, which rise");
+  add("upper_cable_sum", "kN", "largest sum of bond forces in the upper cable", metric("peak_upper_cable_sum_kN"),
+      not_given, "Fig. 13");
+  add("left_cable_sum", "kN", "largest sum of bond forces in the left cable", metric("peak_left_cable_sum_kN"),
+      not_given, "Fig. 13");
+  add("right_cable_sum", "kN", "largest sum of bond forces in the right cable", metric("peak_right_cable_sum_kN"),
+      not_given, "Fig. 13");
+  add("barrier_sum", "kN", "largest sum of bond forces in the whole barrier", metric("peak_barrier_sum_kN"),
+      of_ends(kNone, 4131.31), "Fig. 14: the largest of all flows, which rise");
   add("barrier_tension", "kN", "largest tension of a bond", metric("peak_barrier_tension_kN"), not_given, "");
   add("upper_cable_end", "kN", "largest force at an end of the upper cable", metric("peak_upper_cable_end_kN"),
       not_given, "");
