@@ -1,8 +1,9 @@
 #pragma once
 // What cells hold that become interface cells. Refilling by equilibrium, the most robust of the ways compared by
 // Schwarzmeier & Ruede 2022 (arXiv:2207.13962): a cell that was gas gets the equilibrium at the mean density and
-// velocity of its wet neighbours, without those that were gas too; one that a drop has moved into, at the drop's. A
-// liquid cell that becomes interface keeps its populations.
+// velocity of its wet neighbours, without those that were gas too, or, where a body covers it, at the body's velocity
+// (docs/decisions/0059); one that a drop has moved into, at the drop's. A liquid cell that becomes interface keeps its
+// populations.
 #include "lbm/free_surface/block_changes.h"
 
 namespace lahar::lbm {
