@@ -17,6 +17,8 @@
 namespace lahar::scene {
 namespace {
 
+constexpr double largest_overlap = 0.1;  // of the smaller radius: more would burst apart
+
 /// The largest depth (m, > 0) at which points of a box lie inside walls, on a lattice that includes the corners.
 double depth_in_walls(const Walls& walls, const Vec3& lower, const Vec3& upper) {
   constexpr int n = 8;
@@ -70,7 +72,6 @@ void check_sphere(const Scene& scene, std::size_t i, Findings& findings) {
   const GrainSphere& s = scene.grains.spheres[i];
   const std::string path = fmt::format("grains.sphere[{}]", i);
   if (!findings.sound({path})) return;
-  constexpr double largest_overlap = 0.1;  // of the radius: more would burst apart
   if (findings.sound({"domain"})) {
     const double room = (scene.domain.upper - scene.domain.lower).minCoeff();
     if (s.diameter > room)
@@ -228,6 +229,38 @@ void check_barrier(const Scene& scene, Findings& findings) {
   check_posts(scene, findings);
 }
 
+namespace {
+
+/// Grains that begin where the barrier is would burst out of it.
+void check_grains_beside_barrier(const Scene& scene, const dem::Particles& beads, Findings& findings) {
+  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
+    const Packing& packing = scene.grains.packings[i];
+    Vec3 upper = packing.upper;
+    if (packing.target_height > 0) upper.z() = std::min(upper.z(), packing.lower.z() + packing.target_height);
+    std::int64_t inside = 0;
+    for (dem::ParticleIndex b = 0; b < beads.size(); ++b) {
+      const Vec3 x = beads.position[b];
+      inside += (x.array() > packing.lower.array()).all() && (x.array() < upper.array()).all();
+    }
+    const std::string path = fmt::format("grains.packing[{}]", i);
+    if (inside > 0)
+      findings.mistake(path + ".lower_m",
+                       fmt::format("{} holds {} beads of the barrier, expected it beside the barrier", path, inside));
+  }
+  for (std::size_t i = 0; i < scene.grains.spheres.size(); ++i) {
+    const GrainSphere& s = scene.grains.spheres[i];
+    for (dem::ParticleIndex b = 0; b < beads.size(); ++b) {
+      const double gap = (beads.position[b] - s.position).norm() - beads.radius[b] - s.diameter / 2;
+      if (-gap <= largest_overlap * beads.radius[b]) continue;
+      const std::string path = fmt::format("grains.sphere[{}]", i);
+      findings.mistake(path + ".position_m", path + " overlaps the barrier, expected a gap");
+      break;
+    }
+  }
+}
+
+}  // namespace
+
 void check_net_can_be_built(const Scene& scene, Findings& findings) {
   constexpr std::int64_t most_beads = 500'000;  // a few seconds; of larger nets the run finds it out
   if (!scene.barrier.enabled || !findings.mistakes().empty() || cases::barrier_beads(scene) > most_beads) return;
@@ -241,8 +274,11 @@ void check_net_can_be_built(const Scene& scene, Findings& findings) {
     }
   };
   attempt("barrier.net", [&] { barrier::build_net(make_net_spec(scene), particles, bonds); });
-  if (scene.barrier.posts.enabled && findings.mistakes().empty())
+  if (scene.barrier.posts.enabled && findings.mistakes().empty()) {
+    particles = {}, bonds = {};
     attempt("barrier.posts", [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
+  }
+  if (findings.mistakes().empty()) check_grains_beside_barrier(scene, particles, findings);
 }
 
 void check_averaged(const Scene& scene, Findings& findings) {

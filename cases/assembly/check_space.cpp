@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cases/assembly/cross_checks.h"
+#include "cases/assembly/geometry.h"
 #include "cases/assembly/memory.h"
 
 namespace lahar::scene {
@@ -158,6 +159,8 @@ void check_speed(const Scene& scene, Findings& findings) {
 void check_shapes(const Scene& scene, Findings& findings) {
   check_box(scene.domain.lower, scene.domain.upper, "domain", findings);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) check_wall(scene.walls[i], fmt::format("wall[{}]", i), findings);
+  if (findings.sound({"domain", "wall"}) && filled_by_walls(make_walls(scene), scene.domain.lower, scene.domain.upper))
+    findings.mistake("domain", "domain lies in walls, expected room beside them");
   for (std::size_t i = 0; i < scene.grains.packings.size(); ++i)
     check_box(scene.grains.packings[i].lower, scene.grains.packings[i].upper, fmt::format("grains.packing[{}]", i),
               findings);

@@ -50,6 +50,16 @@ Walls make_walls(const Scene& scene) {
   return walls;
 }
 
+bool filled_by_walls(const Walls& walls, const Vec3& lower, const Vec3& upper) {
+  constexpr int n = 9;  // points along an edge
+  if (walls.empty()) return false;
+  for (int i = 0; i < n * n * n; ++i) {
+    const Vec3 part((i % n + 0.5) / n, (i / n % n + 0.5) / n, (i / (n * n) + 0.5) / n);
+    if (walls.nearest(lower + (upper - lower).cwiseProduct(part)).distance > 0) return false;
+  }
+  return true;
+}
+
 dem::Materials make_materials(const Scene& scene) {
   dem::Materials materials;
   for (const MaterialSettings& m : scene.materials)

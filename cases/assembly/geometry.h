@@ -17,6 +17,9 @@ std::optional<Shape> make_body(const FluidRegion& region);
 /// All walls, in the order of the scene.
 Walls make_walls(const Scene& scene);
 
+/// Whether walls take all of a box, judged at the points of a lattice.
+bool filled_by_walls(const Walls& walls, const Vec3& lower, const Vec3& upper);
+
 /// All materials in the order of the scene, moduli times solids.contact_modulus_scale, with the pairs of all contacts.
 dem::Materials make_materials(const Scene& scene);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -36,7 +37,19 @@ void list(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   }
 }
 
-/// What is there of all cases, and the page about it.
+/// The cases asked for, and those that are in the folder besides.
+std::vector<StudyCase> with_those_there(std::vector<StudyCase> all, const Arguments& a) {
+  if (!std::filesystem::is_directory(a.out)) return all;
+  for (const auto& entry : std::filesystem::directory_iterator(a.out)) {
+    const auto there = case_named(entry.path().filename().string(), a.selection.further);
+    if (!there || std::find(all.begin(), all.end(), *there) != all.end()) continue;
+    if (entry.is_directory() && standing_of(*there, entry.path()) == Standing::done) all.push_back(*there);
+  }
+  std::sort(all.begin(), all.end(), comes_before);
+  return all;
+}
+
+/// What is done, and the page about it.
 void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   const std::filesystem::path folder = a.out;
   std::vector<CaseResult> results;
@@ -44,7 +57,7 @@ void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
                   cases::commit(),
                   fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now())),
                   {}};
-  for (const StudyCase& c : study_cases) {
+  for (const StudyCase& c : with_those_there(study_cases, a)) {
     if (standing_of(c, folder / c.name()) == Standing::done)
       results.push_back(read_case(c, folder / c.name()));
     else
@@ -108,7 +121,7 @@ int main(int argc, char** argv) {
   app.add_option("--at-once", a.at_once, "Runs at once, which share the threads")->check(CLI::Range(1, 64));
   app.add_option("--threads", a.threads, "Threads of all runs together (default: all)")->check(CLI::Range(1, 4096));
   app.add_flag("--list", a.list, "Say of each case whether it is done, and run nothing");
-  app.add_flag("--report", a.report_only, "Only write the report of what is done");
+  app.add_flag("--report", a.report_only, "Only write the report, of all cases in the folder that are done");
   app.add_flag("--quiet", a.quiet, "Print nothing but mistakes");
   return cases::parse_and_run(app, argc, argv, [&] { return study::run(a); });
 }

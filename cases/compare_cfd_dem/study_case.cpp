@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <tuple>
 
 #include "cases/validate/reference_table.h"
 #include "core/check.h"
@@ -36,8 +39,11 @@ const std::vector<Choice>& couplings() {
       {"averaged",
        "grains by a drag law over 0.15 m, wires by theirs",
        {"coupling.grains=averaged", "coupling.averaging_length_m=0.15", "coupling.bed_drag=di_felice"}},
+      {"averaged_ergun",
+       "the same, with Ergun's drag of packed beds in place of Di Felice's",
+       {"coupling.grains=averaged", "coupling.averaging_length_m=0.15", "coupling.bed_drag=gidaspow"}},
       {"averaged_beads",
-       "the same, and the beads of wires by the law of grains, as the paper has it",
+       "as averaged, and the beads of wires by the law of grains, as the paper has it",
        {"coupling.grains=averaged", "coupling.averaging_length_m=0.15", "coupling.bed_drag=di_felice",
         "coupling.beads_as_grains=true"}}};
   return all;
@@ -93,6 +99,35 @@ std::vector<std::string> StudyCase::changes() const {
     all.insert(all.end(), choice->changes.begin(), choice->changes.end());
   all.insert(all.end(), further.begin(), further.end());
   return all;
+}
+
+std::optional<StudyCase> case_named(const std::string& name, const std::vector<std::string>& further) {
+  std::vector<std::string> parts;
+  std::istringstream text(name);
+  for (std::string part; std::getline(text, part, '-');) parts.push_back(part);
+  if (parts.size() == 5) parts.push_back(variants().front().name);
+  if (parts.size() != 6) return std::nullopt;
+  StudyCase c{parts[0], parts[2], parts[3], parts[5], 0, 0, further};
+  const auto is_in = [](const std::vector<Choice>& all, const std::string& one) {
+    return std::any_of(all.begin(), all.end(), [&](const Choice& choice) { return choice.name == one; });
+  };
+  if (!is_in(sweeps(), c.sweep) || !is_in(presets(), c.preset) || !is_in(couplings(), c.coupling) ||
+      !is_in(variants(), c.variant) || std::sscanf(parts[1].c_str(), "L%lf", &c.release) != 1 ||
+      std::sscanf(parts[4].c_str(), "seed%d", &c.seed) != 1)
+    return std::nullopt;
+  return c.name() == name ? std::optional(c) : std::nullopt;
+}
+
+bool comes_before(const StudyCase& a, const StudyCase& b) {
+  const auto place = [](const StudyCase& c) {
+    const auto at = [](const std::vector<Choice>& all, const std::string& one) {
+      return std::find_if(all.begin(), all.end(), [&](const Choice& choice) { return choice.name == one; }) -
+             all.begin();
+    };
+    return std::tuple(at(sweeps(), c.sweep), c.release, at(presets(), c.preset), at(couplings(), c.coupling),
+                      at(variants(), c.variant), c.seed);
+  };
+  return place(a) < place(b);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 // One run of the study: which flow, how it is computed, and what of the net is read otherwise.
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,12 @@ struct StudyCase {
   /// key=value, in the order in which they hold.
   [[nodiscard]] std::vector<std::string> changes() const;
 };
+
+/// The case whose name() this is; none where there is no such case.
+std::optional<StudyCase> case_named(const std::string& name, const std::vector<std::string>& further);
+
+/// The order of tables: by flow, then preset, coupling, variant, seed, each as in its list.
+bool comes_before(const StudyCase& a, const StudyCase& b);
 
 /// What the command line asks for; what is empty stands for its default.
 struct Selection {

@@ -34,6 +34,7 @@ void describe(V& v, RockfallNet& part) {
   v.value("density_kg_m3", s.density, {positive()}, "Density of the beads.");
   v.value("cable_extension_m", s.cable_extension, {positive()},
           "Length of each cable beyond a corner: more than a dissipator draws out.");
+  v.value("dissipators_per_cable", s.dissipators_per_cable, {scene::between(1, 2)}, "At one end, or at both.");
   v.value("guide_stiffness_N_m", s.guide_stiffness, {positive()}, "Of the guides at the corners, sideways.");
   v.value("tied", s.tied, {}, "Edge rings are bonded to their cables and cannot slide.");
 }

@@ -47,7 +47,9 @@ barrier::RingNetSpec net_spec(const Rockfall& r) {
       barrier::dissipator_bond(r.dissipator_stiffness[0], r.dissipator_stiffness[1], r.activation_force, 0);
   spec.dissipator.axial.plastic_unloading = r.plastic_unloading;
   for (dem::BondSort* sort : {&spec.ring, &spec.cable, &spec.dissipator}) sort->damping_ratio = r.bond_damping_ratio;
-  spec.lower = spec.upper = spec.left = spec.right = barrier::NetCable{};  // ends fixed, a dissipator next to either
+  barrier::NetCable cable;  // ends fixed, a dissipator next to either
+  if (r.dissipators_per_cable == 1) cable.support.dissipators_at = {0};
+  spec.lower = spec.upper = spec.left = spec.right = cable;
   return spec;
 }
 

@@ -18,6 +18,7 @@ struct Rockfall {
   double wire_diameter = 0.0157;                           ///< m
   double density = 7800;                                   ///< kg/m^3
   double cable_extension = 1.6;                            ///< m, of each cable beyond a corner; not in the paper
+  std::int64_t dissipators_per_cable = 2;                  ///< 2: at both ends; 1: at one; not in the paper
   double guide_stiffness = 1e7;                            ///< N/m, sideways at the corners; not in the paper
   double ring_stiffness = 3e11;                            ///< N/m^3, normal and shear
   double cable_stiffness = 8e11;                           ///< N/m^3

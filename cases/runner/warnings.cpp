@@ -160,24 +160,12 @@ void add_packings(const scene::Scene& s, List& list) {
   }
 }
 
-/// Whether all points of a lattice in a box lie in walls.
-bool filled_by_walls(const Walls& walls, const Vec3& lower, const Vec3& upper) {
-  constexpr int n = 9;  // points along an edge
-  if (walls.empty()) return false;
-  for (int i = 0; i < n * n * n; ++i) {
-    const Vec3 part((i % n + 0.5) / n, (i / n % n + 0.5) / n, (i / (n * n) + 0.5) / n);
-    if (walls.nearest(lower + (upper - lower).cwiseProduct(part)).distance > 0) return false;
-  }
-  return true;
-}
-
 /// What lies in walls, or over something else.
 void add_places(const scene::Scene& s, List& list) {
   const Walls walls = scene::make_walls(s);
   const auto look = [&](const std::string& path, const Vec3& lower, const Vec3& upper) {
-    if (filled_by_walls(walls, lower, upper)) list.push_back(path + " lies in walls: nothing of it is left");
+    if (scene::filled_by_walls(walls, lower, upper)) list.push_back(path + " lies in walls: nothing of it is left");
   };
-  look("the domain", s.domain.lower, s.domain.upper);
   if (s.fluid.enabled) {
     for (std::size_t i = 0; i < s.fluid.regions.size(); ++i)
       look(fmt::format("fluid.region[{}]", i), s.fluid.regions[i].lower, s.fluid.regions[i].upper);

@@ -69,6 +69,23 @@ TEST(StudyCases, MakeScenes) {
   }
 }
 
+TEST(StudyCases, AreKnownByTheirNames) {
+  for (const StudyCase& c : cases_of({.seeds = {1, 12}})) EXPECT_EQ(case_named(c.name(), {}), c);
+  StudyCase c{"matched", "standard", "averaged_ergun", "half_speed", 7.1, 2, {"run.duration_s=1"}};
+  EXPECT_EQ(case_named(c.name(), c.further), c);
+  for (const char* name : {"", "report.html", "matched-L4.10-coarse-averaged", "matched-L4.1-coarse-averaged-seed1",
+                           "matched-L4.10-coarse-averaged-seed01", "matched-L4.10-coarse-average-seed1",
+                           "matched-L4.10-coarse-averaged-seed1-study", "matched-L4.10-coarse-averaged-seed1.log"})
+    EXPECT_FALSE(case_named(name, {}).has_value()) << name;
+}
+
+TEST(StudyCases, StandInTablesByFlow) {
+  const StudyCase first{"as_printed", "coarse", "averaged", "study", 1.85, 2},
+      second{"as_printed", "standard", "resolved", "study", 1.85, 1},
+      third{"as_printed", "coarse", "resolved", "study", 4.1, 1};
+  EXPECT_TRUE(comes_before(first, second) && comes_before(second, third) && !comes_before(third, first));
+}
+
 /// The paper's table is consistent in itself, to a hundredth of a kJ.
 TEST(PublishedFlows, AreWhole) {
   for (const Flow& f : published_flows()) {

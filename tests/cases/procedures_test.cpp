@@ -80,6 +80,16 @@ TEST(Procedures, RefuseAnAbsurdTimeStep) {
   EXPECT_THROW(SettledNet(small, go_on), InputError);
 }
 
+TEST(RockfallReadings, OneDissipatorACableIsOneAtOneEndOfEach) {
+  const auto go_on = [](double) { return true; };
+  Rockfall small;
+  small.net_width = 2 * small.ring_pitch, small.ball_diameter = 0.4, small.ball_mass = 60;
+  small.settling_time = 0, small.duration = 0.03, small.activation_force = 1;
+  EXPECT_EQ(SettledNet(small, go_on).strike(small, go_on).active_brakes, 8);
+  small.dissipators_per_cable = 1;
+  EXPECT_EQ(SettledNet(small, go_on).strike(small, go_on).active_brakes, 4);
+}
+
 TEST(RingPullScaling, KeepsTheWireAndTheMassOfTheRing) {
   RingPull ring;
   ring.beads = 120;

@@ -7,10 +7,12 @@ plant study/comparison.csv '# theirs
 quantity,unit,case,theirs,ours,difference,spread
 e_in,kJ,matched-L4.10-coarse-resolved-seed1,54.361,50,-0.08,
 e_in,kJ,matched-L4.10-coarse-averaged-seed1,54.361,52.123456,-0.04,
+e_in,kJ,matched-L4.10-standard-resolved-seed1,54.361,40,-0.26,
 depth,m,matched-L4.10-coarse-resolved-seed1,,0.25,,
-depth,m,matched-L4.10-coarse-averaged-seed1,,,,'
-for coupling in resolved averaged; do
-  plant "study/matched-L4.10-coarse-$coupling-seed1/summary.json" '{"wall_seconds": 600, "threads": 1, "commit": "abc",
+depth,m,matched-L4.10-coarse-averaged-seed1,,,,
+depth,m,matched-L4.10-standard-resolved-seed1,,0.2,,'
+for case in coarse-resolved coarse-averaged standard-resolved; do
+  plant "study/matched-L4.10-$case-seed1/summary.json" '{"wall_seconds": 600, "threads": 1, "commit": "abc",
 "checks": [{"name": "momentum_audit", "pass": false}, {"name": "liquid_mass_ledger", "pass": true}]}'
 done
 mkdir -p "$scratch/tree/tools"
@@ -20,8 +22,10 @@ capture "$page" "$scratch/tree/study"
 expect_equal 'status' "$status" 0
 expect_contains "$output" '| matched-L4.10-coarse-resolved-seed1 | 10.0 | 1 | abc | momentum_audit |'
 expect_contains "$output" '## matched, L = 4.10 m'
-expect_contains "$output" '| `e_in` | kJ | 54.36 | 50 | 52.12 |'
-expect_contains "$output" '| `depth` | m | - | 0.25 | - |'
+expect_contains "$output" '| `e_in` | kJ | 54.36 | 50 | 52.12 | 40 |'
+expect_contains "$output" '| `depth` | m | - | 0.25 | - | 0.2 |'
+expect_contains "$output" '| Quantity | matched-L4.10-coarse-resolved-seed1 against matched-L4.10-standard-resolved-seed1 |'
+expect_contains "$output" '| `depth` | +25.0 |'
 first="$output"
 rm -r "$scratch/tree/study"
 capture "$page"

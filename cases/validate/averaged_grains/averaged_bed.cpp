@@ -13,6 +13,7 @@ std::unique_ptr<coupling::CoupledStep<float>> make_bed(const AveragedBed& bed, c
   fluid.domain.upper = bed.size;
   fluid.domain.cell_size = bed.cell_size;
   fluid.domain.faces.fill(bed.periodic ? lbm::FaceKind::periodic : lbm::FaceKind::closed);
+  if (bed.upright) fluid.domain.faces[4] = fluid.domain.faces[5] = lbm::FaceKind::closed;
   fluid.domain.slip = WallSlip::free_slip;
   fluid.time_step = bed.time_step;
   fluid.density = kLiquidDensity;

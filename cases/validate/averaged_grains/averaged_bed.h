@@ -1,5 +1,5 @@
 #pragma once
-// Beds of grains in fluids that do not resolve them (coupling/grains/averaged_exchange.h).
+// Beds of grains in fluids that do not resolve them (coupling/grains/averaged_exchange.h), and the same resolved.
 #include <memory>
 #include <vector>
 
@@ -12,6 +12,7 @@ struct AveragedBed {
   Vec3 size;                          ///< m, whole cells
   double cell_size;                   ///< m
   bool periodic;                      ///< along all axes; else closed, without friction at the walls
+  bool upright = false;               ///< with periodic: floor and lid are closed all the same
   double time_step;                   ///< s, of the fluid
   double viscosity;                   ///< m^2/s
   Vec3 fluid_gravity = Vec3::Zero();  ///< m/s^2
@@ -19,7 +20,7 @@ struct AveragedBed {
   double diameter;                    ///< m
   double density = 2500;              ///< kg/m^3, of grains; the liquid has 1000
   dem::ParticleState state = dem::ParticleState::free;
-  coupling::AveragedGrains exchange{};
+  coupling::GrainExchangeChoice exchange = coupling::AveragedGrains{};
   double youngs_modulus = 1e7;  ///< Pa, of grains: soft where contacts do not matter
   double grate = 0;             ///< m above the floor: grains stand on it, water goes through
   double water_level = 0;       ///< m; 0: full, without a surface; else the top is open

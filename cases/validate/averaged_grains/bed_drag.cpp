@@ -41,7 +41,7 @@ Answer ask(const Question& q) {
                   .diameter = kDiameter,
                   .density = 2500,
                   .state = dem::ParticleState::fixed,
-                  .exchange = {q.averaging_length, q.law, false}};
+                  .exchange = coupling::AveragedGrains{q.averaging_length, q.law, false}};
   auto step = make_bed(bed, hard_spheres(count, kBox, kDiameter, 1));
   double former = 0, mean = 0;
   for (int round = 0; round < 60; ++round) {

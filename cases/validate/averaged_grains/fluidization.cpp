@@ -50,7 +50,7 @@ Lift lift(double viscosity) {
                   .grain_gravity = Vec3(0, 0, -kGravity),
                   .diameter = kDiameter,
                   .density = kDensity,
-                  .exchange = {0.04, coupling::BedDrag::gidaspow, false},
+                  .exchange = coupling::AveragedGrains{0.04, coupling::BedDrag::gidaspow, false},
                   .youngs_modulus = 1e8,  // a bed that its weight compresses rises before it lifts
                   .grate = kGrate,
                   .water_level = 0.8,

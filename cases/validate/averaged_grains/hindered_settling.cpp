@@ -57,7 +57,7 @@ Swarm settle(double fraction, double viscosity, double length) {
                   .grain_gravity = Vec3(0, 0, -kGravity * (1 - kLiquidDensity / kDensity)),
                   .diameter = kDiameter,
                   .density = kDensity,
-                  .exchange = {length, coupling::BedDrag::di_felice, false}};
+                  .exchange = coupling::AveragedGrains{length, coupling::BedDrag::di_felice, false}};
   const std::vector<Vec3> centres =
       fraction > 0 ? loose_lattice(kVessel, kDiameter, fraction, 1) : std::vector<Vec3>{Vec3(0.078, 0.083, 0.4)};
   auto step = make_bed(bed, centres);

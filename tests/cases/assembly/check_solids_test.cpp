@@ -27,6 +27,13 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"wall[0].point_m=[0, 0, 0.1]", "barrier.net.origin_m=[4.1, 0, 0.1]"},
                   "grains.packing[0] reaches 0.1 m",
                   "free space"},
+        Rejection{{"barrier.net.origin_m=[0.5, 0, 0]", "measure.section_x_m=4.1"},
+                  "grains.packing[0] holds",
+                  "beads of the barrier, expected it beside"},
+        Rejection{{"grains.sphere[0].position_m=[4.1, 0.9, 0.5]", "grains.sphere[0].diameter_m=0.4",
+                   "grains.sphere[0].density_kg_m3=2500", "grains.sphere[0].material=rock"},
+                  "grains.sphere[0] overlaps the barrier",
+                  "expected a gap"},
         Rejection{{"barrier.net.width_m=1.86"}, "barrier.net.width_m", "outside the domain"},
         Rejection{
             {"domain.upper_m=[5.6, 1.9, 1.5]", "barrier.net.width_m=1.86"}, "barrier.net.width_m", "outside the walls"},
@@ -102,6 +109,15 @@ TEST(CheckSolids, TouchingSpheresAndFixedOnesInWallsAreFine) {
   EXPECT_TRUE(mistakes_in(case_file("bouncing_sphere/scene.toml"),
                           {"grains.sphere[0].position_m=[0, 0, 0]", "grains.sphere[0].fixed=true"})
                   .empty());
+}
+
+TEST(CheckSolids, ABoxMayReachOverTheNetWhereItsGrainsDoNot) {
+  const std::vector<std::string> high{"barrier.net.origin_m=[0.5, 0, 0.54]", "barrier.net.height_m=0.48",
+                                      "measure.section_x_m=4.1"};
+  EXPECT_EQ(mistakes_in(case_file("debris_flow/scene.toml"), high).size(), 1u);
+  std::vector<std::string> low = high;
+  low.push_back("barrier.net.origin_m=[0.5, 0, 0.6]");
+  EXPECT_TRUE(mistakes_in(case_file("debris_flow/scene.toml"), low).empty());
 }
 
 TEST(CheckSolids, TheSectionIsTheNetsPlaneUnlessGiven) {

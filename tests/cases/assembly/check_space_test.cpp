@@ -22,6 +22,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"fluid.cell_size_m=1e-9"}, "fluid.cell_size_m", "cells along the domain"},
         Rejection{{"gravity.magnitude_m_s2=0"}, "fluid.max_speed_m_s", "nothing moves and nothing falls"},
         Rejection{{"wall[0].normal=[0, 0, 0]"}, "wall[0].normal", "is zero"},
+        Rejection{{"wall[0].point_m=[0, 2, 0]"}, "domain lies in walls", "room beside them"},
         Rejection{{"wall[0].velocity_m_s=[0, 1, 0]"}, "wall[0].velocity_m_s", "leaves the plane"},
         Rejection{{"wall[2].shape=box", "wall[2].lower_m=[0, 0, 0]", "wall[2].upper_m=[1, 0, 1]"},
                   "wall[2].upper_m",
