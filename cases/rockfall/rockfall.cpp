@@ -291,12 +291,15 @@ RockfallResult SettledNet::strike(const Rockfall& r, const std::function<bool(do
   }
   const double radius = 0.5 * r.ball_diameter;
   const double density = r.ball_mass / (4.0 / 3.0 * std::numbers::pi * radius * radius * radius);
-  double lowest = 0, squares = 0;
+  double lowest = 0, squares = 0, height = radius;  // of the ball's centre: higher where a flat net is in its way
   for (std::size_t i = 0; i < p.particles.size(); ++i) {
-    lowest = std::min(lowest, p.particles.position.z[i]);
+    const Vec3 x = p.particles.position[i];
+    lowest = std::min(lowest, x.z());
     squares += p.particles.velocity[i].squaredNorm();
+    const double reach = radius + p.particles.radius[i], across = std::hypot(x.x(), x.y());
+    if (across < reach) height = std::max(height, x.z() + std::sqrt(reach * reach - across * across));
   }
-  const dem::ParticleIndex ball = solids.particles().add({.position = Vec3(0, 0, radius),
+  const dem::ParticleIndex ball = solids.particles().add({.position = Vec3(0, 0, height),
                                                           .velocity = Vec3(0, 0, -r.impact_speed()),
                                                           .radius = radius,
                                                           .density = density,
@@ -308,7 +311,7 @@ RockfallResult SettledNet::strike(const Rockfall& r, const std::function<bool(do
   strike.result.settled_sag = -lowest;
   strike.result.settled_speed = std::sqrt(squares / static_cast<double>(p.particles.size()));
   strike.result.interrupted = p.interrupted;
-  strike.sample(0, 0);
+  strike.sample(0, height - radius);
   for (std::int64_t k = 1; solids.time() < r.duration && !strike.result.interrupted; ++k) {
     while (solids.time() < static_cast<double>(k) * r.sample_interval) {
       guide(guides, solids);
