@@ -29,18 +29,20 @@ Immersion debris_immersion() {
 }
 
 template <class Real>
-BedDrag drag_of_flow(const Bed& bed, double viscosity, double gravity, double expected, const Immersion& immersion) {
+BedDrag drag_of_flow(const Bed& bed, double viscosity, double gravity, double expected, const Immersion& immersion,
+                     double drift) {
   constexpr double final_change = 5e-3;  // of the mean velocity between two spans of time
   const double d = bed.diameter, pores = 1 - bed.fraction;
   SphereFlow<Real> flow(Vec3i::Constant(bed.box), viscosity, gravity * Vec3::UnitX(), immersion, bed.centres, d / 2,
-                        expected / pores * Vec3::UnitX());
+                        (expected / pores - drift * expected) * Vec3::UnitX());
+  flow.move_spheres(-drift * expected * Vec3::UnitX());
   const int span = 400 + static_cast<int>(0.5 * pores * expected / gravity);
   double former = 0, mean = 0;
   for (int round = 0; round < 30; ++round) {
     mean = 0;
     for (int s = 0; s < span; ++s) {
       flow.step();
-      if (s % 20 == 0) mean += flow.mean_velocity().x() / ((span + 19) / 20);
+      if (s % 20 == 0) mean += (flow.mean_velocity().x() + drift * expected) / ((span + 19) / 20);
     }
     if (round > 2 && std::abs(mean / former - 1) < final_change) break;
     former = mean;
@@ -49,7 +51,7 @@ BedDrag drag_of_flow(const Bed& bed, double viscosity, double gravity, double ex
 }
 
 template <class Real>
-BedDrag drag_of_gravel(const Bed& bed, double speed, const Immersion& immersion) {
+BedDrag drag_of_gravel(const Bed& bed, double speed, const Immersion& immersion, double drift) {
   constexpr double diameter = 0.05, water = 1e-6, gradient = 0.1;  // m, m^2/s, hydraulic
   const double d = bed.diameter, dx = diameter / d;
   const LatticeUnits units{dx, 0.1 * dx / speed, 1000};
@@ -57,12 +59,12 @@ BedDrag drag_of_gravel(const Bed& bed, double speed, const Immersion& immersion)
   // F / Re of Ergun's bed where its drag is quadratic
   const double quadratic = drag_of_bed(bed.fraction, 3000) / 3000;
   const double expected = std::sqrt(g * d * (1 - bed.fraction) / (18 * bed.fraction * quadratic));
-  return drag_of_flow<Real>(bed, nu, g, expected, immersion);
+  return drag_of_flow<Real>(bed, nu, g, expected, immersion, drift);
 }
 
-template BedDrag drag_of_flow<float>(const Bed&, double, double, double, const Immersion&);
-template BedDrag drag_of_flow<double>(const Bed&, double, double, double, const Immersion&);
-template BedDrag drag_of_gravel<float>(const Bed&, double, const Immersion&);
-template BedDrag drag_of_gravel<double>(const Bed&, double, const Immersion&);
+template BedDrag drag_of_flow<float>(const Bed&, double, double, double, const Immersion&, double);
+template BedDrag drag_of_flow<double>(const Bed&, double, double, double, const Immersion&, double);
+template BedDrag drag_of_gravel<float>(const Bed&, double, const Immersion&, double);
+template BedDrag drag_of_gravel<double>(const Bed&, double, const Immersion&, double);
 
 }  // namespace lahar::validate

@@ -23,13 +23,15 @@ struct BedDrag {
   double reynolds, coefficient;  ///< U d / nu; F
 };
 
-/// Once the flow is steady; lattice units. `expected`: about what U will be.
+/// Once the flow is steady; lattice units. `expected`: about what U will be, the velocity past the grains; these move
+/// against it with `drift` times that.
 template <class Real>
-BedDrag drag_of_flow(const Bed& bed, double viscosity, double gravity, double expected, const Immersion& immersion);
+BedDrag drag_of_flow(const Bed& bed, double viscosity, double gravity, double expected, const Immersion& immersion,
+                     double drift = 0);
 
 /// Water through gravel of 5 cm under a hydraulic gradient of 0.1, at the time step of a scene whose fluid runs `speed`
 /// m/s: 0.1 lu.
 template <class Real>
-BedDrag drag_of_gravel(const Bed& bed, double speed, const Immersion& immersion);
+BedDrag drag_of_gravel(const Bed& bed, double speed, const Immersion& immersion, double drift = 0);
 
 }  // namespace lahar::validate

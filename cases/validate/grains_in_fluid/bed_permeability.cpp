@@ -31,10 +31,10 @@ Row liquid_row(const Bed& bed, double reynolds) {
 
 constexpr double kSceneSpeed = 7;  // m/s, of the paper's case
 
-BedDrag gravel_drag(const Bed& bed, double speed) {
+BedDrag gravel_drag(const Bed& bed, double speed, double drift = 0) {
   Immersion immersion = debris_immersion();
   immersion.radius_shift = coupling::kRadiusShiftFast;
-  return drag_of_gravel<float>(bed, speed, immersion);
+  return drag_of_gravel<float>(bed, speed, immersion, drift);
 }
 
 Row gravel_row(const Bed& bed) {
@@ -53,12 +53,22 @@ Row time_step_row(const Bed& bed) {
                       0.10);
 }
 
+/// The same bed in a stream of the same velocity past it, but moving: what water at rest does to falling grains.
+Row moving_row(const Bed& bed, double drift) {
+  const auto quadratic = [](const BedDrag& drag) { return drag.coefficient / drag.reynolds; };
+  return relative_row(fmt::format("F / Re, phi {:.2f}, {} cells, water through gravel: the bed moves, {:g} times U",
+                                  bed.fraction, std::lround(bed.diameter), drift),
+                      quadratic(gravel_drag(bed, kSceneSpeed, drift)), quadratic(gravel_drag(bed, kSceneSpeed)), 0.10);
+}
+
 std::vector<Row> run(const Context& context) {
   if (context.quick) return {gravel_row(make_bed(0.5, 4))};
   std::vector<Row> rows;
   for (const int cells : {2, 4, 8})
     for (const double fraction : {0.4, 0.5, 0.6}) rows.push_back(gravel_row(make_bed(fraction, cells)));
   for (const int cells : {2, 4, 8}) rows.push_back(time_step_row(make_bed(0.5, cells)));
+  for (const int cells : {2, 4, 8})
+    for (const double drift : {1.0, 30.0}) rows.push_back(moving_row(make_bed(0.5, cells), drift));
   for (const int cells : {2, 4, 8})
     for (const double fraction : {0.4, 0.5, 0.6})
       for (const double reynolds : {0.1, 1.0, 10.0, 100.0, 1000.0})

@@ -85,6 +85,23 @@ void SphereFlow<Real>::set_fringe(const Fringe& fringe) {
 }
 
 template <class Real>
+void SphereFlow<Real>::move_spheres(const Vec3& velocity) {
+  dem::Particles& particles = step_.solids()->particles();
+  for (std::size_t i = 0; i < particles.size(); ++i) particles.velocity.set(i, velocity);
+}
+
+template <class Real>
+void SphereFlow<Real>::step() {
+  step_.advance();
+  const Vec3 box = step_.fluid()->options().domain.upper - step_.fluid()->options().domain.lower;
+  dem::Particles& particles = step_.solids()->particles();
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Vec3 x = particles.position[i], home = x - box.cwiseProduct((x.cwiseQuotient(box)).array().floor().matrix());
+    if (home != x) particles.position.set(i, home);
+  }
+}
+
+template <class Real>
 Vec3 SphereFlow<Real>::force() {
   const dem::Particles& particles = step_.solids()->particles();
   Vec3 sum = Vec3::Zero();

@@ -37,7 +37,9 @@ class SphereFlow {
              const std::vector<Vec3>& centres, double radius, const Vec3& flow);
   void set_fringe(const Fringe& fringe);
 
-  void step() { step_.advance(); }
+  void step();
+  /// The spheres move from now on, all alike, lu.
+  void move_spheres(const Vec3& velocity);
   /// Force of the fluid on all spheres in the last step, with their buoyancy, lu.
   [[nodiscard]] Vec3 force();
   /// Momentum of all cells over their number: the superficial velocity once the flow is steady.
