@@ -1,6 +1,6 @@
-// Water and thicker liquids through fixed beds of grains of a few cells. The radius at which the fluid comes to rest is
-// that for the cell Reynolds number U dx / nu (coupling_options.h), collision and eddies are those of debris flow
-// scenes.
+// Water and thicker liquids through beds of grains of a few cells, at rest and moving. The radius at which the fluid
+// comes to rest is that for the cell Reynolds number U dx / nu (coupling_options.h), collision and eddies are those of
+// debris flow scenes.
 #include <fmt/format.h>
 
 #include <algorithm>
