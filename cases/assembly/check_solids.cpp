@@ -315,11 +315,16 @@ void check_uses(const Scene& scene, Findings& findings) {
                      "coupling.solid_operator turns populations, which is for a constant viscosity alone, expected "
                      "fluid.smagorinsky = 0 and a Newtonian fluid, or another solid operator");
   if (scene.coupling.enabled && scene.coupling.solid_operator == SolidOperator::wall_velocity_bounce_back &&
-      scene.coupling.body_weighting == BodyWeighting::wall_distance && findings.sound({"coupling"}))
+      lbm::by_wall_distance(scene.coupling.body_weighting) && findings.sound({"coupling"}))
     findings.mistake(
         "coupling.solid_operator",
         "coupling.solid_operator = \"holdych\" turns the flow round by 2 B, which is stable for B up to 1, and "
-        "wall_distance has B up to 2; expected another body_weighting or another solid operator");
+        "wall_distance and inertial have B up to 2; expected another body_weighting or another solid operator");
+  if (scene.coupling.enabled && scene.coupling.resolve_wires_from_cells &&
+      scene.coupling.body_weighting == BodyWeighting::inertial && findings.sound({"coupling"}))
+    findings.mistake("coupling.body_weighting",
+                     "coupling.body_weighting = \"inertial\" is for grains and lets too much through wires that are "
+                     "resolved, expected \"wall_distance\", or no resolve_wires_from_cells");
   if (!scene.fluid.enabled && !scene.has_solids() && findings.sound({"fluid", "grains", "barrier"}))
     findings.mistake("scene", "the scene is empty, expected a fluid, grains or a barrier");
   check_section(scene, findings);

@@ -55,6 +55,7 @@ const std::vector<Choice>& variants() {
       {"cable_fixed", "every bead of the lower cable fixed", {"barrier.anchors.bottom_cable=fixed"}},
       {"cable_at_ends", "the lower cable held at its ends alone", {"barrier.anchors.bottom_cable=at_places"}},
       {"as_built", "the net begins as built, free of stress", {"barrier.settle_time_s=0"}},
+      {"inertial_drag", "a quadratic drag within grains", {"coupling.body_weighting=inertial"}},
       {"half_speed", "half the time step of the fluid", {"fluid.max_speed_m_s=14"}},
       {"stiff_rock", "rock as stiff as Table 4 says", {"materials.rock.youngs_modulus_Pa=70e9"}},
       {"light_beads", "beads without added inertia", {"barrier.net.bead_mass_scale=1"}},

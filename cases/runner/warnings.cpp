@@ -88,7 +88,7 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
         "coupling.averaging_length_m is {:.2g} diameters of the largest grain: averages swing with every grain below 2",
         *f.averaging_diameters));
   constexpr double shift_of_note = 0.05;  // cells: a fifth of the drag of grains of 4 cells
-  if (f.cell_reynolds && s.coupling.body_weighting == scene::BodyWeighting::wall_distance)
+  if (f.cell_reynolds && lbm::by_wall_distance(s.coupling.body_weighting))
     if (const double shift = coupling::radius_shift_at(*f.cell_reynolds);
         std::abs(shift - s.coupling.radius_shift_cells) > shift_of_note)
       list.push_back(

@@ -99,7 +99,9 @@ constexpr auto choices(BodyWeighting) {
   return std::to_array<Choice<BodyWeighting>>(
       {{"solid_fraction", BodyWeighting::solid_fraction, "the solid fraction"},
        {"noble_torczynski", BodyWeighting::noble_torczynski, "Noble & Torczynski 1998, with tau - 1/2"},
-       {"wall_distance", BodyWeighting::wall_distance, "from the distance of the cell's centre to the surface"}});
+       {"wall_distance", BodyWeighting::wall_distance, "from the distance of the cell's centre to the surface"},
+       {"inertial", BodyWeighting::inertial,
+        "the same, and quadratic in the slip within grains where that is fast beside the viscosity"}});
 }
 constexpr auto choices(SolidOperator) {
   return std::to_array<Choice<SolidOperator>>(

@@ -474,7 +474,7 @@ void describe(V& v, Coupling& s) {
             "Weight of the solid in a partly covered cell. This and the next three are for resolved grains.");
     v.value("solid_operator", s.solid_operator, {}, "What a body puts in place of the fluid's collision.");
     v.value("radius_shift_cells", s.radius_shift_cells, {between(-0.5, 0.5)},
-            "Added to the radius at which the fluid comes to rest; with body_weighting = wall_distance.");
+            "Added to the radius at which the fluid comes to rest; with body_weighting = wall_distance or inertial.");
     v.value("lubrication", s.lubrication, {},
             "Films between grains, and between grains and walls, closer than two thirds of a cell.");
     v.value("wire_drag", s.wire_drag, {}, "Drag of wires thinner than the cells by a drag law.");

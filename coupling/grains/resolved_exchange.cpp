@@ -17,7 +17,9 @@ struct RowSums {
   Row<Real> y_fx{0}, z_fx{0}, z_fy{0}, y_fz{0};  ///< moments by the arms along y and z
   Row<Real> interior{0}, interior_arm{0};        ///< liquid in the body's place; times the squared arm across x
   Row<Real> entrained{0}, entrained_arm{0};      ///< liquid that a step brings to the body's velocity; the same
-  Row<Real> held{0};                             ///< interior that a step brings there, of cells that are its alone
+  Row<Real> brought{0};                          ///< entrained, of covered cells all: what it brings along in the end
+  Row<Real> held{0};                             ///< interior that is brought along, of cells that are its alone
+  Row<Real> slip[3]{Row<Real>(0), Row<Real>(0), Row<Real>(0)};  ///< momentum of the interior past the body
 
   [[gnu::always_inline]] void add(const Row<Real>& share, const lbm::BodyFields<Real>& f, int row, Real ry, Real rz) {
     const Row<Real> fx = share * load_aligned<Row<Real>>(f.momentum_exchange_x + row);
@@ -26,13 +28,21 @@ struct RowSums {
     force[0] += fx, force[1] += fy, force[2] += fz;
     y_fx += ry * fx, z_fx += rz * fx, z_fy += rz * fy, y_fz += ry * fz;
   }
-  [[gnu::always_inline]] void add_liquid(const Row<Real>& in_place, const Row<Real>& moved, const Row<Real>& share,
-                                         Real ry, Real rz) {
+  [[gnu::always_inline]] void add_liquid(const Row<Real>& in_place, const Row<Real>& moved, const Row<Real>& along,
+                                         const Row<Real>& share, Real ry, Real rz) {
     constexpr Real all = Real(0.99);
     const Real square = ry * ry + rz * rz;
     interior += in_place, interior_arm += square * in_place;
     entrained += moved, entrained_arm += square * moved;
-    held += select(share > Row<Real>(all), min(in_place, moved), Row<Real>(0));
+    brought += along, held += select(share > Row<Real>(all), min(in_place, along), Row<Real>(0));
+  }
+  /// A cell with the weight B gave B of its momentum past the bodies; 1 - B is left.
+  [[gnu::always_inline]] void add_slip(const Row<Real>& in_place, const Row<Real>& weight,
+                                       const lbm::BodyFields<Real>& f, int row) {
+    const Row<Real> one(1), left = in_place * (one - weight) / max(weight, Row<Real>(Real(1e-9)));
+    slip[0] += left * load_aligned<Row<Real>>(f.momentum_exchange_x + row);
+    slip[1] += left * load_aligned<Row<Real>>(f.momentum_exchange_y + row);
+    slip[2] += left * load_aligned<Row<Real>>(f.momentum_exchange_z + row);
   }
 
   /// `rx`: arms along x. Sets force, torque, interior and entrained, and these times 2/3 of the squared arm.
@@ -43,7 +53,8 @@ struct RowSums {
     load.torque = Vec3(sum(y_fz - z_fy), sum(z_fx - rx * force[2]), sum(rx * force[1] - y_fx));
     load.interior = sum(interior), load.interior_inertia = 2.0 / 3.0 * sum(interior_arm + rx * rx * interior);
     load.entrained = sum(entrained), load.entrained_inertia = 2.0 / 3.0 * sum(entrained_arm + rx * rx * entrained);
-    load.held = sum(held);
+    load.brought = sum(brought), load.held = sum(held);
+    load.slip = Vec3(sum(slip[0]), sum(slip[1]), sum(slip[2]));
   }
 };
 
@@ -51,20 +62,8 @@ struct RowSums {
 template <class Real>
 struct BlockCover {
   const lbm::BodyFields<Real>& fields;
-  const Real* wet;     ///< 1 or 0 for each cell; null where all of the block is wet
-  const Real* weight;  ///< B of each cell
+  const Real* wet;  ///< 1 or 0 for each cell; null where all of the block is wet
 };
-
-/// B of every cell of a block, once for all bodies that cover it.
-template <class Real>
-void coverage_weights(const lbm::BodyFields<Real>& f, const lbm::CoverageWeightLaw& law, Real* weights) {
-  const auto row = [](double x) { return Row<Real>(static_cast<Real>(x)); };
-  const Row<Real> alpha = row(law.alpha), beta = row(law.beta), gamma = row(law.gamma), cap = row(law.cap),
-                  largest = row(law.largest);
-  for (int n = 0; n < lbm::kBlockCells; n += kBlockWidth)
-    store_aligned(weights + n,
-                  lbm::coverage_weight(load_aligned<Row<Real>>(f.drag + n), alpha, beta, gamma, cap, largest));
-}
 
 /// Sums of a sphere over a block. With `kByDistance` eps of the liquid stands in its place, else what a step brings to
 /// its velocity. `kMixed`: some cells are dry.
@@ -81,13 +80,18 @@ template <class Real, bool kByDistance, bool kMixed, class Load>
         const Row<Real> all = load_aligned<Row<Real>>(block.fields.exchange_weight + row);
         const Row<Real> share = cover.weight / max(all, Row<Real>(Real(1e-30)));
         sums.add(share, block.fields, row, ry, rz);
-        Row<Real> entrained = share * load_aligned<Row<Real>>(block.weight + row), interior = entrained;
-        if constexpr (kByDistance) interior = cover.fraction;
+        const Row<Real> weight = load_aligned<Row<Real>>(block.fields.coverage_weight + row);
+        Row<Real> entrained = share * weight, interior = entrained, brought = entrained;
+        if constexpr (kByDistance) {
+          interior = cover.fraction;
+          brought = select(cover.weight >= Row<Real>(Real(kCoveredDrag)), share, entrained);
+        }
         if constexpr (kMixed) {
           const Row<Real> liquid = load_aligned<Row<Real>>(block.wet + row);
-          entrained *= liquid, interior *= liquid;
+          entrained *= liquid, interior *= liquid, brought *= liquid;
         }
-        sums.add_liquid(interior, entrained, share, ry, rz);
+        sums.add_liquid(interior, entrained, brought, share, ry, rz);
+        if constexpr (kByDistance) sums.add_slip(interior, weight, block.fields, row);
       });
   sums.reduce(static_cast<Real>(lowest.x()) + lane_index<Row<Real>>() + Real(0.5) - s.centre[0], load);
 }
@@ -107,13 +111,13 @@ auto ResolvedExchange<Real>::Load::operator+=(const Load& o) -> Load& {
   force += o.force, torque += o.torque;
   interior += o.interior, interior_inertia += o.interior_inertia;
   entrained += o.entrained, entrained_inertia += o.entrained_inertia;
-  held += o.held;
+  brought += o.brought, held += o.held, slip += o.slip;
   return *this;
 }
 
 template <class Real>
 void ResolvedExchange<Real>::shape_sphere(double radius, GridSphere<Real>& sphere) const {
-  const bool by_distance = weighting_ == lbm::BodyWeighting::wall_distance;
+  const bool by_distance = lbm::by_wall_distance(weighting_);
   sphere.surface = by_distance ? static_cast<Real>(std::max(0.0, radius + radius_shift_)) : Real(-2);
   sphere.reach = std::max(covered_reach(sphere), sphere.surface + Real(kWallDragReach));
 }
@@ -134,15 +138,14 @@ void ResolvedExchange<Real>::gather_block(const lbm::Fluid<Real>& fluid, const G
     return;
   }
   const lbm::Block<Real>& block = fluid.grid().block(static_cast<lbm::BlockIndex>(index));
-  alignas(64) Real mask[lbm::kBlockCells], weights[lbm::kBlockCells];
+  alignas(64) Real mask[lbm::kBlockCells];
   const Real* const wet = block.wet_cells < lbm::kBlockCells ? mask : nullptr;
   for (std::size_t n = 0; wet && n < lbm::kBlockCells; ++n) mask[n] = lbm::is_wet(block.type[n]) ? Real(1) : Real(0);
-  coverage_weights(*block.body, fluid.coverage_weight_law(), weights);
-  const BlockCover<Real> cover{*block.body, wet, weights};
+  const BlockCover<Real> cover{*block.body, wet};
   for (const std::uint32_t k : pairs) {
     const GrainInBlock& pair = map.pairs()[k];
     const GridSphere<Real>& s = map.sphere(pair.grain);
-    if (weighting_ == lbm::BodyWeighting::wall_distance)
+    if (lbm::by_wall_distance(weighting_))
       sum_over<Real, true>(s, pair.lowest, cover, loads_[k]);
     else
       sum_over<Real, false>(s, pair.lowest, cover, loads_[k]);
@@ -151,21 +154,20 @@ void ResolvedExchange<Real>::gather_block(const lbm::Fluid<Real>& fluid, const G
 
 namespace {
 
-/// Mass of the interior liquid whose inertia is no load on the body, at most what is entrained: a body of a cell or two
-/// entrains less than its volume, and what was taken off beyond that would drive it. With other weightings than
+/// Mass of the interior liquid whose inertia is no load on the body, at most what it brings along: a body of a cell or
+/// two covers less than its volume, and what was taken off beyond that would drive it. With other weightings than
 /// wall_distance a light body is spared no more than a share of its own, and none has its spin driven by more than its
 /// own inertia (docs/decisions/0034).
 constexpr double kShareOfOwn = 0.7;
 
-double interior_mass(double interior, double entrained, double own, lbm::BodyWeighting weighting) {
-  const double most =
-      weighting == lbm::BodyWeighting::wall_distance ? entrained : std::min(entrained, kShareOfOwn * own);
+double interior_mass(double interior, double brought, double own, lbm::BodyWeighting weighting) {
+  const double most = lbm::by_wall_distance(weighting) ? brought : std::min(brought, kShareOfOwn * own);
   return std::min(interior, most);
 }
 
 /// What of it is spared while contacts or the waves between bodies jolt the body: half of what it holds alone, more
 /// where it is nearly as heavy as the liquid. A jolt that came back by more than the exchange takes at once would drive
-/// a light body on.
+/// a light body on; where the exchange is soft the slip holds the jolt back, and all is spared.
 double interior_mass_in_jolts(double spared, double held, double own) {
   constexpr double share = 0.5;
   return std::min(spared, std::max(2 * own - spared, share * held));
@@ -191,21 +193,29 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
   State& state = states_[g.id];
   Load sum;
   for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) sum += loads_[p];
-  // Means over the last step of the solids.
+  const bool slips =
+      weighting_ == lbm::BodyWeighting::inertial;  // else the liquid in its place moves as the grain does
+  const Vec3 slip =
+      slips && sum.interior > 0 ? Vec3(units.velocity_to_si(1.0) / sum.interior * sum.slip) : Vec3(Vec3::Zero());
+  const double brought = slips ? sum.brought : sum.entrained;
+  // Means over the last step of the solids; of the liquid in the grain's place.
   Vec3 acceleration = Vec3::Zero(), spin_up = Vec3::Zero();
   if (state.known) {
     acceleration = (particles.velocity[i] - state.velocity) / time_step_;
     spin_up = (particles.angular_velocity[i] - state.spin) / time_step_;
     if (!state.acceleration.isZero()) state.calm = calm_after(state.calm, acceleration, state.acceleration);
     state.acceleration = acceleration;
+    acceleration += (slip - state.slip) / time_step_;
   }
+  state.slip = slip;
   state.velocity = particles.velocity[i], state.spin = particles.angular_velocity[i];
   state.known = true;
   const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
   const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
-  const double own = particles.mass[i] / to_kg, interior = interior_mass(sum.interior, sum.entrained, own, weighting_),
+  const double own = particles.mass[i] / to_kg, interior = interior_mass(sum.interior, brought, own, weighting_),
                jolted = interior_mass_in_jolts(interior, sum.held, own);
-  const double spared = jolted + (interior - jolted) * state.calm;
+  const double soft = brought > 0 ? 1 - std::min(1.0, sum.entrained / brought) : 0;
+  const double spared = jolted + (interior - jolted) * std::max(state.calm, soft);
   Vec3 force = sum.force + spared * units.acceleration_to_lu(1.0) * acceleration - wet_volume * gravity;
   const double spun = std::min({sum.interior_inertia, sum.entrained_inertia, particles.inertia[i] / to_kg_m2});
   Vec3 torque = sum.torque + spun * units.time_step * units.time_step * spin_up;
@@ -224,13 +234,13 @@ void ResolvedExchange<Real>::transfer(Archive& archive) {
   std::size_t particles = states_.size();
   archive.value("particles", particles);
   states_.resize(particles);
-  archive.pieces<double>("grain", particles, 17, [&](std::size_t k, double* stored) {
+  archive.pieces<double>("grain", particles, 20, [&](std::size_t k, double* stored) {
     State& s = states_[k];
-    transfer_vectors(archive, {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque, &s.acceleration}, stored);
+    transfer_vectors(archive, {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque, &s.acceleration, &s.slip}, stored);
     if (archive.loading())
-      s.known = stored[15] != 0, s.calm = stored[16];
+      s.known = stored[18] != 0, s.calm = stored[19];
     else
-      stored[15] = s.known ? 1 : 0, stored[16] = s.calm;
+      stored[18] = s.known ? 1 : 0, stored[19] = s.calm;
   });
 }
 

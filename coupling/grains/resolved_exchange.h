@@ -1,11 +1,12 @@
 #pragma once
 // Resolved exchange: immersed moving boundary (Noble & Torczynski 1998). Each grain writes its solid fraction, weight,
-// drag and velocity into the cells that it reaches; the collision brings them to its velocity (lbm/collision/
+// drag and velocity into the cells that it reaches; the collision brings them towards its velocity (lbm/collision/
 // coverage_weight.h), and what they lose is its force.
 //
 // The exchange also accelerates the liquid that stands in the grain's place; that part is no load on the grain (Feng &
-// Michaelides 2009; Uhlmann 2005). The weight of that liquid is carried by the fluid: the grain's buoyancy. The force
-// on light grains is under-relaxed (under_relaxed_force.h).
+// Michaelides 2009; Uhlmann 2005). That liquid has the grain's velocity and, where the exchange is soft, some slip past
+// it; the change of both counts. Its weight is carried by the fluid: the grain's buoyancy. The force on light grains is
+// under-relaxed (under_relaxed_force.h).
 #include "coupling/grains/grain_exchange.h"
 
 namespace lahar::coupling {
@@ -30,7 +31,9 @@ class ResolvedExchange final : public GrainExchange<Real> {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     double interior = 0;          ///< liquid that stands in the grain's place in wet cells, cells
     double entrained = 0;         ///< liquid in wet cells that a step brings to the grain's velocity, cells
-    double held = 0;              ///< interior that a step brings there, of cells that the grain covers alone
+    double brought = 0;           ///< entrained, of covered cells all: what the grain brings along in the end
+    double held = 0;              ///< interior that is brought along, of cells that the grain covers alone
+    Vec3 slip = Vec3::Zero();     ///< momentum of the interior past the grain, after the step
     double interior_inertia = 0;  ///< the same times 2/3 of the squared distance from the grain's centre
     double entrained_inertia = 0;
     Load& operator+=(const Load& o);
@@ -40,8 +43,9 @@ class ResolvedExchange final : public GrainExchange<Real> {
     Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();           ///< m/s, rad/s, at the last mapping
     Vec3 felt_force = Vec3::Zero(), felt_torque = Vec3::Zero();  ///< N, N m, under-relaxed
     Vec3 acceleration = Vec3::Zero();                            ///< m/s^2, mean over the step before the last mapping
-    double calm = 1;                                             ///< 0 in a jolt, 1 some steps after
-    bool known = false;                                          ///< velocity and spin are set
+    Vec3 slip = Vec3::Zero();  ///< m/s, of the liquid in its place, after the last step
+    double calm = 1;           ///< 0 in a jolt, 1 some steps after
+    bool known = false;        ///< velocity and spin are set
   };
 
   double radius_shift_;

@@ -62,7 +62,7 @@ void mark_covered(lbm::BodyFields<Real>& f) {
 template <class Real>
 void ResolvedExchange<Real>::write_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const {
   lbm::BodyFields<Real>& fields = *fluid.grid().block(static_cast<lbm::BlockIndex>(block)).body;
-  const bool by_distance = weighting_ == lbm::BodyWeighting::wall_distance;
+  const bool by_distance = lbm::by_wall_distance(weighting_);
   const auto add = by_distance ? &write_sphere<true, Real> : &write_sphere<false, Real>;
   for (const std::uint32_t k : map.by_block().in(block)) {
     const GrainInBlock& pair = map.pairs()[k];

@@ -102,7 +102,7 @@ void WireMap<Real>::place_pieces(const lbm::Fluid<Real>& fluid, const dem::Parti
     assign(piece.along, arm.normalized());
     piece.length = static_cast<Real>(arm.norm());
     piece.radius = static_cast<Real>(capsule_mapping_radius(radius));
-    piece.surface = fluid.options().weighting == lbm::BodyWeighting::wall_distance
+    piece.surface = lbm::by_wall_distance(fluid.options().weighting)
                         ? static_cast<Real>(std::max(0.0, radius + radius_shift_))
                         : Real(-2);
     same_[k] = comparable && std::memcmp(&piece, &former_pieces_[k], sizeof piece) == 0;

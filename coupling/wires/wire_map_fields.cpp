@@ -70,7 +70,7 @@ template <class Real>
 void WireMap<Real>::write_block(lbm::Fluid<Real>& fluid, std::size_t index) {
   const Block<Real>& block = fluid.grid().block(static_cast<BlockIndex>(index));
   lbm::BodyFields<Real>& f = *block.body;
-  const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
+  const bool by_distance = lbm::by_wall_distance(fluid.options().weighting);
   const auto add = by_distance ? &write_piece<true, Real> : &write_piece<false, Real>;
   if (tasks_[index] == Task::write) clear_solids(f);
   std::optional<CellMask<Real>> wet, surface;

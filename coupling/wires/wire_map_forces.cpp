@@ -45,8 +45,7 @@ template <class Real>
 struct Surroundings {
   const lbm::BodyFields<Real>& fields;
   const CellMask<Real>* wet;  ///< null: all cells
-  const lbm::CoverageWeightLaw& law;
-  Vec3 gravity;  ///< lu
+  Vec3 gravity;               ///< lu
 };
 
 /// Loads of a piece on its two beads; `rises`: their accelerations. Returns the piece's part of the exchange. In a cell
@@ -61,7 +60,6 @@ template <bool kByDistance, class Real, class Load>
   const lbm::BodyFields<Real>& f = around.fields;
   const Real gravity[3] = {static_cast<Real>(around.gravity.x()), static_cast<Real>(around.gravity.y()),
                            static_cast<Real>(around.gravity.z())};
-  const auto law = [&](double x) { return R(static_cast<Real>(x)); };
   for_cylinder_rows<kByDistance>(
       piece, lowest, reach_of(piece), [&](int row, const CylinderRow<Real>& cover, int y, int z) {
         if (all(cover.weight <= R(0))) return;
@@ -71,9 +69,7 @@ template <bool kByDistance, class Real, class Load>
                                        part * load_aligned<R>(f.momentum_exchange_z + row)};
         taken[0] += exchange.x, taken[1] += exchange.y, taken[2] += exchange.z;
         const R liquid = around.wet ? around.wet->row(row) : R(1);
-        const R weight =
-            lbm::coverage_weight<R>(load_aligned<R>(f.drag + row), law(around.law.alpha), law(around.law.beta),
-                                    law(around.law.gamma), law(around.law.cap), law(around.law.largest));
+        const R weight = load_aligned<R>(f.coverage_weight + row);
         const R entrained = part * weight * liquid, wet = cover.fraction * liquid;
         const R interior = kByDistance ? wet : entrained;
         const ArmRow<Real> arm[2] = {ArmRow<Real>::from(piece.start, lowest.x(), y, z),
@@ -102,9 +98,9 @@ void WireMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) 
   std::optional<CellMask<Real>> wet;
   if (block.wet_cells < lbm::kBlockCells) wet.emplace(block, [](lbm::CellType t) { return lbm::is_wet(t); });
   const auto& units = fluid.units();
-  const Surroundings<Real> around{*block.body, wet ? &*wet : nullptr, fluid.coverage_weight_law(),
+  const Surroundings<Real> around{*block.body, wet ? &*wet : nullptr,
                                   fluid.options().gravity * units.acceleration_to_lu(1.0)};
-  const bool by_distance = fluid.options().weighting == lbm::BodyWeighting::wall_distance;
+  const bool by_distance = lbm::by_wall_distance(fluid.options().weighting);
   for (const std::uint32_t k : pairs) {
     const std::size_t piece = pairs_[k].piece;
     GridMotion<Real> rises[2];

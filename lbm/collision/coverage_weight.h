@@ -1,11 +1,16 @@
 #pragma once
-// How much of a collision the bodies of a cell take over, B, from the drag that was written into it:
-//   B = min(largest, alpha g / (gamma + beta g)),   g = min(drag, cap).
-// All weightings have this form (docs/coupling.md, docs/decisions/0020):
-//   solid_fraction      g = eps   B = eps
-//   noble_torczynski    g = eps   B = eps t / ((1 - eps) + t), t = tau - 1/2
-//   wall_distance       g = h     k = nu h is the drag that the cell needs, B = k / (1 + k/2): with the velocity
-//                                 half-way through the step, (u + u')/2, the exchange is then k times the slip exactly
+// How much of a collision the bodies of a cell take over, B, from what was written into it and the slip w, the speed of
+// the liquid past the bodies:
+//   k = alpha min(drag, cap (1 + stiff / w)) + inertial eps^3 w,   B = min(largest, k / (gamma + beta k)).
+// All weightings have this form (docs/coupling.md, docs/decisions/0020, 0061):
+//   solid_fraction      drag = eps   B = eps
+//   noble_torczynski    drag = eps   B = eps t / ((1 - eps) + t), t = tau - 1/2
+//   wall_distance       drag = h     k = nu h,  B = k / (1 + k/2): with the velocity half-way through the step,
+//                                    (u + u')/2, the exchange is then k times the slip
+//   inertial            drag = h     k = nu min(h, H (1 + nu / w)) + C eps^3 w,  B as above
+// By wall_distance the cells within a body take its velocity at once. By inertial they do where the slip is slow beside
+// the viscosity; where it is fast their drag is quadratic in the slip, so that it depends neither on the time step nor
+// on how fast body and liquid move together through the lattice.
 #include <algorithm>
 
 #include "core/simd_math.h"
@@ -17,7 +22,13 @@ enum class BodyWeighting {
   solid_fraction,    ///< B = eps
   noble_torczynski,  ///< B = eps (tau - 1/2) / ((1 - eps) + (tau - 1/2)), Noble & Torczynski 1998
   wall_distance,     ///< from the distance of the cell's centre to the surface (coupling/grains/wall_drag.h)
+  inertial,          ///< the same, with a quadratic drag within bodies in fast flow
 };
+
+/// Weightings by the distance of a cell's centre from the surface.
+inline bool by_wall_distance(BodyWeighting w) {
+  return w == BodyWeighting::wall_distance || w == BodyWeighting::inertial;
+}
 
 /// What B puts in place of the fluid's collision (numbering of Rettinger & Rude 2017).
 enum class SolidOperator {
@@ -35,8 +46,13 @@ inline bool bounces_back(SolidOperator s) {
   return s == SolidOperator::nonequilibrium_bounce_back || s == SolidOperator::wall_velocity_bounce_back;
 }
 
+/// H: what a cell within a body resists with, in nu per cell^2: liquid reaches 1 / sqrt(H) of a cell into it.
+inline constexpr double kRigidDrag = 100;
+/// C, per cell: of a pack of solid fraction 0.4 to 0.6 of grains of 4 and 8 cells in water (docs/decisions/0061).
+inline constexpr double kInertialDrag = 22;
+
 struct CoverageWeightLaw {
-  double alpha = 1, beta = 0, gamma = 1, cap = 1, largest = 1;
+  double alpha = 1, beta = 0, gamma = 1, cap = 1, largest = 1, stiff = 0, inertial = 0;
 };
 
 inline CoverageWeightLaw coverage_weight_law(BodyWeighting weighting, double tau) {
@@ -45,11 +61,14 @@ inline CoverageWeightLaw coverage_weight_law(BodyWeighting weighting, double tau
       const double r = 1 / (tau - 0.5);
       return {1, -r, 1 + r, 1, 1};
     }
-    case BodyWeighting::wall_distance: {
+    case BodyWeighting::wall_distance:
+    case BodyWeighting::inertial: {
       // In a covered cell B = 2 would be bounce-back: no slip exactly half-way through the step, but undamped. B = 1
       // leaves a slip of the order of nu/2, so it may stay at 1 where the viscosity is small.
       const double nu = (tau - 0.5) / 3;
-      return {nu, nu / 2, 1, 1e30, 1 + std::min(0.25, 2 * (tau - 0.5))};
+      const double largest = 1 + std::min(0.25, 2 * (tau - 0.5));
+      if (weighting == BodyWeighting::wall_distance) return {nu, 0.5, 1, 1e30, largest};
+      return {nu, 0.5, 1, kRigidDrag, largest, nu, kInertialDrag};
     }
     case BodyWeighting::solid_fraction:
       break;
@@ -57,16 +76,26 @@ inline CoverageWeightLaw coverage_weight_law(BodyWeighting weighting, double tau
   return {};
 }
 
-/// B of the drag that the bodies of a cell exert together.
+/// CoverageWeightLaw for numbers or rows of them.
 template <class V>
-[[gnu::always_inline]] inline V coverage_weight(const V& drag, const V& alpha, const V& beta, const V& gamma,
-                                                const V& cap, const V& largest) {
-  const V g = min(drag, cap);
-  return min(largest, V(alpha * g / (gamma + beta * g)));
-}
+struct CoverageWeights {
+  V alpha, beta, gamma, cap, largest, stiff, inertial;
 
-inline double coverage_weight(double drag, const CoverageWeightLaw& law) {
-  return coverage_weight(drag, law.alpha, law.beta, law.gamma, law.cap, law.largest);
-}
+  explicit CoverageWeights(const CoverageWeightLaw& law)
+      : alpha(number<V>(law.alpha)),
+        beta(number<V>(law.beta)),
+        gamma(number<V>(law.gamma)),
+        cap(number<V>(law.cap)),
+        largest(number<V>(law.largest)),
+        stiff(number<V>(law.stiff)),
+        inertial(number<V>(law.inertial)) {}
+
+  /// B of the drag that the bodies of a cell exert together, of the fraction of it that they fill and the slip, lu.
+  [[gnu::always_inline]] V of(const V& drag, const V& fraction, const V& slip) const {
+    const V filled = min(V(1), fraction), most = cap + cap * stiff / max(slip, number<V>(1e-12));
+    const V k = alpha * min(drag, most) + inertial * slip * (filled * filled * filled);
+    return min(largest, V(k / (gamma + beta * k)));
+  }
+};
 
 }  // namespace lahar::lbm

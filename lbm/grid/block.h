@@ -41,6 +41,7 @@ struct BodyFields {
   alignas(64) Real momentum_exchange_x[kBlockCells];
   alignas(64) Real momentum_exchange_y[kBlockCells];
   alignas(64) Real momentum_exchange_z[kBlockCells];
+  alignas(64) Real coverage_weight[kBlockCells];  ///< B of the last step; 0 in dry cells
   /// Velocity after the last collision, lu, in wet cells (SweepParameters::keep_velocity).
   alignas(64) Real velocity_x[kBlockCells];
   alignas(64) Real velocity_y[kBlockCells];
@@ -52,7 +53,8 @@ struct BodyFields {
 /// The sweep leaves out dry rows: to be called before it where there are some.
 template <class Real>
 void clear_momentum_exchange(BodyFields<Real>& body) {
-  for (Real* field : {body.momentum_exchange_x, body.momentum_exchange_y, body.momentum_exchange_z})
+  for (Real* field :
+       {body.momentum_exchange_x, body.momentum_exchange_y, body.momentum_exchange_z, body.coverage_weight})
     std::fill(field, field + kBlockCells, Real(0));
 }
 

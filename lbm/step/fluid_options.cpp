@@ -20,7 +20,7 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   p.collision = o.collision;
   p.tau = 0.5 + 3 * units.viscosity_to_lu(o.kinematic_viscosity);
   p.coverage_weight = coverage_weight_law(o.weighting, p.tau);
-  p.third_moments_at_bodies = o.weighting == BodyWeighting::wall_distance;
+  p.third_moments_at_bodies = by_wall_distance(o.weighting);
   p.solid_operator = o.solid_operator;
   p.smagorinsky = o.smagorinsky;
   // The Smagorinsky constant is that of a Newtonian inertial range; in a plug its eddy viscosity would hide the yield

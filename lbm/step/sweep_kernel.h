@@ -22,10 +22,10 @@ template <class V, class Viscosity>
 struct Uniform {
   Viscosity viscosity;
   V gravity[3], stress_limit;
-  V alpha, beta, gamma, cap, largest;  ///< CoverageWeightLaw
-  V nonequilibrium_loss;               ///< 1 for SolidOperator::damped_nonequilibrium
-  bool bounces_back;                   ///< the solid operator bounces populations back,
-  bool at_wall_velocity;               ///< by SolidOperator::wall_velocity_bounce_back
+  CoverageWeights<V> coverage_weight;
+  V nonequilibrium_loss;  ///< 1 for SolidOperator::damped_nonequilibrium
+  bool bounces_back;      ///< the solid operator bounces populations back,
+  bool at_wall_velocity;  ///< by SolidOperator::wall_velocity_bounce_back
   bool keep_velocity;
 };
 
@@ -45,11 +45,7 @@ Uniform<V, Viscosity> make_uniform(const SweepParameters& p) {
   return {Viscosity::of(p),
           {real(p.gravity[0]), real(p.gravity[1]), real(p.gravity[2])},
           real(largest_stress),
-          real(p.coverage_weight.alpha),
-          real(p.coverage_weight.beta),
-          real(p.coverage_weight.gamma),
-          real(p.coverage_weight.cap),
-          real(p.coverage_weight.largest),
+          CoverageWeights<V>(p.coverage_weight),
           real(p.solid_operator == SolidOperator::damped_nonequilibrium),
           bounces_back(p.solid_operator),
           p.solid_operator == SolidOperator::wall_velocity_bounce_back,
@@ -189,13 +185,18 @@ class BlockKernel {
       const V tiny(Real(1e-12));
       const V sum = load_aligned<V>(body.exchange_weight + n);
       const V inverse = V(1) / max(sum, tiny);
-      force.coverage_weight = coverage_weight(load_aligned<V>(body.drag + n), uniform.alpha, uniform.beta,
-                                              uniform.gamma, uniform.cap, uniform.largest);
-      force.nonequilibrium_loss = uniform.nonequilibrium_loss * force.coverage_weight;
       force.near_body = select(sum > V(0), V(1), force.near_body);
       force.solid_velocity[0] = load_aligned<V>(body.weighted_velocity_x + n) * inverse;
       force.solid_velocity[1] = load_aligned<V>(body.weighted_velocity_y + n) * inverse;
       force.solid_velocity[2] = load_aligned<V>(body.weighted_velocity_z + n) * inverse;
+      V square(0);
+      for (int a = 0; a < 3; ++a) {
+        const V slip = m.u[a] + uniform.gravity[a] - force.solid_velocity[a];
+        square += slip * slip;
+      }
+      force.coverage_weight = uniform.coverage_weight.of(load_aligned<V>(body.drag + n),
+                                                         load_aligned<V>(body.solid_fraction + n), V(sqrt(square)));
+      force.nonequilibrium_loss = uniform.nonequilibrium_loss * force.coverage_weight;
       const Real* const none = kNoImpulse<Real>.data();
       const ImpulseFields<Real>* const given = block.impulse;
       const Real* const impulse[3] = {given ? given->x : none, given ? given->y : none, given ? given->z : none};
@@ -215,6 +216,7 @@ class BlockKernel {
                                                      const Departure<V>& after) {
     const V weight = force.coverage_weight * (V(1) + m.drho);
     BodyFields<Real>& body = *block.body;
+    store_aligned(body.coverage_weight + n, force.coverage_weight);
     Real* const out[3] = {body.momentum_exchange_x, body.momentum_exchange_y, body.momentum_exchange_z};
     Real* const velocity[3] = {body.velocity_x, body.velocity_y, body.velocity_z};
     for (int a = 0; a < 3; ++a) {

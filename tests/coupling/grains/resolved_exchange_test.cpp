@@ -48,7 +48,7 @@ TEST(ResolvedExchange, CoversTheCellsWithTheirCentreInside) {
         EXPECT_EQ(lbm::is_covered(grid.block(b), n), inside);
         if (!lbm::is_covered(grid.block(b), n)) continue;
         ++covered;
-        EXPECT_EQ(lbm::coverage_weight(grid.block(b).body->drag[n], law), law.largest);
+        EXPECT_EQ(grid.block(b).body->coverage_weight[n], law.largest);
       }
     EXPECT_EQ(covered > 200, by_wall);
   }
