@@ -66,8 +66,8 @@ struct BlockCover {
 };
 
 /// Sums of a sphere over a block. With `kByDistance` eps of the liquid stands in its place, else what a step brings to
-/// its velocity. `kMixed`: some cells are dry.
-template <class Real, bool kByDistance, bool kMixed, class Load>
+/// its velocity. `kMixed`: some cells are dry. `kSlips`: the slip of the liquid in its place is summed too.
+template <class Real, bool kByDistance, bool kSlips, bool kMixed, class Load>
 [[gnu::noinline]] void sum_rows(const GridSphere<Real> s, const Vec3i lowest, const BlockCover<Real> block,
                                 Load& load) {
   RowSums<Real> sums;
@@ -91,17 +91,17 @@ template <class Real, bool kByDistance, bool kMixed, class Load>
           entrained *= liquid, interior *= liquid, brought *= liquid;
         }
         sums.add_liquid(interior, entrained, brought, share, ry, rz);
-        if constexpr (kByDistance) sums.add_slip(interior, weight, block.fields, row);
+        if constexpr (kSlips) sums.add_slip(interior, weight, block.fields, row);
       });
   sums.reduce(static_cast<Real>(lowest.x()) + lane_index<Row<Real>>() + Real(0.5) - s.centre[0], load);
 }
 
-template <class Real, bool kByDistance, class Load>
+template <class Real, bool kByDistance, bool kSlips, class Load>
 void sum_over(const GridSphere<Real>& s, const Vec3i& lowest, const BlockCover<Real>& block, Load& load) {
   if (block.wet)
-    sum_rows<Real, kByDistance, true>(s, lowest, block, load);
+    sum_rows<Real, kByDistance, kSlips, true>(s, lowest, block, load);
   else
-    sum_rows<Real, kByDistance, false>(s, lowest, block, load);
+    sum_rows<Real, kByDistance, kSlips, false>(s, lowest, block, load);
 }
 
 }  // namespace
@@ -145,10 +145,12 @@ void ResolvedExchange<Real>::gather_block(const lbm::Fluid<Real>& fluid, const G
   for (const std::uint32_t k : pairs) {
     const GrainInBlock& pair = map.pairs()[k];
     const GridSphere<Real>& s = map.sphere(pair.grain);
-    if (lbm::by_wall_distance(weighting_))
-      sum_over<Real, true>(s, pair.lowest, cover, loads_[k]);
+    if (weighting_ == lbm::BodyWeighting::inertial)
+      sum_over<Real, true, true>(s, pair.lowest, cover, loads_[k]);
+    else if (lbm::by_wall_distance(weighting_))
+      sum_over<Real, true, false>(s, pair.lowest, cover, loads_[k]);
     else
-      sum_over<Real, false>(s, pair.lowest, cover, loads_[k]);
+      sum_over<Real, false, false>(s, pair.lowest, cover, loads_[k]);
   }
 }
 
@@ -193,8 +195,8 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
   State& state = states_[g.id];
   Load sum;
   for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) sum += loads_[p];
-  const bool slips =
-      weighting_ == lbm::BodyWeighting::inertial;  // else the liquid in its place moves as the grain does
+  // Else the liquid in its place moves as the grain does.
+  const bool slips = weighting_ == lbm::BodyWeighting::inertial;
   const Vec3 slip =
       slips && sum.interior > 0 ? Vec3(units.velocity_to_si(1.0) / sum.interior * sum.slip) : Vec3(Vec3::Zero());
   const double brought = slips ? sum.brought : sum.entrained;
