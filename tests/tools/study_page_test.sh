@@ -30,6 +30,23 @@ first="$output"
 rm -r "$scratch/tree/study"
 capture "$page"
 expect_equal 'the page of what was kept' "$output" "$first"
+plant next/comparison.csv '# theirs
+quantity,unit,case,theirs,ours,difference,spread
+e_in,kJ,matched-L4.10-coarse-averaged-seed1,54.361,60,0.1,
+e_in,kJ,matched-L4.10-coarse-averaged-seed2,54.361,40,-0.26,
+water_left,kg,matched-L4.10-coarse-averaged-seed2,,400,,'
+for seed in 1 2; do
+  plant "next/matched-L4.10-coarse-averaged-seed$seed/summary.json" '{"wall_seconds": 60, "threads": 2, "commit": "def",
+"checks": []}'
+done
+capture "$page" "$scratch/tree/next"
+expect_equal 'status' "$status" 0
+expect_contains "$output" '| matched-L4.10-coarse-averaged-seed1 | 1.0 | 2 | def | none |'
+expect_contains "$output" '| `e_in` | kJ | 54.36 | 50 | 60 | 40 | 40 |'
+expect_contains "$output" '| `depth` | m | - | 0.25 | - | - | 0.2 |'
+expect_contains "$output" '| `water_left` | kg | - | - | - | 400 | - |'
+expect_contains "$(cat "$scratch/tree/docs/results/study/comparison.csv")" \
+  'e_in,kJ,matched-L4.10-coarse-averaged-seed2,54.361,40,-0.26,0.2'
 capture "$page" "$scratch/tree/none"
 expect_equal 'status without a study' "$status" 1
 expect_contains "$output" 'it has no comparison.csv'
