@@ -20,6 +20,7 @@ struct RowSums {
   Row<Real> brought{0};                          ///< entrained, of covered cells all: what it brings along in the end
   Row<Real> held{0};                             ///< interior that is brought along, of cells that are its alone
   Row<Real> slip[3]{Row<Real>(0), Row<Real>(0), Row<Real>(0)};  ///< momentum of the interior past the body
+  Row<Real> kept[3]{Row<Real>(0), Row<Real>(0), Row<Real>(0)};  ///< the same, of cells that have stayed wet
 
   [[gnu::always_inline]] void add(const Row<Real>& share, const lbm::BodyFields<Real>& f, int row, Real ry, Real rz) {
     const Row<Real> fx = share * load_aligned<Row<Real>>(f.momentum_exchange_x + row);
@@ -36,13 +37,16 @@ struct RowSums {
     entrained += moved, entrained_arm += square * moved;
     brought += along, held += select(share > Row<Real>(all), min(in_place, along), Row<Real>(0));
   }
-  /// A cell with the weight B gave B of its momentum past the bodies; 1 - B is left.
-  [[gnu::always_inline]] void add_slip(const Row<Real>& in_place, const Row<Real>& weight,
+  /// A cell with the weight B gave B of its momentum past the bodies; 1 - B is left. `swept` and `in_place`: interior
+  /// of the cells that were wet in the step and of those that still are.
+  [[gnu::always_inline]] void add_slip(const Row<Real>& swept, const Row<Real>& in_place, const Row<Real>& weight,
                                        const lbm::BodyFields<Real>& f, int row) {
-    const Row<Real> one(1), left = in_place * (one - weight) / max(weight, Row<Real>(Real(1e-9)));
-    slip[0] += left * load_aligned<Row<Real>>(f.momentum_exchange_x + row);
-    slip[1] += left * load_aligned<Row<Real>>(f.momentum_exchange_y + row);
-    slip[2] += left * load_aligned<Row<Real>>(f.momentum_exchange_z + row);
+    const Row<Real> left = (Row<Real>(1) - weight) / max(weight, Row<Real>(Real(1e-9)));
+    const Real* const exchange[3] = {f.momentum_exchange_x, f.momentum_exchange_y, f.momentum_exchange_z};
+    for (int a = 0; a < 3; ++a) {
+      const Row<Real> past = left * load_aligned<Row<Real>>(exchange[a] + row);
+      slip[a] += swept * past, kept[a] += in_place * past;
+    }
   }
 
   /// `rx`: arms along x. Sets force, torque, interior and entrained, and these times 2/3 of the squared arm.
@@ -55,6 +59,7 @@ struct RowSums {
     load.entrained = sum(entrained), load.entrained_inertia = 2.0 / 3.0 * sum(entrained_arm + rx * rx * entrained);
     load.brought = sum(brought), load.held = sum(held);
     load.slip = Vec3(sum(slip[0]), sum(slip[1]), sum(slip[2]));
+    load.kept = Vec3(sum(kept[0]), sum(kept[1]), sum(kept[2]));
   }
 };
 
@@ -86,12 +91,14 @@ template <class Real, bool kByDistance, bool kSlips, bool kMixed, class Load>
           interior = cover.fraction;
           brought = select(cover.weight >= Row<Real>(Real(kCoveredDrag)), share, entrained);
         }
+        Row<Real> swept = interior;
         if constexpr (kMixed) {
           const Row<Real> liquid = load_aligned<Row<Real>>(block.wet + row);
           entrained *= liquid, interior *= liquid, brought *= liquid;
+          if constexpr (kSlips) swept = select(cover.weight >= Row<Real>(Real(kCoveredDrag)), swept, interior);
         }
         sums.add_liquid(interior, entrained, brought, share, ry, rz);
-        if constexpr (kSlips) sums.add_slip(interior, weight, block.fields, row);
+        if constexpr (kSlips) sums.add_slip(swept, interior, weight, block.fields, row);
       });
   sums.reduce(static_cast<Real>(lowest.x()) + lane_index<Row<Real>>() + Real(0.5) - s.centre[0], load);
 }
@@ -111,7 +118,8 @@ auto ResolvedExchange<Real>::Load::operator+=(const Load& o) -> Load& {
   force += o.force, torque += o.torque;
   interior += o.interior, interior_inertia += o.interior_inertia;
   entrained += o.entrained, entrained_inertia += o.entrained_inertia;
-  brought += o.brought, held += o.held, slip += o.slip;
+  brought += o.brought, held += o.held;
+  slip += o.slip, kept += o.kept;
   return *this;
 }
 
@@ -197,19 +205,20 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
   for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) sum += loads_[p];
   // Else the liquid in its place moves as the grain does.
   const bool slips = weighting_ == lbm::BodyWeighting::inertial;
-  const Vec3 slip =
-      slips && sum.interior > 0 ? Vec3(units.velocity_to_si(1.0) / sum.interior * sum.slip) : Vec3(Vec3::Zero());
   const double brought = slips ? sum.brought : sum.entrained;
   // Means over the last step of the solids; of the liquid in the grain's place.
-  Vec3 acceleration = Vec3::Zero(), spin_up = Vec3::Zero();
+  Vec3 acceleration = Vec3::Zero(), spin_up = Vec3::Zero(), slip_change = Vec3::Zero();
+  const double to_momentum = units.mass() * units.velocity_to_si(1.0);
   if (state.known) {
     acceleration = (particles.velocity[i] - state.velocity) / time_step_;
     spin_up = (particles.angular_velocity[i] - state.spin) / time_step_;
     if (!state.acceleration.isZero()) state.calm = calm_after(state.calm, acceleration, state.acceleration);
     state.acceleration = acceleration;
-    acceleration += (slip - state.slip) / time_step_;
+    // Covered cells turn wet without slip (lbm/free_surface/refilling.h); what they have won when they turn dry, the
+    // liquid around them has lost: the grain gets it. Other cells turn wet with their neighbours' slip.
+    if (slips) slip_change = sum.slip - state.slip / to_momentum;
   }
-  state.slip = slip;
+  state.slip = to_momentum * sum.kept;
   state.velocity = particles.velocity[i], state.spin = particles.angular_velocity[i];
   state.known = true;
   const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
@@ -219,6 +228,8 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
   const double soft = brought > 0 ? 1 - std::min(1.0, sum.entrained / brought) : 0;
   const double spared = jolted + (interior - jolted) * std::max(state.calm, soft);
   Vec3 force = sum.force + spared * units.acceleration_to_lu(1.0) * acceleration - wet_volume * gravity;
+  const double share = sum.interior > 0 ? spared / sum.interior : 1;
+  force += share * slip_change + (1 - share) * (sum.slip - sum.kept);
   const double spun = std::min({sum.interior_inertia, sum.entrained_inertia, particles.inertia[i] / to_kg_m2});
   Vec3 torque = sum.torque + spun * units.time_step * units.time_step * spin_up;
   force *= units.force_to_si(1.0), torque *= units.torque_to_si(1.0);

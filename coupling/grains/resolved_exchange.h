@@ -33,7 +33,8 @@ class ResolvedExchange final : public GrainExchange<Real> {
     double entrained = 0;         ///< liquid in wet cells that a step brings to the grain's velocity, cells
     double brought = 0;           ///< entrained, of covered cells all: what the grain brings along in the end
     double held = 0;              ///< interior that is brought along, of cells that the grain covers alone
-    Vec3 slip = Vec3::Zero();     ///< momentum of the interior past the grain, after the step
+    Vec3 slip = Vec3::Zero();     ///< momentum of the interior past the grain, after the step's collision
+    Vec3 kept = Vec3::Zero();     ///< the same, of cells that have stayed wet
     double interior_inertia = 0;  ///< the same times 2/3 of the squared distance from the grain's centre
     double entrained_inertia = 0;
     Load& operator+=(const Load& o);
@@ -43,7 +44,7 @@ class ResolvedExchange final : public GrainExchange<Real> {
     Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();           ///< m/s, rad/s, at the last mapping
     Vec3 felt_force = Vec3::Zero(), felt_torque = Vec3::Zero();  ///< N, N m, under-relaxed
     Vec3 acceleration = Vec3::Zero();                            ///< m/s^2, mean over the step before the last mapping
-    Vec3 slip = Vec3::Zero();  ///< m/s, of the liquid in its place, after the last step
+    Vec3 slip = Vec3::Zero();  ///< N s, of the liquid in its place past the grain, after the last step
     double calm = 1;           ///< 0 in a jolt, 1 some steps after
     bool known = false;        ///< velocity and spin are set
   };

@@ -35,7 +35,7 @@ void add_strings(dem::Particles& p, dem::Bonds& bonds) {
 }
 
 template <class Real>
-std::unique_ptr<CoupledStep<Real>> scene(const GrainExchangeChoice& exchange = ResolvedGrains{}) {
+std::unique_ptr<CoupledStep<Real>> scene(const GrainExchangeChoice& exchange, lbm::BodyWeighting weighting) {
   dem::Particles p;
   for (int x = 0; x < 3; ++x)
     for (int y = 0; y < 2; ++y)
@@ -51,6 +51,7 @@ std::unique_ptr<CoupledStep<Real>> scene(const GrainExchangeChoice& exchange = R
   options.time_step = 1;  // set by the coupled step
   options.watchdog.overlap_limit = 1;
   lbm::FluidOptions fluid = tank(Vec3(0.64, 0.16, 0.4), 0.02, 2e-4);
+  if (lbm::by_wall_distance(weighting)) fluid = by_distance(fluid, weighting);
   fluid.gravity = options.gravity;
   fluid.domain.faces[1] = lbm::FaceKind::open;
   return std::make_unique<CoupledStep<Real>>(fluid, dem::Solids(p, bonds, rock(), walls, options),
@@ -58,8 +59,9 @@ std::unique_ptr<CoupledStep<Real>> scene(const GrainExchangeChoice& exchange = R
 }
 
 template <class Real>
-void expect_same_after_restart(const GrainExchangeChoice& exchange = ResolvedGrains{}) {
-  const auto whole = scene<Real>(exchange), resumed = scene<Real>(exchange);
+void expect_same_after_restart(const GrainExchangeChoice& exchange = ResolvedGrains{},
+                               lbm::BodyWeighting weighting = lbm::BodyWeighting::solid_fraction) {
+  const auto whole = scene<Real>(exchange, weighting), resumed = scene<Real>(exchange, weighting);
   whole->fill(kWater);
   const auto broken = [&] {
     const auto& intact = whole->solids()->bonds().intact;
@@ -81,6 +83,11 @@ void expect_same_after_restart(const GrainExchangeChoice& exchange = ResolvedGra
 TEST(CoupledStepTransfer, GoesOnInDouble) { expect_same_after_restart<double>(); }
 
 TEST(CoupledStepTransfer, GoesOnInFloat) { expect_same_after_restart<float>(); }
+
+TEST(CoupledStepTransfer, GoesOnWithGrainsByDistance) {
+  expect_same_after_restart<double>(ResolvedGrains{}, lbm::BodyWeighting::wall_distance);
+  expect_same_after_restart<float>(ResolvedGrains{}, lbm::BodyWeighting::inertial);
+}
 
 TEST(CoupledStepTransfer, GoesOnWithAveragedGrains) {
   expect_same_after_restart<double>(AveragedGrains{.averaging_length = 0.08});

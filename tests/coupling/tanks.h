@@ -12,9 +12,10 @@ inline lbm::FluidOptions by_fraction(lbm::FluidOptions o) {
   return o;
 }
 
-/// The library's default.
-inline lbm::FluidOptions by_distance(lbm::FluidOptions o) {
-  o.weighting = lbm::BodyWeighting::wall_distance;
+/// The library's default, or the other weighting by the distance from the surface.
+inline lbm::FluidOptions by_distance(lbm::FluidOptions o,
+                                     lbm::BodyWeighting weighting = lbm::BodyWeighting::wall_distance) {
+  o.weighting = weighting;
   o.solid_operator = lbm::SolidOperator::equilibrium_difference;
   return o;
 }
