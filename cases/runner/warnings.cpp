@@ -95,6 +95,12 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
           fmt::format("coupling.radius_shift_cells is {:g}: for grains that settle, with {:.3g} as the "
                       "Reynolds number of a cell, {:.2f} gives the drag",
                       s.coupling.radius_shift_cells, *f.cell_reynolds, shift));
+  constexpr double fast = 25;  // cell Reynolds number: docs/decisions/0054
+  if (f.cell_reynolds && *f.cell_reynolds > fast && !s.grains.packings.empty() &&
+      s.coupling.body_weighting == scene::BodyWeighting::wall_distance)
+    list.push_back(
+        "coupling.body_weighting is \"wall_distance\": grains that run through the cells much faster than the liquid "
+        "runs past them drag it up to ten times too much; \"inertial\" twice at most");
   if (f.cells_per_wire && !s.coupling.wire_drag &&
       *f.cells_per_wire < s.coupling.resolve_wires_from_cells.value_or(*f.cells_per_wire + 1))
     list.push_back(fmt::format(

@@ -61,6 +61,20 @@ TEST(Check, NamesARadiusShiftForAnotherFlow) {
   EXPECT_FALSE(warns(check_scene(debris), key));
 }
 
+/// A packing that water carries along asks for the drag that does not grow with the speed through the cells.
+TEST(Check, NamesTheWeightingForGrainsThatAreCarriedAlong) {
+  constexpr auto key = "coupling.body_weighting is";
+  scene::Scene debris = scene::debris_flow();
+  EXPECT_FALSE(warns(check_scene(debris), key));
+  debris.coupling.body_weighting = scene::BodyWeighting::wall_distance;
+  EXPECT_TRUE(warns(check_scene(debris), key));
+  scene::Scene creeping = debris;
+  creeping.fluid.kinematic_viscosity = 10;
+  EXPECT_FALSE(warns(check_scene(creeping), key));
+  debris.coupling.grains = scene::GrainFluid::averaged;
+  EXPECT_FALSE(warns(check_scene(debris), key));
+}
+
 /// Grains that are averaged have no size in cells; what counts is the length over which they are.
 TEST(Check, AveragedGrainsAreJudgedByTheirLength) {
   scene::Scene debris = scene::debris_flow();
