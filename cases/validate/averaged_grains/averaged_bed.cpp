@@ -20,6 +20,7 @@ std::unique_ptr<coupling::CoupledStep<float>> make_bed(const AveragedBed& bed, c
   fluid.kinematic_viscosity = bed.viscosity;
   fluid.gravity = bed.fluid_gravity;
   fluid.smagorinsky = 0.16;
+  fluid.weighting = bed.weighting;
   fluid.inflows = bed.inflows;
   if (bed.water_level > 0) fluid.domain.faces[5] = lbm::FaceKind::open;
   dem::Particles particles;

@@ -21,9 +21,10 @@ struct AveragedBed {
   double density = 2500;              ///< kg/m^3, of grains; the liquid has 1000
   dem::ParticleState state = dem::ParticleState::free;
   coupling::GrainExchangeChoice exchange = coupling::AveragedGrains{};
-  double youngs_modulus = 1e7;  ///< Pa, of grains: soft where contacts do not matter
-  double grate = 0;             ///< m above the floor: grains stand on it, water goes through
-  double water_level = 0;       ///< m; 0: full, without a surface; else the top is open
+  lbm::BodyWeighting weighting = lbm::kBodyWeighting;  ///< of resolved grains
+  double youngs_modulus = 1e7;                         ///< Pa, of grains: soft where contacts do not matter
+  double grate = 0;                                    ///< m above the floor: grains stand on it, water goes through
+  double water_level = 0;                              ///< m; 0: full, without a surface; else the top is open
   std::vector<lbm::InflowOptions> inflows{};
 };
 

@@ -71,7 +71,8 @@ struct Bed {
 };
 
 /// Mean over the time that is measured, of the measured over that of a law.
-double suction_ratio(const Bed& bed, const coupling::GrainExchangeChoice& exchange, PressureDrop drop) {
+double suction_ratio(const Bed& bed, const coupling::GrainExchangeChoice& exchange, PressureDrop drop,
+                     lbm::BodyWeighting weighting = lbm::kBodyWeighting) {
   constexpr double scene_speed = 7;  // m/s, of the paper's case: sets the time step
   const double d = bed.diameter;
   const std::vector<Vec3> centres = pack(bed.fraction, d);
@@ -84,7 +85,8 @@ double suction_ratio(const Bed& bed, const coupling::GrainExchangeChoice& exchan
                         .viscosity = kWater,
                         .diameter = d,
                         .state = dem::ParticleState::fixed,
-                        .exchange = exchange},
+                        .exchange = exchange,
+                        .weighting = weighting},
                        centres);
   dem::Particles& grains = step->solids()->particles();
   double found = 0, expected = 0;
@@ -104,9 +106,10 @@ std::string about(const Bed& bed) {
   return fmt::format("phi {:g}, {} cells a diameter", bed.fraction, std::lround(bed.diameter / bed.cell_size));
 }
 
-Row resolved_row(const Bed& bed) {
-  const double ratio = suction_ratio(bed, coupling::ResolvedGrains{coupling::kRadiusShiftFast}, ergun);
-  return relative_row("suction over Ergun's: resolved, " + about(bed), ratio, 1, 0.20);
+Row resolved_row(const Bed& bed, lbm::BodyWeighting weighting) {
+  const double ratio = suction_ratio(bed, coupling::ResolvedGrains{coupling::kRadiusShiftFast}, ergun, weighting);
+  const char* const name = weighting == lbm::BodyWeighting::inertial ? "inertial, " : "";
+  return relative_row("suction over Ergun's: resolved, " + (name + about(bed)), ratio, 1, 0.20);
 }
 
 constexpr double kPapers = 0.15, kShort = 0.08;  // m, averaging lengths
@@ -131,11 +134,14 @@ Row law_row(const Bed& bed) {
 
 std::vector<Row> run(const Context& context) {
   using coupling::BedDrag;
-  if (context.quick) return {resolved_row({0.58, 0.04, 0.02})};
+  const auto weightings = {lbm::BodyWeighting::wall_distance, lbm::BodyWeighting::inertial};
+  if (context.quick) return {resolved_row({0.58, 0.04, 0.02}, lbm::BodyWeighting::wall_distance)};
   std::vector<Row> rows;
   for (const double fraction : {0.5, 0.58})
     for (const double diameter : {0.04, 0.08}) {
-      for (const double cell_size : {0.02, 0.01}) rows.push_back(resolved_row({fraction, diameter, cell_size}));
+      for (const double cell_size : {0.02, 0.01})
+        for (const auto weighting : weightings)
+          rows.push_back(resolved_row({fraction, diameter, cell_size}, weighting));
       const Bed bed{fraction, diameter, 0.02};
       rows.push_back(averaged_row(bed, kPapers, BedDrag::gidaspow, ergun, "Ergun"));
       rows.push_back(averaged_row(bed, kPapers, BedDrag::di_felice, di_felice, "Di Felice"));
