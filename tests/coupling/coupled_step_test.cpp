@@ -91,7 +91,7 @@ TEST(CoupledStep, LightSpheresThatTouchStayCalm) {
 /// Water falls off a heap of fixed spheres; what clings to them in the end bears on them with what its cells weigh when
 /// full, but for those in the spheres. Covered cells that turned wet at their neighbours' velocity brought momentum
 /// from nowhere, every other step: six times as much. With a soft exchange they win momentum while they are wet; where
-/// that was lost as they turned dry, a seventh was left.
+/// that was lost as they turned dry, the spheres were lifted by as much.
 void expect_that_drained_spheres_bear_what_clings(lbm::BodyWeighting weighting) {
   auto fluid = by_distance(tank(Vec3(0.48, 0.48, 0.96), 0.02, 3e-4), weighting);
   fluid.kinematic_viscosity = 1e-6;
