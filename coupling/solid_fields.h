@@ -108,8 +108,7 @@ Vec3 momentum_given_to_bodies(const lbm::FluidGrid<Real>& grid) {
         double sums[3][lbm::kBlockWidth]{};  // by place in a row
         for (int n = 0; n < lbm::kBlockCells; n += lbm::kBlockWidth)
           for (int a = 0; a < 3; ++a)
-            for (int c = 0; c < lbm::kBlockWidth; ++c)
-              sums[a][c] += f->exchange_weight[n + c] != 0 ? static_cast<double>(given[a][n + c]) : 0.0;
+            for (int c = 0; c < lbm::kBlockWidth; ++c) sums[a][c] += static_cast<double>(given[a][n + c]);
         Vec3 sum = Vec3::Zero();
         for (int a = 0; a < 3; ++a)
           for (const double x : sums[a]) sum[a] += x;

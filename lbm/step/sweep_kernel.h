@@ -194,8 +194,9 @@ class BlockKernel {
         const V slip = m.u[a] + uniform.gravity[a] - force.solid_velocity[a];
         square += slip * slip;
       }
-      force.coverage_weight = uniform.coverage_weight.of(load_aligned<V>(body.drag + n),
-                                                         load_aligned<V>(body.solid_fraction + n), V(sqrt(square)));
+      // Bodies that exchange nothing here, such as averaged grains, resist in no way.
+      const V exchanging = select(sum > V(0), load_aligned<V>(body.solid_fraction + n), V(0));
+      force.coverage_weight = uniform.coverage_weight.of(load_aligned<V>(body.drag + n), exchanging, V(sqrt(square)));
       force.nonequilibrium_loss = uniform.nonequilibrium_loss * force.coverage_weight;
       const Real* const none = kNoImpulse<Real>.data();
       const ImpulseFields<Real>* const given = block.impulse;
