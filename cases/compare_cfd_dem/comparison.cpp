@@ -13,6 +13,7 @@
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/load.h"
 #include "cases/files/output_file.h"
+#include "cases/files/text_file.h"
 #include "cases/validate/reference_table.h"
 #include "core/check.h"
 
@@ -24,27 +25,14 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-double CaseResult::metric(const std::string& name) const {
+double CaseRun::metric(const std::string& name) const {
   const auto found = metrics.find(name);
   return found == metrics.end() ? kNone : found->second;
 }
 
-CaseResult read_case(const StudyCase& study_case, const std::filesystem::path& folder) {
-  CaseResult result{study_case, {}, {}, 0, 0, cases::read_series(folder / "series.h5"), folder};
-  std::ifstream file(folder / "summary.json");
-  try {
-    const nlohmann::json summary = nlohmann::json::parse(file);
-    for (const auto& [name, value] : summary.at("metrics").items()) result.metrics[name] = value.get<double>();
-    for (const auto& check : summary.at("checks"))
-      if (!check.at("pass").get<bool>()) result.failed_checks.push_back(check.at("name").get<std::string>());
-    result.wall_seconds = summary.at("wall_seconds").get<double>();
-  } catch (const nlohmann::json::exception&) {
-    throw cases::FileError(folder / "summary.json", "not the summary of a run");
-  }
-  for (const scene::GrainSize& g : scene::grain_sizes(scene::load(folder / "scene.resolved.toml", {})))
-    result.grain_mass +=
-        static_cast<double>(g.count) * std::numbers::pi / 6 * g.diameter * g.diameter * g.diameter * g.density;
-  return result;
+double CaseResult::value(const std::string& quantity) const {
+  const auto found = values.find(quantity);
+  return found == values.end() ? kNone : found->second;
 }
 
 const std::vector<Flow>& published_flows() {
@@ -74,11 +62,11 @@ const Flow* published(double release) {
 
 namespace {
 
-using Ours = std::function<double(const CaseResult&)>;
+using Ours = std::function<double(const CaseRun&)>;
 using Theirs = std::function<std::optional<double>(double)>;
 
 Ours metric(const char* name, double factor = 1) {
-  return [name, factor](const CaseResult& c) { return factor * c.metric(name); };
+  return [name, factor](const CaseRun& c) { return factor * c.metric(name); };
 }
 Theirs of_table(double Flow::*column) {
   return [column](double release) -> std::optional<double> {
@@ -102,25 +90,23 @@ std::optional<double> not_given(double) { return std::nullopt; }
 
 constexpr double kGravity = 9.81, kLowerDatum = 0.746;  // m/s^2; m, the bed 1.30 m downstream of the net lies lower
 
-double e_in(const CaseResult& c) { return c.metric("e_in_kJ"); }
-double e_out(const CaseResult& c) { return c.metric("e_out_kJ"); }
-double e_d(const CaseResult& c) { return e_in(c) - e_out(c); }
-double e_b(const CaseResult& c) {
-  return (c.metric("barrier_energy_end_J") - c.metric("barrier_energy_start_J")) / 1000;
-}
+double e_in(const CaseRun& c) { return c.metric("e_in_kJ"); }
+double e_out(const CaseRun& c) { return c.metric("e_out_kJ"); }
+double e_d(const CaseRun& c) { return e_in(c) - e_out(c); }
+double e_b(const CaseRun& c) { return (c.metric("barrier_energy_end_J") - c.metric("barrier_energy_start_J")) / 1000; }
 
 /// The mass that is there while the flow arrives: liquid and grains, kg.
-double mass(const CaseResult& c) { return c.metric("liquid_mass_start_kg") + c.grain_mass; }
+double mass(const CaseRun& c) { return c.metric("liquid_mass_start_kg") + c.grain_mass; }
 /// Energies about the bed 1.30 m downstream, which the paper's numbers ask for: all mass that counts is higher.
-double e_in_lower(const CaseResult& c) { return e_in(c) + mass(c) * kGravity * kLowerDatum / 1000; }
-double e_out_lower(const CaseResult& c) {
+double e_in_lower(const CaseRun& c) { return e_in(c) + mass(c) * kGravity * kLowerDatum / 1000; }
+double e_out_lower(const CaseRun& c) {
   const auto* passed = c.series.find("grains_passed_kg");
   const double grains = passed && !passed->values.empty() ? passed->values.back() : 0.0;
   return e_out(c) + (c.metric("liquid_passed_kg") + grains) * kGravity * kLowerDatum / 1000;
 }
 
 /// s: the first row in which a column is at least `level`.
-double first_at_least(const CaseResult& c, const char* column, double level) {
+double first_at_least(const CaseRun& c, const char* column, double level) {
   const auto* values = c.series.find(column);
   for (std::size_t k = 0; values && k < values->values.size(); ++k)
     if (values->values[k] >= level) return c.series.time_s[k];
@@ -128,18 +114,18 @@ double first_at_least(const CaseResult& c, const char* column, double level) {
 }
 
 /// m/s: of the water's front over the last half metre before the net.
-double front_speed(const CaseResult& c) {
+double front_speed(const CaseRun& c) {
   const double end = first_at_least(c, "front_x_m", c.study_case.release - 0.15);
   const double start = first_at_least(c, "front_x_m", c.study_case.release - 0.65);
   return 0.5 / (end - start);
 }
-double front_froude(const CaseResult& c) {
+double front_froude(const CaseRun& c) {
   constexpr double cos35 = 0.819152;
   return front_speed(c) / std::sqrt(kGravity * c.metric("depth_at_inflow_m") * cos35);
 }
 
 /// Mean of a column over the last `seconds` of the run.
-double final_mean(const CaseResult& c, const char* column, double seconds) {
+double final_mean(const CaseRun& c, const char* column, double seconds) {
   const auto* values = c.series.find(column);
   double sum = 0, count = 0;
   for (std::size_t k = 0; values && k < values->values.size(); ++k)
@@ -148,7 +134,7 @@ double final_mean(const CaseResult& c, const char* column, double seconds) {
 }
 
 /// Mean over the rows in which at least a litre a second passes, of a ratio of two columns.
-double mean_ratio(const CaseResult& c, const char* above, const char* below) {
+double mean_ratio(const CaseRun& c, const char* above, const char* below) {
   const auto *a = c.series.find(above), *b = c.series.find(below), *q = c.series.find("net_discharge_m3_s");
   double sum_a = 0, sum_b = 0;
   for (std::size_t k = 0; a && b && q && k < a->values.size(); ++k)
@@ -156,7 +142,7 @@ double mean_ratio(const CaseResult& c, const char* above, const char* below) {
   return sum_b > 0 ? sum_a / sum_b : kNone;
 }
 
-double water_share(const CaseResult& c) {
+double water_share(const CaseRun& c) {
   const double water = c.metric("barrier_fluid_impulse_Ns"), grains = c.metric("barrier_contact_impulse_Ns");
   return water / (water + grains);
 }
@@ -185,15 +171,15 @@ std::vector<Compared> make_quantities() {
   add("e_d", "kJ", "energy that is dissipated or passed on, E_in - E_out", e_d, of_table(&Flow::e_d), "Table 5");
   add("e_b", "kJ", "energy that the barrier holds at the end", e_b, of_table(&Flow::e_b), "Table 5");
   add(
-      "eta", "1", "E_d / E_in", [](const CaseResult& c) { return e_d(c) / e_in(c); }, of_table(&Flow::eta), "Table 5");
+      "eta", "1", "E_d / E_in", [](const CaseRun& c) { return e_d(c) / e_in(c); }, of_table(&Flow::eta), "Table 5");
   add(
       "eta_lower", "1", "E_d / E_in, about the bed 1.30 m downstream",
-      [](const CaseResult& c) { return 1 - e_out_lower(c) / e_in_lower(c); }, of_table(&Flow::eta), "Table 5");
+      [](const CaseRun& c) { return 1 - e_out_lower(c) / e_in_lower(c); }, of_table(&Flow::eta), "Table 5");
   add(
-      "zeta", "1", "E_b / E_d", [](const CaseResult& c) { return e_b(c) / e_d(c); }, of_table(&Flow::zeta), "Table 5");
+      "zeta", "1", "E_b / E_d", [](const CaseRun& c) { return e_b(c) / e_d(c); }, of_table(&Flow::zeta), "Table 5");
   add(
       "outflow_liquid_share", "1", "share of the liquid in E_out",
-      [](const CaseResult& c) {
+      [](const CaseRun& c) {
         return (c.metric("e_out_liquid_kinetic_kJ") + c.metric("e_out_liquid_potential_kJ")) / e_out(c);
       },
       not_given, "Fig. 16");
@@ -220,17 +206,17 @@ std::vector<Compared> make_quantities() {
       not_given, "");
   add(
       "barrier_sum_at_rest", "kN", "sum of bond forces in the barrier, mean of the last half second",
-      [](const CaseResult& c) { return final_mean(c, "barrier_force_sum_N", 0.5) / 1000; }, not_given, "Fig. 11");
+      [](const CaseRun& c) { return final_mean(c, "barrier_force_sum_N", 0.5) / 1000; }, not_given, "Fig. 11");
   add("elongation", "m", "largest displacement of the net along the flow; theirs: the largest of all flows",
       metric("max_elongation_m"), of_one(0.263), "4.3");
   add("ring_travel", "m", "way that edge rings slide, largest mean", metric("max_mean_ring_travel_m"), not_given, "");
   add("water_share", "1", "share of the water in the impulse on the net along the flow", water_share, not_given, "");
   add(
       "velocity_through_net", "m/s", "of the water in the plane of the net, while more than a litre a second passes",
-      [](const CaseResult& c) { return mean_ratio(c, "net_discharge_m3_s", "net_liquid_area_m2"); }, not_given, "");
+      [](const CaseRun& c) { return mean_ratio(c, "net_discharge_m3_s", "net_liquid_area_m2"); }, not_given, "");
   add(
       "clogging", "1", "area of grains over that of grains and water in the plane of the net, while water passes",
-      [](const CaseResult& c) { return 1 / (1 + 1 / mean_ratio(c, "net_grains_area_m2", "net_liquid_area_m2")); },
+      [](const CaseRun& c) { return 1 / (1 + 1 / mean_ratio(c, "net_grains_area_m2", "net_liquid_area_m2")); },
       not_given, "");
   add("water_left", "kg", "water that left the channel", metric("liquid_left_kg"), not_given, "");
   return q;
@@ -243,6 +229,68 @@ const std::vector<Compared>& compared_quantities() {
   return all;
 }
 
+const std::vector<ShownColumn>& shown_columns() {
+  static const std::vector<ShownColumn> all{{"lower_cable_force_sum_N", "sum of forces in the lower cable", "kN", 1e-3},
+                                            {"upper_cable_force_sum_N", "sum of forces in the upper cable", "kN", 1e-3},
+                                            {"barrier_force_sum_N", "sum of forces in the barrier", "kN", 1e-3},
+                                            {"barrier_elongation_m", "elongation of the net", "m"},
+                                            {"barrier_fluid_force_x_N", "force of water on the net", "kN", 1e-3},
+                                            {"barrier_contact_force_x_N", "force of grains on the net", "kN", 1e-3},
+                                            {"net_discharge_m3_s", "discharge of water through the net", "m^3/s"},
+                                            {"net_grains_area_m2", "area of grains in the plane of the net", "m^2"},
+                                            {"grains_passed_kg", "grains that have passed", "kg"},
+                                            {"grains_kinetic_J", "kinetic energy of the grains", "kJ", 1e-3}};
+  return all;
+}
+
+CaseResult result_of(const CaseRun& run) {
+  CaseResult result{run.study_case, {}, {}, {}, {}, 0, {}};
+  for (const Compared& q : compared_quantities())
+    if (const double value = q.ours(run); std::isfinite(value)) result.values[q.name] = value;
+  result.curves.time_s = run.series.time_s;
+  for (const ShownColumn& shown : shown_columns())
+    if (const auto* column = run.series.find(shown.name)) result.curves.columns.push_back(*column);
+  return result;
+}
+
+namespace {
+
+std::map<std::string, double> metrics_of(const std::string& summary, const std::filesystem::path& file) {
+  try {
+    return nlohmann::json::parse(summary).at("metrics").get<std::map<std::string, double>>();
+  } catch (const nlohmann::json::exception&) {
+    throw cases::FileError(file, "not the summary of a run");
+  }
+}
+
+}  // namespace
+
+void take_summary(CaseResult& result, const std::string& summary, const std::filesystem::path& file) {
+  try {
+    const nlohmann::json read = nlohmann::json::parse(summary);
+    result.failed_checks.clear();
+    for (const auto& check : read.at("checks"))
+      if (!check.at("pass").get<bool>()) result.failed_checks.push_back(check.at("name").get<std::string>());
+    result.wall_seconds = read.at("wall_seconds").get<double>();
+    result.summary = summary;
+  } catch (const nlohmann::json::exception&) {
+    throw cases::FileError(file, "not the summary of a run");
+  }
+}
+
+CaseResult read_case(const StudyCase& study_case, const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "summary.json";
+  const std::string summary = cases::read_text_file(file);
+  CaseRun run{study_case, metrics_of(summary, file), 0, cases::read_series(folder / "series.h5")};
+  for (const scene::GrainSize& g : scene::grain_sizes(scene::load(folder / "scene.resolved.toml", {})))
+    run.grain_mass +=
+        static_cast<double>(g.count) * std::numbers::pi / 6 * g.diameter * g.diameter * g.diameter * g.density;
+  CaseResult result = result_of(run);
+  take_summary(result, summary, file);
+  result.folder = folder;
+  return result;
+}
+
 namespace {
 
 /// Half the range of a quantity over all cases of the same flow and coupling, over their mean; NaN for a single one.
@@ -251,7 +299,7 @@ double spread(const Compared& quantity, const CaseResult& of, const std::vector<
   for (const CaseResult& c : results) {
     const StudyCase &a = c.study_case, &b = of.study_case;
     if (a.sweep != b.sweep || a.coupling != b.coupling || a.release != b.release) continue;
-    const double x = quantity.ours(c);
+    const double x = c.value(quantity.name);
     if (!std::isfinite(x)) continue;
     low = std::min(low, x), high = std::max(high, x), sum += x, count += 1;
   }
@@ -269,7 +317,7 @@ std::string comparison_csv(const std::vector<CaseResult>& results) {
       "quantity,unit,case,theirs,ours,difference,spread\n";
   for (const Compared& q : compared_quantities())
     for (const CaseResult& c : results) {
-      const double ours = q.ours(c), theirs = q.theirs(c.study_case.release).value_or(kNone);
+      const double ours = c.value(q.name), theirs = q.theirs(c.study_case.release).value_or(kNone);
       text += fmt::format("{},{},{},{},{},{},{}\n", q.name, q.unit, c.study_case.name(), number(theirs), number(ours),
                           number(ours / theirs - 1), number(spread(q, c, results)));
     }
@@ -320,11 +368,8 @@ std::vector<Trend> trends(const std::vector<CaseResult>& results) {
         }
         if (flows.size() < 3) continue;
         for (const Statement& s : kStatements) {
-          const auto& quantities = compared_quantities();
-          const auto q = std::find_if(quantities.begin(), quantities.end(),
-                                      [&](const Compared& x) { return x.name == s.quantity; });
           std::vector<std::pair<double, double>> points;
-          for (const auto& [release, c] : flows) points.emplace_back(release, q->ours(*c));
+          for (const auto& [release, c] : flows) points.emplace_back(release, c->value(s.quantity));
           const double correlation = kendall(points);
           all.push_back({s.text, sweep.name, coupling.name, preset.name, correlation, correlation * s.sign > 0});
         }

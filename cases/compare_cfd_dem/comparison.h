@@ -12,21 +12,36 @@
 
 namespace lahar::study {
 
-/// A case that reached its end.
-struct CaseResult {
+/// What a run left in its folder, as far as the comparison asks for it.
+struct CaseRun {
   StudyCase study_case;
   std::map<std::string, double> metrics;  ///< of summary.json
-  std::vector<std::string> failed_checks;
-  double wall_seconds = 0;
-  double grain_mass = 0;  ///< kg, of the scene
+  double grain_mass = 0;                  ///< kg, of the scene
   cases::Series series;
-  std::filesystem::path folder;
 
   /// NaN where there is none.
   [[nodiscard]] double metric(const std::string& name) const;
 };
 
-/// Reads summary.json and series.h5. Throws cases::FileError.
+/// What is shown of a case that reached its end.
+struct CaseResult {
+  StudyCase study_case;
+  std::map<std::string, double> values;  ///< of the compared quantities that it has
+  cases::Series curves;                  ///< of the shown columns; may be empty
+  std::string summary;                   ///< text of summary.json
+  std::vector<std::string> failed_checks;
+  double wall_seconds = 0;
+  std::filesystem::path folder;  ///< of its pictures; empty where they are not at hand
+
+  /// NaN where there is none.
+  [[nodiscard]] double value(const std::string& quantity) const;
+};
+
+/// The values and curves of a run; what stands in its summary is left empty.
+CaseResult result_of(const CaseRun& run);
+/// Sets summary, failed_checks and wall_seconds. Throws cases::FileError, which names `file`, if it is no summary.
+void take_summary(CaseResult& result, const std::string& summary, const std::filesystem::path& file);
+/// Reads summary.json, series.h5 and the scene. Throws cases::FileError.
 CaseResult read_case(const StudyCase& study_case, const std::filesystem::path& folder);
 
 /// The paper's Table 5 by release distance.
@@ -41,11 +56,18 @@ const Flow* published(double release);
 /// A quantity of the comparison.
 struct Compared {
   std::string name, unit, meaning;
-  std::function<double(const CaseResult&)> ours;
+  std::function<double(const CaseRun&)> ours;
   std::function<std::optional<double>(double release)> theirs;  ///< nothing where the paper gives no number
   std::string where;                                            ///< in the paper
 };
 const std::vector<Compared>& compared_quantities();
+
+/// A column of a run's series that is shown over time.
+struct ShownColumn {
+  std::string name, title, unit;
+  double factor = 1;  ///< from the column's unit to the shown one
+};
+const std::vector<ShownColumn>& shown_columns();
 
 /// quantity,unit,case,theirs,ours,difference,spread: the difference over theirs; the spread is half the range of ours
 /// over the seeds, variants and presets that the study has of the same flow and coupling, over their mean.

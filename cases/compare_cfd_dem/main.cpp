@@ -9,17 +9,20 @@
 #include <thread>
 
 #include "cases/compare_cfd_dem/jobs.h"
+#include "cases/compare_cfd_dem/record.h"
 #include "cases/compare_cfd_dem/report.h"
+#include "cases/files/output_file.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
+#include "core/check.h"
 
 namespace lahar::study {
 namespace {
 
 struct Arguments {
   Selection selection;
-  std::string out = "results/compare_cfd_dem";
+  std::string out = "results/compare_cfd_dem", records;
   int at_once = 1, threads = 0;
   bool list = false, report_only = false, quiet = false;
 };
@@ -37,38 +40,55 @@ void list(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   }
 }
 
-/// The cases asked for, and those that are in the folder besides.
-std::vector<StudyCase> with_those_there(std::vector<StudyCase> all, const Arguments& a) {
-  if (!std::filesystem::is_directory(a.out)) return all;
-  for (const auto& entry : std::filesystem::directory_iterator(a.out)) {
-    const auto there = case_named(entry.path().filename().string(), a.selection.further);
-    if (!there || std::find(all.begin(), all.end(), *there) != all.end()) continue;
-    if (entry.is_directory() && standing_of(*there, entry.path()) == Standing::done) all.push_back(*there);
-  }
-  std::sort(all.begin(), all.end(), comes_before);
-  return all;
+/// What is done of the cases asked for and of those that are in the folder besides.
+std::vector<CaseResult> results_in(const std::filesystem::path& folder, std::vector<StudyCase> asked,
+                                   const std::vector<std::string>& further) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (const auto there = case_named(entry.path().filename().string(), further);
+        there && entry.is_directory() && std::find(asked.begin(), asked.end(), *there) == asked.end())
+      asked.push_back(*there);
+  std::vector<CaseResult> results;
+  for (const StudyCase& c : asked)
+    if (standing_of(c, folder / c.name()) == Standing::done) results.push_back(read_case(c, folder / c.name()));
+  return results;
+}
+
+bool holds(const std::vector<CaseResult>& results, const StudyCase& study_case) {
+  return std::any_of(results.begin(), results.end(), [&](const CaseResult& c) { return c.study_case == study_case; });
+}
+
+/// Writes records of what is done here and adds those of other cases.
+void share(std::vector<CaseResult>& results, const std::filesystem::path& records) {
+  for (const CaseResult& c : results) write_record(c, records);
+  for (CaseResult& c : read_records(records))
+    if (!holds(results, c.study_case)) results.push_back(std::move(c));
 }
 
 /// What is done, and the page about it.
 void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   const std::filesystem::path folder = a.out;
-  std::vector<CaseResult> results;
+  std::filesystem::create_directories(folder);
+  std::vector<CaseResult> results = results_in(folder, study_cases, a.selection.further);
+  if (!a.records.empty()) share(results, a.records);
+  std::sort(results.begin(), results.end(),
+            [](const CaseResult& x, const CaseResult& y) { return comes_before(x.study_case, y.study_case); });
   Sitting sitting{cases::machine_name(),
                   cases::commit(),
                   fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now())),
                   {}};
-  for (const StudyCase& c : with_those_there(study_cases, a)) {
-    if (standing_of(c, folder / c.name()) == Standing::done)
-      results.push_back(read_case(c, folder / c.name()));
-    else
-      sitting.missing.push_back(c.name());
-  }
-  std::filesystem::create_directories(folder);
+  for (const StudyCase& c : study_cases)
+    if (!holds(results, c)) sitting.missing.push_back(c.name());
   write_report(results, sitting, folder);
+  if (!a.records.empty())
+    cases::replace_text_file(std::filesystem::path(a.records) / "comparison.csv", comparison_csv(results));
 }
 
 int run(const Arguments& a) {
   const std::vector<StudyCase> study_cases = cases_of(a.selection);
+  if (!a.records.empty() && !a.selection.further.empty())
+    throw InputError(std::vector<InputMistake>{
+        {"command line", 1, 1,
+         "--records with --set: records are of the study's own values, expected one of the two"}});
   if (a.list) return list(study_cases, a), cases::exit_done;
   int code = cases::exit_done;
   if (!a.report_only) {
@@ -118,6 +138,9 @@ int main(int argc, char** argv) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--out", a.out, "Folder of the study")->capture_default_str();
+  app.add_option("--records", a.records,
+                 "Folder of small records of cases: those of this study are written there, and what it holds of others "
+                 "is in the report too");
   app.add_option("--at-once", a.at_once, "Runs at once, which share the threads")->check(CLI::Range(1, 64));
   app.add_option("--threads", a.threads, "Threads of all runs together (default: all)")->check(CLI::Range(1, 4096));
   app.add_flag("--list", a.list, "Say of each case whether it is done, and run nothing");

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "cases/files/output_file.h"
+#include "cases/files/text_file.h"
 
 namespace lahar::study {
 
@@ -60,7 +59,7 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
     std::vector<std::pair<double, double>> points;
     for (const CaseResult& c : results)
       if (const Flow* flow = published(c.study_case.release); flow && curve.holds(c.study_case))
-        points.emplace_back(flow->froude, q.ours(c));
+        points.emplace_back(flow->froude, c.value(q.name));
     std::sort(points.begin(), points.end());
     ChartSeries ours{.name = curve.label(), .mark = Mark::line_and_points};
     ours.dash = curve.coupling == "resolved" ? Dash::solid : Dash::dashed;
@@ -71,25 +70,25 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
 }
 
 /// A column of the series over time, of all couplings at one distance.
-cases::Chart over_time(const char* column, const char* title, const char* unit, double factor, double release,
-                       const std::string& sweep, const std::vector<CaseResult>& results) {
+cases::Chart over_time(const ShownColumn& shown, double release, const std::string& sweep,
+                       const std::vector<CaseResult>& results) {
   using namespace cases;
   Chart chart;
   chart.title =
-      fmt::format("{}, L = {:.2f} m, {}", title, release, sweep == "matched" ? "matched inflow" : "as printed");
+      fmt::format("{}, L = {:.2f} m, {}", shown.title, release, sweep == "matched" ? "matched inflow" : "as printed");
   chart.x = {.label = "time", .unit = "s"};
-  chart.y = {.label = title, .unit = unit};
+  chart.y = {.label = shown.title, .unit = shown.unit};
   chart.width = 480, chart.height = 300;
   for (const CaseResult& c : results) {
     const StudyCase& s = c.study_case;
-    const auto* values = c.series.find(column);
+    const auto* values = c.curves.find(shown.name);
     if (s.release != release || s.sweep != sweep || s.variant != variants().front().name || !values) continue;
     ChartSeries line{
         .name = fmt::format("{}, {}{}", s.coupling, s.preset, s.seed == 1 ? "" : fmt::format(", seed {}", s.seed)),
-        .x = c.series.time_s,
+        .x = c.curves.time_s,
         .y = values->values};
     std::replace(line.name.begin(), line.name.end(), '_', ' ');
-    for (double& y : line.y) y *= factor;
+    for (double& y : line.y) y *= shown.factor;
     chart.series.push_back(line);
   }
   return chart;
@@ -126,23 +125,10 @@ std::vector<Figure> figures_of(const std::vector<CaseResult>& results) {
   for (const auto& [name, where] : of_flows)
     keep(std::string("flows_") + name, fmt::format("{} ({})", quantity(name).meaning, where),
          over_flows(name, results));
-  struct Column {
-    const char *name, *title, *unit;
-    double factor;
-  };
-  const Column columns[] = {{"lower_cable_force_sum_N", "sum of forces in the lower cable", "kN", 1e-3},
-                            {"upper_cable_force_sum_N", "sum of forces in the upper cable", "kN", 1e-3},
-                            {"barrier_force_sum_N", "sum of forces in the barrier", "kN", 1e-3},
-                            {"barrier_elongation_m", "elongation of the net", "m", 1},
-                            {"barrier_fluid_force_x_N", "force of water on the net", "kN", 1e-3},
-                            {"barrier_contact_force_x_N", "force of grains on the net", "kN", 1e-3},
-                            {"net_discharge_m3_s", "discharge of water through the net", "m^3/s", 1},
-                            {"net_grains_area_m2", "area of grains in the plane of the net", "m^2", 1},
-                            {"grains_passed_kg", "grains that have passed", "kg", 1}};
   for (const Choice& sweep : sweeps())
-    for (const Column& c : columns)
-      keep(fmt::format("time_{}_{}", sweep.name, c.name), fmt::format("{} at L = 4.10 m (Fig. 11)", c.title),
-           over_time(c.name, c.title, c.unit, c.factor, 4.1, sweep.name, results));
+    for (const ShownColumn& shown : shown_columns())
+      keep(fmt::format("time_{}_{}", sweep.name, shown.name), fmt::format("{} at L = 4.10 m (Fig. 11)", shown.title),
+           over_time(shown, 4.1, sweep.name, results));
   return figures;
 }
 
@@ -161,12 +147,6 @@ std::string base64(const std::string& bytes) {
 
 namespace {
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 std::string shown(double x) { return std::isfinite(x) ? fmt::format("{:.4g}", x) : std::string("-"); }
 
 /// Rows: quantities; columns: theirs and the cases of one flow.
@@ -183,7 +163,7 @@ std::string table_of_flow(const std::string& sweep, double release, const std::v
   for (const Compared& q : compared_quantities()) {
     html += fmt::format("<tr><td title=\"{}\">{}</td><td>{}</td><td>{}</td>", q.meaning, q.name, q.unit,
                         shown(q.theirs(release).value_or(std::nan(""))));
-    for (const CaseResult* c : here) html += fmt::format("<td>{}</td>", shown(q.ours(*c)));
+    for (const CaseResult* c : here) html += fmt::format("<td>{}</td>", shown(c->value(q.name)));
     html += "</tr>\n";
   }
   html += "<tr><td>wall time</td><td>min</td><td></td>";
@@ -194,6 +174,7 @@ std::string table_of_flow(const std::string& sweep, double release, const std::v
 /// A few numbered pictures of a run whose names begin with `stem`, beside each other.
 std::string pictures_of(const CaseResult& c, const char* stem) {
   std::vector<std::filesystem::path> files;
+  if (c.folder.empty()) return {};
   for (const auto& entry : std::filesystem::directory_iterator(c.folder))
     if (entry.path().filename().string().starts_with(stem) && entry.path().extension() == ".png")
       files.push_back(entry.path());
@@ -204,7 +185,7 @@ std::string pictures_of(const CaseResult& c, const char* stem) {
   for (std::size_t k = 1; k <= std::min(kShown, files.size()); ++k) {
     const auto& file = files[(files.size() - 1) * k / std::min(kShown, files.size())];
     html += fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", file.filename().string(),
-                        base64(text_of(file)));
+                        base64(cases::read_text_file(file)));
   }
   return html + "</div>\n";
 }
@@ -254,7 +235,7 @@ void write_report(const std::vector<CaseResult>& results, const Sitting& sitting
   for (const Figure& figure : figures_of(results)) {
     const std::filesystem::path file = folder / (figure.file + ".svg");
     figure.chart.write_all(file);
-    const std::string svg = text_of(file);
+    const std::string svg = cases::read_text_file(file);
     html += "<figure>" + svg.substr(std::min(svg.find("<svg"), svg.size())) + "<figcaption>" + figure.caption +
             "</figcaption></figure>\n";
   }

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "cases/files/output_file.h"
+#include "cases/files/text_file.h"
 #include "cases/pictures/chart.h"
 #include "cases/speed_error/pareto.h"
 #include "cases/validate/fluid/flows.h"
@@ -104,12 +103,6 @@ cases::Chart chart_of(const ProblemResult& result) {
   return chart;
 }
 
-std::string text_of(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
-
 std::string table_of(const ProblemResult& result) {
   const std::vector<Measurement> all = result.measurements();
   const std::vector<std::size_t> front = pareto_front(all);
@@ -160,7 +153,7 @@ void write_results(const std::vector<ProblemResult>& results, const Sitting& sit
   for (const ProblemResult& result : results) {
     const std::filesystem::path picture = folder / (result.problem.name + ".svg");
     chart_of(result).write_all(picture);
-    const std::string svg = text_of(picture);
+    const std::string svg = cases::read_text_file(picture);
     html += fmt::format(
         "<h2>{}</h2>\n<p>Error: {}, against {} values. Defaults: {}; {}.</p>\n", result.problem.name,
         result.problem.error, result.problem.against, result.problem.defaults,

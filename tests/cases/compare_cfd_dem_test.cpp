@@ -11,7 +11,9 @@
 
 #include "cases/assembly/load.h"
 #include "cases/compare_cfd_dem/jobs.h"
+#include "cases/compare_cfd_dem/record.h"
 #include "cases/compare_cfd_dem/report.h"
+#include "cases/files/output_file.h"
 #include "cases/files/png_file.h"
 #include "cases/runner/options.h"
 #include "core/check.h"
@@ -97,15 +99,15 @@ TEST(PublishedFlows, AreWhole) {
   EXPECT_EQ(published(4.2), nullptr);
 }
 
-CaseResult made_up(double release, double e_in, double e_out) {
-  CaseResult c;
-  c.study_case = {"matched", "coarse", "resolved", "study", release, 1};
-  c.metrics = {{"e_in_kJ", e_in},
-               {"e_out_kJ", e_out},
-               {"barrier_energy_start_J", 100},
-               {"barrier_energy_end_J", 1100},
-               {"retained_mass_ratio", 1 - 0.01 * release}};
-  return c;
+CaseResult made_up(double release, double e_in, double e_out, int seed = 1) {
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", release, seed};
+  run.metrics = {{"e_in_kJ", e_in},
+                 {"e_out_kJ", e_out},
+                 {"barrier_energy_start_J", 100},
+                 {"barrier_energy_end_J", 1100},
+                 {"retained_mass_ratio", 1 - 0.01 * release}};
+  return result_of(run);
 }
 
 TEST(Comparison, HoldsTheirsAndOurs) {
@@ -114,14 +116,57 @@ TEST(Comparison, HoldsTheirsAndOurs) {
   EXPECT_NE(csv.find("e_in,kJ,matched-L4.10-coarse-resolved-seed1,54.361,50,-0.0802"), std::string::npos) << csv;
   EXPECT_NE(csv.find("eta,1,matched-L4.10-coarse-resolved-seed1,0.784,0.8,"), std::string::npos);
   EXPECT_NE(csv.find("zeta,1,matched-L4.10-coarse-resolved-seed1,0.067,0.025,"), std::string::npos);
-  results.push_back(results[1]);
-  results.back().study_case.seed = 2, results.back().metrics["e_in_kJ"] = 60;
+  results.push_back(made_up(4.1, 60, 10, 2));
   EXPECT_NE(comparison_csv(results).find("seed1,54.361,50,-0.080223,0.0909091"), std::string::npos);
   std::size_t agree = 0;
   const std::vector<Trend> found = trends(results);
   for (const Trend& t : found) agree += t.agrees;
   EXPECT_EQ(found.size(), 5u);
   EXPECT_EQ(agree, 3u);  // retained mass and zeta fall, eta rises; of forces nothing is known
+}
+
+/// A record gives back what is shown of a case; other files beside it are left alone.
+TEST(Record, HoldsWhatIsShown) {
+  const cases::TestFolder folder;
+  CaseResult c = made_up(4.1, 50, 10, 3);
+  take_summary(c, R"({"wall_seconds": 90, "commit": "abc", "checks": [{"name": "a", "pass": false}]})", "a.json");
+  const std::string name = shown_columns().at(1).name;
+  c.curves.time_s = {0, 0.004, 0.0099999999, 0.012, 0.0301, 0.033};
+  c.curves.columns = {{name, "N", "a force", {1, 2, std::nan(""), 4, 1.23456789e6, 6}}};
+  write_record(c, folder.path());
+  std::ofstream(folder.path() / "comparison.csv") << "quantity";
+  std::ofstream(folder.path() / "notes.json") << "{}";
+  const std::vector<CaseResult> found = read_records(folder.path());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].study_case, c.study_case);
+  EXPECT_EQ(found[0].values, c.values);
+  EXPECT_EQ(found[0].wall_seconds, 90);
+  EXPECT_EQ(found[0].failed_checks, std::vector<std::string>{"a"});
+  EXPECT_EQ(found[0].curves.time_s, (std::vector<double>{0, 0.01, 0.0301, 0.033}));
+  const auto* column = found[0].curves.find(name);
+  ASSERT_NE(column, nullptr);
+  EXPECT_TRUE(std::isnan(column->values.at(1)));
+  EXPECT_EQ(column->values.at(2), 1.2346e6);
+  write_record(found[0], folder.path() / "again");
+  EXPECT_EQ(read_records(folder.path() / "again").at(0).curves.time_s, found[0].curves.time_s);
+  EXPECT_EQ(comparison_csv(found), comparison_csv({c}));
+}
+
+TEST(Record, FilesThatAreNoneAreNamed) {
+  const cases::TestFolder folder;
+  EXPECT_TRUE(read_records(folder.path() / "none").empty());
+  const std::filesystem::path file = folder.path() / (made_up(4.1, 50, 10).study_case.name() + ".json");
+  for (const char* text :
+       {"", "{}", R"({"summary": {"wall_seconds": 1, "checks": []}, "values": {}, "curves": {"time_s": [0],
+           "barrier_elongation_m": [1, 2]}})"}) {
+    std::ofstream(file) << text;
+    try {
+      (void)read_records(folder.path());
+      FAIL() << text;
+    } catch (const cases::FileError& e) {
+      EXPECT_EQ(e.path(), file);
+    }
+  }
 }
 
 TEST(Report, Base64) {  // RFC 4648, section 10
@@ -213,7 +258,8 @@ TEST(Jobs, GoOnAndAreNotRunTwice) {
   EXPECT_EQ(told.size(), 4u);
   const CaseResult result = read_case(one[0], place);
   EXPECT_TRUE(result.failed_checks.empty());
-  EXPECT_GT(result.series.time_s.size(), 1u);
+  EXPECT_GT(result.curves.time_s.size(), 1u);
+  EXPECT_EQ(result.curves.columns.size(), shown_columns().size());
   selection.further.push_back("solids.contact_safety=0.25");
   EXPECT_THROW(run_all(
                    cases_of(selection), options, [] { return false; }, tell),

@@ -16,6 +16,8 @@ expect_equal() { [ "$2" = "$3" ] || fail "$1 is '$2', expected '$3'"; }
 
 # expect_contains TEXT PART
 expect_contains() { case "$1" in *"$2"*) ;; *) fail "expected '$2' in: $1" ;; esac; }
+# expect_lacks TEXT PART
+expect_lacks() { case "$1" in *"$2"*) fail "did not expect '$2' in: $1" ;; esac; }
 
 # Runs a command; sets `output` (both streams) and `status`.
 capture() {

@@ -1,0 +1,91 @@
+#include "cases/compare_cfd_dem/record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "cases/files/output_file.h"
+#include "cases/files/text_file.h"
+
+namespace lahar::study {
+
+namespace {
+
+constexpr double kRowInterval = 0.01;  // s
+
+/// The first row, then each that comes at least an interval after the one before, and the last.
+std::vector<std::size_t> kept_rows(const std::vector<double>& time) {
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    if (rows.empty() || time[k] >= time[rows.back()] + kRowInterval * (1 - 1e-6) || k + 1 == time.size())
+      rows.push_back(k);
+  return rows;
+}
+
+std::string list_of(const std::vector<double>& values, const std::vector<std::size_t>& rows) {
+  std::string text;
+  for (const std::size_t k : rows) {
+    text += text.empty() ? "" : ", ";
+    text += std::isfinite(values[k]) ? fmt::format("{:.5g}", values[k]) : "null";
+  }
+  return "[" + text + "]";
+}
+
+std::vector<double> numbers_of(const nlohmann::json& list) {
+  std::vector<double> numbers;
+  for (const auto& item : list)
+    numbers.push_back(item.is_null() ? std::numeric_limits<double>::quiet_NaN() : item.get<double>());
+  return numbers;
+}
+
+}  // namespace
+
+void write_record(const CaseResult& result, const std::filesystem::path& folder) {
+  const std::vector<std::size_t> rows = kept_rows(result.curves.time_s);
+  std::string curves = fmt::format("  \"time_s\": {}", list_of(result.curves.time_s, rows));
+  for (const auto& column : result.curves.columns)
+    curves += fmt::format(",\n  \"{}\": {}", column.name, list_of(column.values, rows));
+  std::filesystem::create_directories(folder);
+  cases::replace_text_file(folder / (result.study_case.name() + ".json"),
+                           fmt::format("{{\n\"summary\": {},\n\"values\": {},\n\"curves\": {{\n{}\n}}\n}}\n",
+                                       nlohmann::ordered_json::parse(result.summary).dump(1),
+                                       nlohmann::json(result.values).dump(1), curves));
+}
+
+CaseResult read_record(const StudyCase& study_case, const std::filesystem::path& file) {
+  CaseResult result;
+  result.study_case = study_case;
+  try {
+    const auto record = nlohmann::ordered_json::parse(cases::read_text_file(file));
+    take_summary(result, record.at("summary").dump(1), file);
+    record.at("values").get_to(result.values);
+    const auto& curves = record.at("curves");
+    result.curves.time_s = numbers_of(curves.at("time_s"));
+    for (const ShownColumn& shown : shown_columns()) {
+      if (!curves.contains(shown.name)) continue;
+      result.curves.columns.push_back({shown.name, "", "", numbers_of(curves.at(shown.name))});
+      if (result.curves.columns.back().values.size() != result.curves.time_s.size())
+        throw cases::FileError(file, shown.name + " has not as many values as there are times");
+    }
+  } catch (const nlohmann::json::exception&) {
+    throw cases::FileError(file, "not the record of a case");
+  }
+  return result;
+}
+
+std::vector<CaseResult> read_records(const std::filesystem::path& folder) {
+  std::vector<CaseResult> results;
+  if (!std::filesystem::is_directory(folder)) return results;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (const auto study_case = case_named(entry.path().stem().string(), {});
+        study_case && entry.path().extension() == ".json")
+      results.push_back(read_record(*study_case, entry.path()));
+  std::sort(results.begin(), results.end(),
+            [](const CaseResult& a, const CaseResult& b) { return comes_before(a.study_case, b.study_case); });
+  return results;
+}
+
+}  // namespace lahar::study
