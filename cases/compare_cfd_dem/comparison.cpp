@@ -371,10 +371,19 @@ std::vector<Trend> trends(const std::vector<CaseResult>& results) {
           std::vector<std::pair<double, double>> points;
           for (const auto& [release, c] : flows) points.emplace_back(release, c->value(s.quantity));
           const double correlation = kendall(points);
-          all.push_back({s.text, sweep.name, coupling.name, preset.name, correlation, correlation * s.sign > 0});
+          all.push_back(
+              {s.text, sweep.name, coupling.name, preset.name, points.size(), correlation, correlation * s.sign > 0});
         }
       }
   return all;
+}
+
+std::string trends_csv(const std::vector<Trend>& all) {
+  std::string text = "trend,sweep,coupling,preset,flows,correlation,agrees\n";
+  for (const Trend& t : all)
+    text += fmt::format("{},{},{},{},{},{:.2f},{}\n", t.statement, t.sweep, t.coupling, t.preset, t.flows,
+                        t.correlation, t.agrees ? "yes" : "no");
+  return text;
 }
 
 }  // namespace lahar::study

@@ -76,10 +76,13 @@ std::string comparison_csv(const std::vector<CaseResult>& results);
 /// A trend that the paper states over its flows, and whether ours goes the same way.
 struct Trend {
   std::string statement, sweep, coupling, preset;
+  std::size_t flows = 0;
   double correlation = 0;  ///< Kendall's rank correlation of ours with the release distance
   bool agrees = false;
 };
 /// Of every sweep with at least three flows of a preset and coupling (study's reading, lowest seed).
 std::vector<Trend> trends(const std::vector<CaseResult>& results);
+/// trend,sweep,coupling,preset,flows,correlation,agrees
+std::string trends_csv(const std::vector<Trend>& all);
 
 }  // namespace lahar::study

@@ -79,8 +79,10 @@ void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   for (const StudyCase& c : study_cases)
     if (!holds(results, c)) sitting.missing.push_back(c.name());
   write_report(results, sitting, folder);
-  if (!a.records.empty())
-    cases::replace_text_file(std::filesystem::path(a.records) / "comparison.csv", comparison_csv(results));
+  if (a.records.empty()) return;
+  const std::filesystem::path records = a.records;
+  cases::replace_text_file(records / "comparison.csv", comparison_csv(results));
+  cases::replace_text_file(records / "trends.csv", trends_csv(trends(results)));
 }
 
 int run(const Arguments& a) {

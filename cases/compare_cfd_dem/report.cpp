@@ -194,12 +194,11 @@ std::string trend_table(const std::vector<CaseResult>& results) {
   const std::vector<Trend> all = trends(results);
   if (all.empty()) return "<p>Too few flows for trends.</p>\n";
   std::string html =
-      "<table><tr><th>trend in the paper</th><th>sweep</th><th>coupling</th><th>preset</th><th>rank correlation with "
-      "the "
-      "release distance</th><th>agrees</th></tr>\n";
+      "<table><tr><th>trend in the paper</th><th>sweep</th><th>coupling</th><th>preset</th><th>flows</th><th>rank "
+      "correlation with the release distance</th><th>agrees</th></tr>\n";
   for (const Trend& t : all)
-    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td></tr>\n",
-                        t.statement, t.sweep, t.coupling, t.preset, t.correlation, t.agrees ? "yes" : "no");
+    html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td></tr>\n",
+                        t.statement, t.sweep, t.coupling, t.preset, t.flows, t.correlation, t.agrees ? "yes" : "no");
   return html + "</table>\n";
 }
 

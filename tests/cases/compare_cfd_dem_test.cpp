@@ -123,6 +123,8 @@ TEST(Comparison, HoldsTheirsAndOurs) {
   for (const Trend& t : found) agree += t.agrees;
   EXPECT_EQ(found.size(), 5u);
   EXPECT_EQ(agree, 3u);  // retained mass and zeta fall, eta rises; of forces nothing is known
+  EXPECT_NE(trends_csv(found).find("eta rises (4.4),matched,resolved,coarse,3,1.00,yes\n"), std::string::npos)
+      << trends_csv(found);
 }
 
 /// A record gives back what is shown of a case; other files beside it are left alone.

@@ -32,11 +32,16 @@ expect_contains "$output" '| Quantity | matched-L4.10-coarse-resolved-seed1 agai
 expect_contains "$output" '| `depth` | +25.0 |'
 expect_lacks "$output" '## Over the flows'
 
+plant docs/results/study/trends.csv 'trend,sweep,coupling,preset,flows,correlation,agrees
+eta rises (4.4),matched,resolved,coarse,3,1.00,yes
+eta rises (4.4),matched,averaged,coarse,4,-0.33,no'
 plant docs/images/study/flows_zeta.png ''
 capture "$page"
 expect_contains "$output" '## Over the flows'
 expect_contains "$output" '![flows_zeta](images/study/flows_zeta.png)'
 expect_lacks "$output" 'flows_e_b'
+expect_contains "$output" '| The paper | matched, resolved, coarse, 3 flows | matched, averaged, coarse, 4 flows |'
+expect_contains "$output" '| eta rises (4.4) | 1.00, yes | -0.33, no |'
 
 capture "$page" one two
 expect_equal 'status of a wrong command' "$status" 1
