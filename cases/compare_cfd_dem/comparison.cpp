@@ -346,7 +346,8 @@ constexpr Statement kStatements[] = {
     {"retained mass falls with the Froude number (4.2)", "retained_mass", -1},
     {"the peak in the lower cable falls (4.3)", "lower_cable_sum", -1},
     {"the peak in the whole barrier rises (4.3)", "barrier_sum", 1},
-    {"eta rises (4.4)", "eta", 1},
+    {"eta rises (4.4), about the bed at the net", "eta", 1},
+    {"eta rises (4.4), about the bed 1.30 m downstream", "eta_lower", 1},
     {"zeta falls (4.4)", "zeta", -1},
 };
 
@@ -381,7 +382,7 @@ std::vector<Trend> trends(const std::vector<CaseResult>& results) {
 std::string trends_csv(const std::vector<Trend>& all) {
   std::string text = "trend,sweep,coupling,preset,flows,correlation,agrees\n";
   for (const Trend& t : all)
-    text += fmt::format("{},{},{},{},{},{:.2f},{}\n", t.statement, t.sweep, t.coupling, t.preset, t.flows,
+    text += fmt::format("\"{}\",{},{},{},{},{:.2f},{}\n", t.statement, t.sweep, t.coupling, t.preset, t.flows,
                         t.correlation, t.agrees ? "yes" : "no");
   return text;
 }
