@@ -54,6 +54,7 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
   ChartSeries theirs{.name = "Li et al. 2020", .mark = Mark::line_and_points, .colour = ChartColour::black};
   for (const Flow& f : published_flows())
     if (const auto value = q.theirs(f.release)) theirs.x.push_back(f.froude), theirs.y.push_back(*value);
+  if (theirs.x.size() < 3) theirs.mark = Mark::points;  // ends of a range: what lies between is not known
   if (!theirs.x.empty()) chart.series.push_back(theirs);
   for (const Curve& curve : curves_of(results)) {
     std::vector<std::pair<double, double>> points;
