@@ -223,7 +223,9 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
   state.known = true;
   const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
   const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
-  const double own = particles.mass[i] / to_kg, interior = interior_mass(sum.interior, brought, own, weighting_),
+  // Where the slip is known, all of it: what the grain does not bring along slips back, and drives nothing.
+  const double own = particles.mass[i] / to_kg,
+               interior = slips ? sum.interior : interior_mass(sum.interior, brought, own, weighting_),
                jolted = interior_mass_in_jolts(interior, sum.held, own);
   const double soft = brought > 0 ? 1 - std::min(1.0, sum.entrained / brought) : 0;
   const double spared = jolted + (interior - jolted) * std::max(state.calm, soft);
