@@ -164,14 +164,14 @@ void ResolvedExchange<Real>::gather_block(const lbm::Fluid<Real>& fluid, const G
 
 namespace {
 
-/// Mass of the interior liquid whose inertia is no load on the body, at most what it brings along: a body of a cell or
-/// two covers less than its volume, and what was taken off beyond that would drive it. With other weightings than
-/// wall_distance a light body is spared no more than a share of its own, and none has its spin driven by more than its
-/// own inertia (docs/decisions/0034).
+/// Where no slip is summed: mass of the interior liquid whose inertia is no load on the body, at most what a step
+/// brings along. A body of a cell or two covers less than its volume, and what was taken off beyond that would drive
+/// it. With other weightings than wall_distance a light body is spared no more than a share of its own, and none has
+/// its spin driven by more than its own inertia (docs/decisions/0034).
 constexpr double kShareOfOwn = 0.7;
 
-double interior_mass(double interior, double brought, double own, lbm::BodyWeighting weighting) {
-  const double most = lbm::by_wall_distance(weighting) ? brought : std::min(brought, kShareOfOwn * own);
+double interior_mass(double interior, double entrained, double own, lbm::BodyWeighting weighting) {
+  const double most = lbm::by_wall_distance(weighting) ? entrained : std::min(entrained, kShareOfOwn * own);
   return std::min(interior, most);
 }
 
@@ -205,7 +205,6 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
   for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) sum += loads_[p];
   // Else the liquid in its place moves as the grain does.
   const bool slips = weighting_ == lbm::BodyWeighting::inertial;
-  const double brought = slips ? sum.brought : sum.entrained;
   // Means over the last step of the solids; of the liquid in the grain's place.
   Vec3 acceleration = Vec3::Zero(), spin_up = Vec3::Zero(), slip_change = Vec3::Zero();
   const double to_momentum = units.mass() * units.velocity_to_si(1.0);
@@ -223,11 +222,12 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
   state.known = true;
   const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
   const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
-  // Where the slip is known, all of it: what the grain does not bring along slips back, and drives nothing.
+  // Where the slip is known, all of it: what the grain does not bring along slips back, and drives nothing
+  // (docs/decisions/0063).
   const double own = particles.mass[i] / to_kg,
-               interior = slips ? sum.interior : interior_mass(sum.interior, brought, own, weighting_),
+               interior = slips ? sum.interior : interior_mass(sum.interior, sum.entrained, own, weighting_),
                jolted = interior_mass_in_jolts(interior, sum.held, own);
-  const double soft = brought > 0 ? 1 - std::min(1.0, sum.entrained / brought) : 0;
+  const double soft = slips && sum.brought > 0 ? 1 - std::min(1.0, sum.entrained / sum.brought) : 0;
   const double spared = jolted + (interior - jolted) * std::max(state.calm, soft);
   Vec3 force = sum.force + spared * units.acceleration_to_lu(1.0) * acceleration - wet_volume * gravity;
   const double share = sum.interior > 0 ? spared / sum.interior : 1;
