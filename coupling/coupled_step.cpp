@@ -25,6 +25,8 @@ CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::opti
     : solids_(std::move(solids)), options_(options) {
   require(fluid || solids_, "CoupledStep: neither fluid nor solids");
   require(options_.substeps > 0, "CoupledStep: substeps must be positive");
+  require(!options_.mapped_wires || !std::holds_alternative<AveragedGrains>(options_.grains),
+          "CoupledStep: mapped wires beside averaged grains");
   if (fluid) {
     fluid_.emplace(std::move(*fluid));
     clock_ = StepClock(fluid_->units().time_step);

@@ -2,6 +2,7 @@
 // Rows of 8 cells as packs (core/simd.h): what grains and wires share when they write fields and gather loads.
 #include "core/simd.h"
 #include "lbm/grid/block.h"
+#include "lbm/grid/row_types.h"
 
 namespace lahar::coupling {
 
@@ -22,6 +23,15 @@ double sum_in_double(const Row<Real>& row) {
   double sum = 0;
   for (std::size_t c = 0; c < kRow; ++c) sum += static_cast<double>(static_cast<Real>(row[c]));
   return sum;
+}
+
+/// Volume of water in a row of cells, bodies included: 1 in liquid, the fill level at the surface, else 0.
+template <class Real>
+Row<Real> water_in(const lbm::Block<Real>& block, int row) {
+  const auto wet = Row<Real>::mask_type::from_bits(lbm::wet_cells(block, row));
+  const Row<Real> level =
+      block.surface ? load_aligned<Row<Real>>(block.surface->fill_level + lbm::kBlockWidth * row) : Row<Real>(1);
+  return select(wet, min(Row<Real>(1), max(Row<Real>(0), level)), Row<Real>(0));
 }
 
 /// 1 for the cells of a block for which `holds`, 0 for the others.

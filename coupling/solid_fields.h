@@ -17,6 +17,7 @@ void clear_solids(lbm::BodyFields<Real>& f) {
                       f.weighted_velocity_z})
     std::fill(field, field + lbm::kBlockCells, Real(0));
   f.covered.fill(0);
+  f.fills_with_level = false;
 }
 
 /// A step: open, then everybody writes into the fields of the blocks that he reaches, then close.

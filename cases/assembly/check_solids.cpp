@@ -292,10 +292,10 @@ void check_averaged(const Scene& scene, Findings& findings) {
                      fmt::format("coupling.averaging_length_m is {:g}, expected at least a cell (fluid.cell_size_m = "
                                  "{:g})",
                                  c.averaging_length, scene.fluid.cell_size));
-  if (c.beads_as_grains && c.resolve_wires_from_cells)
-    findings.mistake("coupling.beads_as_grains",
-                     "coupling.beads_as_grains gives every bead the law of a sphere, expected no "
-                     "resolve_wires_from_cells beside it");
+  if (c.resolve_wires_from_cells)
+    findings.mistake("coupling.resolve_wires_from_cells",
+                     "coupling.resolve_wires_from_cells maps wires as bodies that cells hold whole, expected none with "
+                     "grains = \"averaged\", which cells hold as far as they are filled");
 }
 
 void check_uses(const Scene& scene, Findings& findings) {

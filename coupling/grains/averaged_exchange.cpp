@@ -6,12 +6,12 @@
 #include "coupling/grains/sphere_rows.h"
 #include "coupling/solid_fields.h"
 #include "coupling/transfer_vectors.h"
-#include "lbm/grid/row_types.h"
 #include "lbm/step/row_moments.h"
 
 namespace lahar::coupling {
 
 using lbm::BlockIndex;
+using lbm::kBlockCells;
 using lbm::kBlockWidth;
 
 namespace {
@@ -56,15 +56,6 @@ struct BlockNodes {
   }
 };
 
-/// Volume of water in a row of cells, bodies included: 1 in liquid, the fill level at the surface, else 0.
-template <class Real>
-Row<Real> water_in(const lbm::Block<Real>& block, int row) {
-  const auto wet = Row<Real>::mask_type::from_bits(lbm::wet_cells(block, row));
-  const int n = kBlockWidth * row;
-  const Row<Real> level = block.surface ? load_aligned<Row<Real>>(block.surface->fill_level + n) : Row<Real>(1);
-  return select(wet, min(Row<Real>(1), max(Row<Real>(0), level)), Row<Real>(0));
-}
-
 /// Water and its momentum around nodes.
 struct WaterSum {
   double sum[4] = {};  ///< volume, momentum along x, y, z
@@ -101,7 +92,8 @@ std::vector<WaterSum> sum_water(const lbm::FluidGrid<Real>& grid, BlockIndex b, 
   return sums;
 }
 
-/// Adds to the cells of a block what the nodes around accelerate them by, lu; returns the sum of what was added.
+/// Adds to the cells of a block what the nodes around accelerate them by, lu, full or not; returns the momentum that
+/// their water gets.
 template <class Real>
 Vec3 add_impulses(lbm::Block<Real>& block, const BlockNodes<Real>& nodes, const std::vector<Vec3>& acceleration) {
   Real* const field[3] = {block.impulse->x, block.impulse->y, block.impulse->z};
@@ -118,11 +110,10 @@ Vec3 add_impulses(lbm::Block<Real>& block, const BlockNodes<Real>& nodes, const 
     for (int a = 0; a < 3; ++a)
       for (int c = 0; c < kBlockWidth; ++c) {
         const auto below = static_cast<std::size_t>(nodes.below[0][c]);
-        const Real more = static_cast<Real>(water[static_cast<std::size_t>(c)]) *
-                          (nodes.weight[0][0][c] * static_cast<Real>(along[below][a]) +
-                           nodes.weight[0][1][c] * static_cast<Real>(along[below + 1][a]));
+        const Real more = nodes.weight[0][0][c] * static_cast<Real>(along[below][a]) +
+                          nodes.weight[0][1][c] * static_cast<Real>(along[below + 1][a]);
         field[a][n + c] += more;
-        given[a] += static_cast<double>(more);
+        given[a] += static_cast<double>(static_cast<Real>(water[static_cast<std::size_t>(c)]) * more);
       }
   }
   return given;
@@ -155,12 +146,17 @@ void AveragedExchange<Real>::prepare(const lbm::Fluid<Real>& /*fluid*/, const de
 
 template <class Real>
 void AveragedExchange<Real>::write_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const {
-  lbm::BodyFields<Real>& fields = *fluid.grid().block(static_cast<BlockIndex>(block)).body;
+  const lbm::Block<Real>& cells = fluid.grid().block(static_cast<BlockIndex>(block));
+  Real* const solid_fraction = cells.body->solid_fraction;
   for (const std::uint32_t k : map.by_block().in(block)) {
     const GrainInBlock& pair = map.pairs()[k];
     for_covered_rows(map.sphere(pair.grain), pair.lowest,
-                     [&](int row, const Row<Real>& eps) { add_to_row(fields.solid_fraction + row, eps); });
+                     [&](int row, const Row<Real>& eps) { add_to_row(solid_fraction + row, eps); });
   }
+  cells.body->fills_with_level = true;
+  if (cells.wet_cells == kBlockCells && !cells.surface) return;
+  for (int row = 0; row < kBlockCells / kBlockWidth; ++row)
+    update_row(solid_fraction + kBlockWidth * row, [&](const Row<Real>& eps) { return eps * water_in(cells, row); });
 }
 
 template <class Real>

@@ -31,6 +31,7 @@ class AveragedExchange final : public GrainExchange<Real> {
 
   void shape_sphere(double radius, GridSphere<Real>& sphere) const override;
   void prepare(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const GrainMap<Real>& map) override;
+  [[nodiscard]] bool fills_with_level() const override { return true; }
   void write_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const override;
   ExchangedMomentum give_impulses(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map,
                                   const DisplacedVolume<Real>& displaced, dem::Particles& particles,

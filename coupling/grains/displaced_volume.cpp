@@ -17,17 +17,22 @@ using lbm::kBlockWidth;
 
 namespace {
 
-/// 1 for the wet cells of a block, else 0.
+/// What share of a full cell's grains the cells of a block hold: none in gas.
 template <class Real>
-struct WetMask {
-  alignas(64) Real wet[lbm::kBlockCells];
+struct HeldShare {
+  alignas(64) Real held[lbm::kBlockCells];
 
-  explicit WetMask(const Block<Real>& block) {
-    for (int row = 0; row < lbm::kBlockCells / kBlockWidth; ++row) {
+  /// All of them in wet cells; or, where they fill with the level, what there is of water.
+  HeldShare(const Block<Real>& block, bool fills_with_level) {
+    for (int row = 0; row < kRows; ++row) {
       const auto cells = Row<Real>::mask_type::from_bits(lbm::wet_cells(block, row));
-      store_aligned(wet + kBlockWidth * row, select(cells, Row<Real>(1), Row<Real>(0)));
+      store_aligned(held + kBlockWidth * row,
+                    fills_with_level ? water_in(block, row) : select(cells, Row<Real>(1), Row<Real>(0)));
     }
   }
+
+ private:
+  static constexpr int kRows = lbm::kBlockCells / kBlockWidth;
 };
 
 /// What the interface cells of a block hold for grains that do not cover them: 1, what is missing to a full cell, and
@@ -60,23 +65,23 @@ struct SurfaceLiquid {
 
 /// Volume of a sphere in the wet cells of a block. By copy, so that the sphere stays in registers.
 template <class Real>
-double wet_volume_in(const GridSphere<Real> sphere, const Vec3i& lowest, const WetMask<Real>& cells) {
+double wet_volume_in(const GridSphere<Real> sphere, const Vec3i& lowest, const HeldShare<Real>& cells) {
   Row<Real> wet(0);
   for_covered_rows(
       sphere, lowest, [&](int row, const Row<Real>& eps) __attribute__((always_inline)) {
-        wet += eps * load_aligned<Row<Real>>(cells.wet + row);
+        wet += eps * load_aligned<Row<Real>>(cells.held + row);
       });
   return sum_in_double(wet);
 }
 
 /// All sums of eps times what the cells hold over the rows of a block that a sphere covers.
 template <class Real, class Share>
-void measure_rows(const GridSphere<Real> sphere, const Vec3i& lowest, const WetMask<Real>& cells,
+void measure_rows(const GridSphere<Real> sphere, const Vec3i& lowest, const HeldShare<Real>& cells,
                   const SurfaceLiquid<Real>& open, Share& share) {
   Row<Real> wet(0), surface(0), room(0), liquid(0);
   for_covered_rows(
       sphere, lowest, [&](int row, const Row<Real>& eps) __attribute__((always_inline)) {
-        wet += eps * load_aligned<Row<Real>>(cells.wet + row);
+        wet += eps * load_aligned<Row<Real>>(cells.held + row);
         surface += eps * load_aligned<Row<Real>>(open.surface + row);
         room += eps * load_aligned<Row<Real>>(open.room + row);
         liquid += eps * load_aligned<Row<Real>>(open.liquid + row);
@@ -90,14 +95,22 @@ void measure_rows(const GridSphere<Real> sphere, const Vec3i& lowest, const WetM
 template <class Real>
 void DisplacedVolume<Real>::measure_former(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map) {
   make_room_for(map);
+  if (!fills_with_level_) measure_again(fluid, map);
+  parallel_for(0, map.grains().size(), 256,
+               [&](std::size_t k) { former_wet_[map.grains()[k].id] = wet_volume_of(map.grains()[k]); });
+}
+
+/// The shares of the former mapping in the wet cells of now.
+template <class Real>
+void DisplacedVolume<Real>::measure_again(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map) {
   shares_.resize(map.pairs().size());
   map.by_block().for_each_block([&](std::size_t index) {
     const auto pairs = map.by_block().in(index);
     const auto b = static_cast<BlockIndex>(index);
     const Block<Real>* const block = fluid.grid().exists(b) ? &fluid.grid().block(b) : nullptr;
     const bool whole = block && block->wet_cells == lbm::kBlockCells;
-    std::optional<WetMask<Real>> cells;
-    if (block && !whole) cells.emplace(*block);
+    std::optional<HeldShare<Real>> cells;
+    if (block && !whole) cells.emplace(*block, false);
     for (const std::uint32_t k : pairs) {
       const GrainInBlock& pair = map.pairs()[k];
       shares_[k] = {};
@@ -108,8 +121,6 @@ void DisplacedVolume<Real>::measure_former(const lbm::Fluid<Real>& fluid, const 
         shares_[k].wet = wet_volume_in<Real>(map.sphere(pair.grain), pair.lowest, *cells);
     }
   });
-  parallel_for(0, map.grains().size(), 256,
-               [&](std::size_t k) { former_wet_[map.grains()[k].id] = wet_volume_of(map.grains()[k]); });
 }
 
 template <class Real>
@@ -131,7 +142,7 @@ void DisplacedVolume<Real>::measure_block(lbm::Fluid<Real>& fluid, const GrainMa
   const auto pairs = map.by_block().in(index);
   for (const std::uint32_t k : pairs) shares_[k] = {.wet = map.pairs()[k].volume};
   if (block.wet_cells == lbm::kBlockCells && !block.surface) return;
-  const WetMask<Real> cells(block);
+  const HeldShare<Real> cells(block, fills_with_level_);
   const SurfaceLiquid<Real> open(block);
   for (const std::uint32_t k : pairs) {
     const GrainInBlock& pair = map.pairs()[k];
@@ -206,6 +217,7 @@ void DisplacedVolume<Real>::book(lbm::Fluid<Real>& fluid, const GrainMap<Real>& 
     if (wet != 0) fluid.account().pool -= wet, wet = 0;
   for (const double change : for_pool_)
     if (change != 0) fluid.account().pool += change;
+  fluid.account().released = 0;  // it is in what the grains changed by
   map.by_block().for_each_block([&](std::size_t block) { hand_out(fluid, map, block); });
 }
 
@@ -233,6 +245,22 @@ void DisplacedVolume<Real>::hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Rea
   }
   for (std::size_t n = 0; n < gain.size(); n += kBlockWidth)
     add_to_row(block.surface->mass + n, load_aligned<Row<Real>>(gain.data() + n));
+}
+
+/// Where grains do not fill with the level all else is measured again.
+template <class Real>
+void DisplacedVolume<Real>::transfer(Archive& archive) {
+  archive.value("wet_volume", wet_volume_);
+  if (!fills_with_level_) return;
+  std::size_t pairs = shares_.size();
+  archive.value("pairs", pairs);
+  shares_.resize(pairs);
+  archive.pieces<double>("wet", pairs, 1, [&](std::size_t k, double* stored) {
+    if (archive.loading())
+      shares_[k].wet = *stored;
+    else
+      *stored = shares_[k].wet;
+  });
 }
 
 template class DisplacedVolume<float>;

@@ -20,7 +20,11 @@ namespace lahar::coupling {
 template <class Real>
 class DisplacedVolume {
  public:
-  /// The wet volume of the former mapping under the cell types of now: conversions have booked their part already.
+  /// `fills_with_level`: as GrainExchange's.
+  explicit DisplacedVolume(bool fills_with_level = false) : fills_with_level_(fills_with_level) {}
+
+  /// The wet volume of the former mapping: under the cell types of now, as conversions have booked their part already;
+  /// where grains fill with the level as it was, since conversions leave them alone.
   void measure_former(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map);
 
   void begin(const GrainMap<Real>& map);
@@ -39,7 +43,7 @@ class DisplacedVolume {
   [[nodiscard]] double wet_volume_of(const MappedGrain& grain) const;
 
   /// State of a checkpoint.
-  void transfer(Archive& archive) { archive.value("wet_volume", wet_volume_); }
+  void transfer(Archive& archive);
 
  private:
   /// Of a pair, cells. Sums over interface cells that are not covered: of eps, of eps times what is missing to a full
@@ -56,10 +60,12 @@ class DisplacedVolume {
   };
 
   void make_room_for(const GrainMap<Real>& map);
+  void measure_again(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map);
   static void settle_covered(const lbm::Block<Real>& block, const GridSphere<Real>& sphere, const Vec3i& lowest,
                              Share& share);
   void hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const;
 
+  bool fills_with_level_;
   std::vector<Share> shares_;       // by pair
   std::vector<double> former_wet_;  // by id, of the former mapping; 0 between mappings
   std::vector<Handout> handouts_;   // by grain

@@ -6,7 +6,8 @@
 namespace lahar::coupling {
 
 template <class Real>
-GrainCoupling<Real>::GrainCoupling(std::unique_ptr<GrainExchange<Real>> exchange) : exchange_(std::move(exchange)) {
+GrainCoupling<Real>::GrainCoupling(std::unique_ptr<GrainExchange<Real>> exchange)
+    : exchange_(std::move(exchange)), displaced_(exchange_ && exchange_->fills_with_level()) {
   require(exchange_ != nullptr, "GrainCoupling: no exchange of momentum");
 }
 
@@ -50,7 +51,7 @@ void GrainCoupling<Real>::choose_blocks(lbm::FluidGrid<Real>& grid, SolidFields<
     const auto at = static_cast<std::size_t>(b);
     if (map_.by_block().any_in(at)) {
       fields.reach(grid, b);
-      written_[at] = fields.writer(b) != Writer::grains || !map_.is_unchanged(at);
+      written_[at] = fields.writer(b) != Writer::grains || exchange_->fills_with_level() || !map_.is_unchanged(at);
       fields.set_writer(b, Writer::grains);
     } else if (fields.writer(b) == Writer::grains) {
       clear_solids(*grid.block(b).body);

@@ -38,9 +38,13 @@ class GrainExchange {
   /// id: particles may be renumbered between steps.
   virtual void prepare(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const GrainMap<Real>& map) = 0;
 
+  /// Whether a cell holds of its grains what it holds of a full cell's water, its fill level, so that grains at the
+  /// surface end where the water ends (displaced_volume.h). Else a wet cell holds all of them.
+  [[nodiscard]] virtual bool fills_with_level() const { return false; }
+
   /// Writes the body fields of a block, which are empty. The solid fraction must be the sum of fraction_row of its
-  /// grains (sphere_fraction.h), whatever else is written: the ledger of the liquid rests on it. In parallel over
-  /// blocks.
+  /// grains (sphere_fraction.h), times water_in (rows.h) where grains fill with the level, whatever else is written:
+  /// the ledger of the liquid rests on it. In parallel over blocks.
   virtual void write_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const = 0;
 
   /// Whether it looks at the velocity of the cells, BodyFields::velocity_x to _z, before the step.

@@ -73,6 +73,7 @@ struct BlockChanges {
   CellMap<Real> spills;       ///< to each liquid neighbour
   double pooled = 0;          ///< to the pool of isolated liquid, lu
   double pooled_total = 0;    ///< the same without signs
+  double released = 0;        ///< volume of bodies that left the cells that emptied, cells (touching.h)
   std::int64_t moves = 0;     ///< of drops
   std::uint32_t missing = 0;  ///< blocks around fresh cells that are to be made, bits by neighbour_slot
   bool types_changed = false;
@@ -80,7 +81,7 @@ struct BlockChanges {
 
   void clear() {
     flagged.clear();
-    left = pooled = pooled_total = 0, moves = 0, missing = 0;
+    left = pooled = pooled_total = released = 0, moves = 0, missing = 0;
     opened.clear(), exposed.clear(), fresh.clear();
     moving.clear(), arrivals.clear(), excess.clear();
     gifts.clear(), claims.clear(), payers.clear(), spills.clear();

@@ -99,7 +99,8 @@ class BlockJudge {
     const V mass = load<V>(surface_.mass + n), before = load<V>(surface_.fill_level + n);
     const V rho = V(1) + load<V>(surface_.density + n);
     V eps(0), room(1);
-    if constexpr (kBody) eps = load<V>(block_.body->solid_fraction + n), room = max(V(0), V(1) - eps);
+    if constexpr (kBody)
+      if (!block_.body->fills_with_level) eps = load<V>(block_.body->solid_fraction + n), room = max(V(0), V(1) - eps);
     V fill = mass / rho;
     fill = select(fill < V(0), V(0), fill);
     fill = select(fill > V(1), V(1), fill);

@@ -145,8 +145,10 @@ void CellConversion<Real>::convert_flagged(Block<Real>& block, BlockChanges<Real
     const Real rho = Real(1) + block.surface->density[cell];
     convert(cell, CellType::liquid, block.surface->mass[cell] - rho);
   });
-  own.flagged.emptied.for_each(
-      [&](int cell) { convert(cell, CellType::gas, block.surface->mass[cell] - body_share(block, cell)); });
+  own.flagged.emptied.for_each([&](int cell) {
+    own.released += released_share(block, cell);
+    convert(cell, CellType::gas, block.surface->mass[cell] - body_share(block, cell));
+  });
 }
 
 template <class Real>
@@ -209,6 +211,7 @@ void CellConversion<Real>::book(LiquidAccount& account) {
     account.pool += own.pooled;
     account.pooled_total += own.pooled_total;
     account.drop_moves += own.moves;
+    account.released += own.released;
   }
 }
 

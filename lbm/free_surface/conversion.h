@@ -28,6 +28,7 @@ struct LiquidAccount {
   double rescaled = 0;          ///< added by changes of the time step (rescale.h)
   double pool = 0;              ///< waiting to be paid back to interface cells (isolated_liquid.h)
   double pooled_total = 0;      ///< sum of all that ever went through the pool (absolute)
+  double released = 0;          ///< volume of bodies in cells that emptied since they were mapped (BodyFields)
   std::int64_t drop_moves = 0;  ///< moves of spray cells (drops.h)
   std::int64_t limited = 0;     ///< cell updates with a limited stress (collision/stress_limit.h)
   std::int64_t exposed = 0;     ///< cell updates with a bounded relaxation rate (same place)
@@ -39,6 +40,7 @@ struct LiquidAccount {
     archive.value("rescaled", rescaled);
     archive.value("pool", pool);
     archive.value("pooled_total", pooled_total);
+    archive.value("released", released);
     archive.value("drop_moves", drop_moves);
     archive.value("limited", limited);
     archive.value("exposed", exposed);

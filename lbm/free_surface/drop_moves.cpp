@@ -51,6 +51,7 @@ void move_drops(FluidGrid<Real>& grid, LevelChanges<Real>& changes, BlockIndex b
   for (const MovingDrop<Real>& m : own.moving) {
     if (!m.leaves && first_into(grid, changes, grid.neighbour({b, m.drop.cell}, m.drop.direction)) != &m) continue;
     if (m.leaves) own.left += static_cast<double>(m.liquid);
+    own.released += released_share(block, m.drop.cell);
     become_gas(block, m.drop.cell);
     own.types_changed = true;
     ++own.moves;

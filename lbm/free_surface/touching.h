@@ -36,9 +36,16 @@ bool touches_liquid(const FluidGrid<Real>& grid, CellPlace place) {
   return false;
 }
 
+/// What an interface cell without liquid holds of bodies, cells.
 template <class Real>
 Real body_share(const Block<Real>& block, int cell) {
-  return block.body ? block.body->solid_fraction[cell] : Real(0);
+  return block.body && !block.body->fills_with_level ? block.body->solid_fraction[cell] : Real(0);
+}
+
+/// What an interface cell gives up of bodies when it empties, cells.
+template <class Real>
+double released_share(const Block<Real>& block, int cell) {
+  return block.body && block.body->fills_with_level ? static_cast<double>(block.body->solid_fraction[cell]) : 0.0;
 }
 
 /// Liquid of an interface cell, lu; none if it owes.

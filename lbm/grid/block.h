@@ -48,6 +48,9 @@ struct BodyFields {
   alignas(64) Real velocity_z[kBlockCells];
   /// Cells that a body takes over whole (free_surface/covered_cells.h): by rows y + 8 z, bit x.
   std::array<std::uint8_t, kBlockCells / kBlockWidth> covered;
+  /// Bodies end where the water ends: their fraction here is in proportion to the fill level, and a cell that empties
+  /// gives them up with its water. Else a wet cell holds all of them that is in its place.
+  bool fills_with_level;
 };
 
 /// The sweep leaves out dry rows: to be called before it where there are some.

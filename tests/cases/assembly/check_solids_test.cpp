@@ -79,10 +79,9 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"coupling.grains='averaged'", "coupling.averaging_length_m=0.005"},
                   "coupling.averaging_length_m",
                   "at least a cell"},
-        Rejection{
-            {"coupling.grains='averaged'", "coupling.beads_as_grains=true", "coupling.resolve_wires_from_cells=3"},
-            "coupling.beads_as_grains",
-            "no resolve_wires_from_cells"},
+        Rejection{{"coupling.grains='averaged'", "coupling.resolve_wires_from_cells=3"},
+                  "coupling.resolve_wires_from_cells",
+                  "expected none with grains"},
         Rejection{{"coupling.bed_drag='gidaspow'"}, "coupling.bed_drag", "averaged"},
         Rejection{{"domain.periodic_axes=['y']"}, "domain.periodic_axes", "expected fluid alone"},
         Rejection{{"measure.outflow_distance_m=2"}, "measure.outflow_distance_m", "leads to x = 6.1"}));

@@ -163,6 +163,28 @@ TEST(AveragedExchange, LiquidIsKeptWhereGrainsFallIn) {
   EXPECT_NEAR(volume, 16 * 16 * 8 + grains, 0.02 * grains);
 }
 
+/// What the grains lose in a step the water gains, that in cells that are a quarter full too.
+TEST(AveragedExchange, MomentumIsKeptAtTheSurface) {
+  lbm::FluidOptions fluid = tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4);
+  fluid.gravity = Vec3::Zero();
+  dem::Particles particles;
+  for (int x = 0; x < 4; ++x)
+    for (int y = 0; y < 4; ++y) particles.add(grain(Vec3(0.04 + 0.08 * x, 0.04 + 0.08 * y, 0.12), kRadius, 2500));
+  for (dem::ParticleIndex i = 0; i < particles.size(); ++i) particles.velocity.set(i, Vec3(0.1, 0, 0));
+  dem::SolidsOptions options;
+  options.time_step = 1;
+  CoupledStep<double> step(fluid, dem::Solids(particles, {}, rock(), {}, options), averaged(0.08));
+  step.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.165)}});
+  step.advance();
+  Vec3 of_water = Vec3::Zero(), on_grains = Vec3::Zero();
+  step.fluid()->for_each_wet_cell(
+      [&](const lbm::WetCell& c) { of_water += kRho * std::pow(0.02, 3) * c.fill_level * c.velocity; });
+  const dem::Particles& p = step.solids()->particles();
+  for (dem::ParticleIndex i = 0; i < p.size(); ++i) on_grains += step.time() * Vec3(p.external_force[i]);
+  EXPECT_LT(on_grains.x(), 0);
+  EXPECT_LT((of_water + on_grains).norm(), 1e-6 * on_grains.norm());
+}
+
 /// However stiff the drag, grain and liquid only come to one velocity.
 TEST(AveragedExchange, StiffDragDoesNotOvershoot) {
   lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);

@@ -62,6 +62,20 @@ TEST_F(DisplacedVolumeTest, GoesToTheInterfaceCellsOrThePool) {
   EXPECT_NE(fluid_.account().pool, 0);  // deep under water there is no interface cell to give it to
 }
 
+/// Grains that fill with the level end where the water ends: half of one whose centre lies there is wet.
+TEST_F(DisplacedVolumeTest, EndsAtTheSurfaceWhereGrainsFillWithTheLevel) {
+  displaced_ = DisplacedVolume<double>(true);
+  double wet = 0;
+  int places = 0;
+  for (double x = 0.14; x < 0.16; x += 0.003, ++places) {
+    particles_.position.set(0, Vec3(x, 0.16, 0.165));
+    map();
+    wet += displaced_.wet_volume() / kCells;
+    ASSERT_NEAR(surface_mass() + fluid_.account().pool - displaced_.wet_volume(), 16 * 16 * 0.25, 1e-9);
+  }
+  EXPECT_NEAR(wet / places, 0.5, 0.01);
+}
+
 TEST_F(DisplacedVolumeTest, ARemovedGrainLeavesAVoid) {
   particles_.position.set(0, Vec3(0.15, 0.16, 0.08));
   map();

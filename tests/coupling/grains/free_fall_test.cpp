@@ -12,7 +12,16 @@ constexpr double kCell = 0.02, kStep = 2.8e-4;  // m, s
 
 struct Falls {
   double grains = 0, liquid = 0;  ///< speed over g t
+  double surface = 0;             ///< number of interface cells over that at the start
+  double drift = 0;               ///< largest of the liquid's mass
 };
+
+double interface_cells(lbm::Fluid<float>& fluid) {
+  double sum = 0;
+  for (const lbm::BlockIndex b : fluid.grid().owned())
+    if (const auto* surface = fluid.grid().block(b).surface) sum += surface->count;
+  return sum;
+}
 
 Falls after_free_fall(const CouplingOptions& coupling, lbm::BodyWeighting weighting, double radius, double duration) {
   const lbm::FluidOptions fluid = by_distance(tank(Vec3(0.48, 0.48, 1.6), kCell, kStep), weighting);
@@ -28,8 +37,13 @@ Falls after_free_fall(const CouplingOptions& coupling, lbm::BodyWeighting weight
   options.time_step = 1;  // set by the coupled step
   CoupledStep<float> step(fluid, dem::Solids(particles, {}, rock(), Walls{}, options), coupling);
   step.fill({{Vec3(0.08, 0.08, 1.08), Vec3(0.4, 0.4, 1.4)}});
-  while (step.time() < duration) step.advance();
+  const double surface = interface_cells(*step.fluid());
   Falls falls;
+  while (step.time() < duration) {
+    step.advance();
+    falls.drift = std::max(falls.drift, std::abs(step.fluid()->mass_drift()));
+  }
+  falls.surface = interface_cells(*step.fluid()) / surface;
   const dem::Particles& p = step.solids()->particles();
   for (dem::ParticleIndex i = 0; i < p.size(); ++i) falls.grains -= p.velocity[i].z();
   falls.grains /= static_cast<double>(p.size());
@@ -59,9 +73,13 @@ TEST(FreeFall, OfAveragedGrainsInWater) {
   const CouplingOptions averaged{.grains = AveragedGrains{.averaging_length = 0.15, .drag = BedDrag::di_felice},
                                  .thin_wires = ThinWires::uncoupled,
                                  .substeps = 5};
-  const Falls falls = after_free_fall(averaged, lbm::BodyWeighting::wall_distance, 0.02, 0.25);
-  EXPECT_NEAR(falls.grains, 1, 0.01);
-  EXPECT_NEAR(falls.liquid, 1, 0.01);
+  for (const double radius : {0.02, 0.04}) {
+    const Falls falls = after_free_fall(averaged, lbm::BodyWeighting::wall_distance, radius, 0.38);
+    EXPECT_NEAR(falls.grains, 1, 0.005) << radius;
+    EXPECT_NEAR(falls.liquid, 1, 0.01) << radius;
+    EXPECT_LT(falls.surface, 1.3) << radius;  // it stays whole
+    EXPECT_LT(falls.drift, 1e-6) << radius;
+  }
 }
 
 }  // namespace
