@@ -9,6 +9,10 @@
 // a grain entering the water raises the level by its volume, and
 //   liquid = sum of wet masses - sum over grains of their volume in wet cells
 // is conserved exactly (docs/coupling.md, docs/decisions/0003).
+//
+// Averaged grains fill with the level instead (docs/decisions/0064): a wet cell holds of a grain its part in the cell
+// times the fill level, so that a grain's wet volume follows the surface, also where that alone moves. No conversion
+// books anything for them: a mapping is compared with the former one as it was.
 #include <vector>
 
 #include "coupling/grains/grain_map.h"
