@@ -150,10 +150,11 @@ void copy_row(const std::array<Block<Real>*, 27>& around, const RowLink& link, u
 
 /// A mirrored link that ends at gas: anti-bounce-back at the gas pressure.
 template <class Real>
-void end_at_gas(FluidGrid<Real>& grid, CellPlace place, int i, Parity parity) {
+void end_at_gas(FluidGrid<Real>& grid, CellPlace place, int i, Parity parity, EquilibriumOrder order) {
   const auto m = outgoing_moments(grid, place, parity);
   const auto link = link_populations(grid, place, i, parity);
-  *link.back = equilibrium_pair_sum(i, Real(0), m.u[0], m.u[1], m.u[2]) - *link.sent;
+  const HigherMoments<Real> higher(order, m.u[0], m.u[1], m.u[2]);
+  *link.back = equilibrium_pair_sum(i, Real(0), m.u[0], m.u[1], m.u[2]) + higher.pair_sum(i) - *link.sent;
 }
 
 }  // namespace
@@ -182,7 +183,7 @@ void list_row_links(WallLinks& walls, const TypesAround& types, WallPlacement pl
 }
 
 template <class Real>
-void reflect_rows(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
+void reflect_rows(FluidGrid<Real>& grid, BlockIndex b, Parity parity, EquilibriumOrder order) {
   const auto& around = grid.around(b);
   Block<Real>& block = *around[13];
   for (RowLink& link : block.walls.rows) {
@@ -192,7 +193,7 @@ void reflect_rows(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
       cells &= ~at_gas;
       link.mirrored = static_cast<std::uint8_t>(cells);
       for (; at_gas != 0; at_gas &= at_gas - 1)
-        end_at_gas(grid, {b, kBlockWidth * link.row + std::countr_zero(at_gas)}, link.direction, parity);
+        end_at_gas(grid, {b, kBlockWidth * link.row + std::countr_zero(at_gas)}, link.direction, parity, order);
     }
     if (cells != 0) copy_row(around, link, cells, parity);
   }
@@ -229,7 +230,7 @@ void MirroredLinks::restore(WallLinks& walls, const std::uint32_t* of_cells) {
         link.along == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(cells[link.row][link.direction] & link.cells);
 }
 
-template void reflect_rows<float>(FluidGrid<float>&, BlockIndex, Parity);
-template void reflect_rows<double>(FluidGrid<double>&, BlockIndex, Parity);
+template void reflect_rows<float>(FluidGrid<float>&, BlockIndex, Parity, EquilibriumOrder);
+template void reflect_rows<double>(FluidGrid<double>&, BlockIndex, Parity, EquilibriumOrder);
 
 }  // namespace lahar::lbm

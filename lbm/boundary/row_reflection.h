@@ -10,6 +10,7 @@
 // Either place is shifted along x by 1 if i is forward with c_x = 1, and both by the same, so that lanes agree. A place
 // that is written belongs to one link of one wet cell; those that are read are the incoming ones of wall cells. So the
 // order does not matter.
+#include "lbm/collision/equilibrium.h"
 #include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
@@ -21,8 +22,9 @@ using TypesAround = std::array<CellType, 1000>;
 void list_row_links(WallLinks& walls, const TypesAround& types, WallPlacement placement);
 
 /// Sets what comes back to the wet cells of a block over the listed links; notes those that led to another cell.
+/// `order` is that of the collision operator's equilibrium.
 template <class Real>
-void reflect_rows(FluidGrid<Real>& grid, BlockIndex b, Parity parity);
+void reflect_rows(FluidGrid<Real>& grid, BlockIndex b, Parity parity, EquilibriumOrder order);
 
 /// The links that led to another cell at the last reflection, by cell.
 class MirroredLinks {
@@ -39,7 +41,7 @@ class MirroredLinks {
   std::array<std::array<std::uint8_t, D3Q19::q>, 64> cells_{};  ///< by row and velocity
 };
 
-extern template void reflect_rows<float>(FluidGrid<float>&, BlockIndex, Parity);
-extern template void reflect_rows<double>(FluidGrid<double>&, BlockIndex, Parity);
+extern template void reflect_rows<float>(FluidGrid<float>&, BlockIndex, Parity, EquilibriumOrder);
+extern template void reflect_rows<double>(FluidGrid<double>&, BlockIndex, Parity, EquilibriumOrder);
 
 }  // namespace lahar::lbm

@@ -168,7 +168,7 @@ void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
   Block<Real>& block = grid.block(b);
   block.walls.gained = 0, block.walls.takers = 0;
   block.walls.gains.resize(block.walls.cells.size(), 0);
-  reflect_rows(grid, b, parity);
+  reflect_rows(grid, b, parity, physics.equilibrium_order);
   for (const std::uint16_t entry : block.walls.others) {
     const WallCell& wall = block.walls.cells[entry];
     const CellPlace place{b, wall.cell};

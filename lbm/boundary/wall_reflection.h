@@ -27,6 +27,7 @@
 #include <array>
 
 #include "lbm/boundary/wall_load.h"
+#include "lbm/collision/equilibrium.h"
 #include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
@@ -34,8 +35,9 @@ namespace lahar::lbm {
 /// Lattice units.
 struct WallPhysics {
   double viscosity = 0;
-  std::array<double, 3> acceleration{0, 0, 0};  ///< body force per mass
-  bool newtonian = true;                        ///< the viscosity is that of the liquid at the wall
+  std::array<double, 3> acceleration{0, 0, 0};                    ///< body force per mass
+  bool newtonian = true;                                          ///< the viscosity is that of the liquid at the wall
+  EquilibriumOrder equilibrium_order = EquilibriumOrder::fourth;  ///< of the collision operator
 };
 
 /// Reflects at all wall cells of one block; `parity` is that of the coming step. What the walls get is added to `loads`

@@ -21,6 +21,7 @@ V viscous_rate(const V (&f)[D3Q19::q], const Moments<V>& m, const Viscosity& vis
 struct Bgk {
   static constexpr std::string_view name = "bgk", meaning = "one relaxation time";
   static constexpr bool bounds_stress = false, stable_without_eddies = false;
+  static constexpr EquilibriumOrder equilibrium_order = EquilibriumOrder::second;
   static constexpr bool takes_flow_laws = false;  ///< its walls slip where the viscosity is large
   bool operator==(const Bgk&) const = default;
 

@@ -27,6 +27,7 @@
 #include <string_view>
 
 #include "lbm/collision/cell_state.h"
+#include "lbm/collision/equilibrium.h"
 #include "lbm/collision/newtonian.h"
 
 namespace lahar::lbm {
@@ -84,6 +85,7 @@ struct CentralMoments {
   static constexpr std::string_view name = "central_moments",
                                     meaning = "moments about the velocity, relaxed one by one";
   static constexpr bool bounds_stress = true, takes_flow_laws = true, stable_without_eddies = true;
+  static constexpr EquilibriumOrder equilibrium_order = EquilibriumOrder::fourth;
   bool operator==(const CentralMoments&) const = default;
 
   template <class Viscosity, class V>

@@ -6,6 +6,7 @@
 //   bounds_stress           whether it keeps density, velocity and the deviator of the stress alone and takes the
 //   bounds
 //                           of stress_limit.h
+//   equilibrium_order       of what it relaxes to (equilibrium.h)
 //   takes_flow_laws         whether it is compiled for the flow laws of lbm/rheology
 //   stable_without_eddies   whether it is at small viscosities, without a Smagorinsky constant
 //   collide(f, m, force, viscosity)   the collision of a cell or a pack of cells
@@ -28,6 +29,9 @@ using CollisionOperator = std::variant<CentralMoments, Bgk, Trt>;
 }
 [[nodiscard]] inline bool bounds_stress(const CollisionOperator& collision) {
   return std::visit([](const auto& o) { return o.bounds_stress; }, collision);
+}
+[[nodiscard]] inline EquilibriumOrder equilibrium_order(const CollisionOperator& collision) {
+  return std::visit([](const auto& o) { return o.equilibrium_order; }, collision);
 }
 [[nodiscard]] inline bool takes_flow_laws(const CollisionOperator& collision) {
   return std::visit([](const auto& o) { return o.takes_flow_laws; }, collision);

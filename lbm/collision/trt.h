@@ -8,6 +8,7 @@ namespace lahar::lbm {
 struct Trt {
   static constexpr std::string_view name = "trt", meaning = "two relaxation times";
   static constexpr bool bounds_stress = false, takes_flow_laws = true, stable_without_eddies = false;
+  static constexpr EquilibriumOrder equilibrium_order = EquilibriumOrder::second;
   bool operator==(const Trt&) const = default;
   static constexpr double magic_parameter = 3.0 / 16.0;  ///< half-way walls exact for Poiseuille flow
 

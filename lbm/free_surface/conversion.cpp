@@ -78,7 +78,8 @@ void CellConversion<Real>::run(FluidLevel<Real>& level, LiquidAccount& account) 
     });
   }
   make_room(grid);
-  for_reached([&](BlockIndex b) { refill(grid, *changes_, b, level.parity()); });
+  const EquilibriumOrder order = equilibrium_order(level.parameters.collision);
+  for_reached([&](BlockIndex b) { refill(grid, *changes_, b, level.parity(), order); });
   distribute(grid, level.parity());
   book(account);
   changes_->clear();
@@ -234,7 +235,7 @@ void CellConversion<Real>::wet(FluidLevel<Real>& level, CellPlace place, const C
   const bool known = grid.has_surface(place.block);
   grid.require_surface(place.block);
   grid.block(place.block).type[static_cast<std::size_t>(place.cell)] = CellType::interface;
-  refill_cell(grid, place, level.parity(), moments, Real(0));
+  refill_cell(grid, place, level.parity(), moments, Real(0), equilibrium_order(level.parameters.collision));
   grid.list_cells(place.block);
   if (!known) note_densities(grid, place.block, level.parity());
 }

@@ -77,7 +77,8 @@ void take_over_velocity(const BodyFields<Real>& body, int cell, CellMoments<Real
 }  // namespace
 
 template <class Real>
-void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& mean, Real liquid) {
+void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& mean, Real liquid,
+                 EquilibriumOrder order) {
   Block<Real>& block = grid.block(place.block);
   SurfaceFields<Real>& surface = *block.surface;
   const auto cell = static_cast<std::size_t>(place.cell);
@@ -86,11 +87,11 @@ void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, const Ce
   surface.fill_level[cell] = std::clamp(surface.mass[cell] / (Real(1) + mean.drho), Real(0), Real(1));
   // Outgoing populations of the new cell; what comes in from wet neighbours is there already, what comes from gas is
   // rebuilt before the next step, what comes from walls is set here.
-  block.f(0)[cell] = equilibrium(0, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
+  block.f(0)[cell] = equilibrium(order, 0, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
   for (int a = 1; a < D3Q19::q; a += 2) {
     const auto pair = grid.access(place, a, parity);
-    const Real fa = equilibrium(a, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
-    const Real fb = equilibrium(a + 1, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
+    const Real fa = equilibrium(order, a, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
+    const Real fb = equilibrium(order, a + 1, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
     *pair.outgoing_a = fa;
     *pair.outgoing_b = fb;
     if (grid.type(grid.neighbour(place, a)) == CellType::wall) *pair.incoming_b = fb;
@@ -99,7 +100,8 @@ void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, const Ce
 }
 
 template <class Real>
-void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex b, Parity parity) {
+void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex b, Parity parity,
+            EquilibriumOrder order) {
   const BlockChanges<Real>& own = changes.of(b);
   if (own.new_surface) grid.clear_surface(b);
   if (!own.opened.empty()) {
@@ -107,18 +109,20 @@ void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex
     own.opened.for_each([&](int cell) {
       CellMoments<Real> m = means.around(cell);
       if (is_covered(grid.block(b), cell)) take_over_velocity(*grid.block(b).body, cell, m);
-      refill_cell(grid, {b, cell}, parity, m, Real(0));
+      refill_cell(grid, {b, cell}, parity, m, Real(0), order);
     });
   }
   own.arrivals.for_each([&](int cell, const Arrival<Real>& a) {
-    refill_cell(grid, {b, cell}, parity, a.moments, a.liquid);
+    refill_cell(grid, {b, cell}, parity, a.moments, a.liquid, order);
   });
   own.exposed.for_each([&](int cell) { expose(grid, {b, cell}, parity); });
 }
 
-template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity);
-template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity);
-template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, const CellMoments<float>&, float);
-template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, const CellMoments<double>&, double);
+template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity, EquilibriumOrder);
+template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity, EquilibriumOrder);
+template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, const CellMoments<float>&, float,
+                                 EquilibriumOrder);
+template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, const CellMoments<double>&, double,
+                                  EquilibriumOrder);
 
 }  // namespace lahar::lbm

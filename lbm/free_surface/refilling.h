@@ -4,22 +4,29 @@
 // velocity of its wet neighbours, without those that were gas too, or, where a body covers it, at the body's velocity
 // (docs/decisions/0059); one that a drop has moved into, at the drop's. A liquid cell that becomes interface keeps its
 // populations.
+#include "lbm/collision/equilibrium.h"
 #include "lbm/free_surface/block_changes.h"
 
 namespace lahar::lbm {
 
 /// Fills the new interface cells of a block, for several blocks at once: reads types and outgoing populations of
-/// neighbour cells, writes populations that belong to its own cells. All types are final, all blocks exist.
+/// neighbour cells, writes populations that belong to its own cells. All types are final, all blocks exist. `order` is
+/// that of the collision operator's equilibrium.
 template <class Real>
-void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex b, Parity parity);
+void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex b, Parity parity,
+            EquilibriumOrder order);
 
 /// Mass, density, fill level and populations of one interface cell with some liquid, in the equilibrium of `moments`.
 template <class Real>
-void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments, Real liquid);
+void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments, Real liquid,
+                 EquilibriumOrder order);
 
-extern template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity);
-extern template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity);
-extern template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, const CellMoments<float>&, float);
-extern template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, const CellMoments<double>&, double);
+extern template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity, EquilibriumOrder);
+extern template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity,
+                                    EquilibriumOrder);
+extern template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, const CellMoments<float>&, float,
+                                        EquilibriumOrder);
+extern template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, const CellMoments<double>&, double,
+                                         EquilibriumOrder);
 
 }  // namespace lahar::lbm

@@ -37,6 +37,7 @@ class RowExchange {
         // What is at home in the coming step is away in the one after it, and the reverse.
         home_ahead_(around, parity.next(), nowhere_),
         away_ahead_(around, parity, nowhere_),
+        order_(physics.equilibrium_order),
         gas_drho_(physics.gas_drho),
         largest_gradient_(physics.largest_gradient),
         weight_(physics.weight),
@@ -99,13 +100,16 @@ class RowExchange {
   void rebuild_from_gas(int row, const Sight<V>& sight, const Mask& open, const SurfacePressure& s) {
     const Velocity u = outgoing_velocity(row);
     const Rows rows = Rows::at(kBlockWidth * row, kRows);
+    const HigherMoments<V> higher(order_, u.x, u.y, u.z);
     const V gas = capillary_ ? V(gas_drho_ + load<V>(capillary_ + 8 * row)) : gas_drho_;
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       const auto from_ahead = open && sight.template empty<CX, CY, CZ>();
       const auto from_behind = open && sight.template empty<-CX, -CY, -CZ>();
       const V half_way = V(Real(0.5)) * (V(Real(CX)) * s.x + V(Real(CY)) * s.y + V(Real(CZ)) * s.z);
       const auto even = [&](const V& height) __attribute__((always_inline)) {
-        return equilibrium_pair_sum(D3Q19::forward(P), V(gas + V(3) * height), u.x, u.y, u.z);
+        const V drho = gas + V(3) * height;
+        return V(equilibrium_pair_sum(D3Q19::forward(P), drho, u.x, u.y, u.z) +
+                 (V(1) + drho) * higher.pair_sum(D3Q19::forward(P)));
       };
       if (any(from_ahead))
         away_ahead_.template pair<P>().store_chosen(rows, even(s.depth + half_way) - outgoing_a_[P], from_ahead);
@@ -185,6 +189,7 @@ class RowExchange {
   Real *home_[D3Q19::pairs], *away_[D3Q19::pairs];  ///< the block's own numbers
   alignas(64) Real nowhere_[kBlockCells];
   const AwayPopulations<Real> home_ahead_, away_ahead_;
+  const EquilibriumOrder order_;
   const V gas_drho_;
   const Real largest_gradient_;
   const V weight_;

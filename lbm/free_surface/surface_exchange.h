@@ -9,7 +9,9 @@
 //
 // Missing populations (same paper, Eq. 11; only those from gas, as Bogner et al. 2015 and Schwarzmeier et al. 2023
 // found better than the choice by the surface normal): f_opposite(i) = f_i^eq + f_opposite(i)^eq - f_i
-// (anti-bounce-back); the terms linear in u cancel in the sum. The rule sets a pressure half a link from the cell's
+// (anti-bounce-back); the terms linear in u cancel in the sum. The equilibrium is that of the collision operator: with
+// another order a surface that moves along itself would bear a stress of rho u^2/6 across its motion
+// (docs/decisions/0065). The rule sets a pressure half a link from the cell's
 // centre, wherever the surface lies. So that it is the gas pressure on the surface itself, the density in it is that at
 // the link's middle,
 //   rho - 1 = gas + 3 (d + a . c_i / 2),
@@ -20,6 +22,7 @@
 // The rule also makes the shear stress vanish half a link out; surface_shear.h puts that right where it counts.
 //
 // With surface tension the pressure on the surface is that of the gas plus sigma times the curvature (curvature.h).
+#include "lbm/collision/equilibrium.h"
 #include "lbm/free_surface/shear_row.h"
 #include "lbm/grid/fluid_grid.h"
 
@@ -28,7 +31,8 @@ namespace lahar::lbm {
 /// Lattice units.
 template <class Real>
 struct SurfacePhysics {
-  Real gas_drho = 0;          ///< rho - 1 at the pressure of the gas
+  EquilibriumOrder equilibrium_order = EquilibriumOrder::second;  ///< of the collision operator
+  Real gas_drho = 0;                                              ///< rho - 1 at the pressure of the gas
   Real largest_gradient = 0;  ///< of |a|: beyond it densities are sound and splash, no weight of liquid; 0: plain rule
   Real surface_tension = 0;   ///< sigma over the density; 0 is off
   Real weight = 0;            ///< what |a| is compared with where the surface has no clear normal (surface_shear.h)

@@ -22,7 +22,10 @@ template <class Real>
 void Fluid<Real>::initialize(CellPlace place, double drho, const Vec3& u, const Mat3& stress) {
   const auto r = static_cast<Real>(drho), x = static_cast<Real>(u.x()), y = static_cast<Real>(u.y()),
              z = static_cast<Real>(u.z());
-  const auto population = [&](int i) { return equilibrium(i, r, x, y, z) + static_cast<Real>(stress_part(i, stress)); };
+  const EquilibriumOrder order = equilibrium_order(options_.collision);
+  const auto population = [&](int i) {
+    return equilibrium(order, i, r, x, y, z) + static_cast<Real>(stress_part(i, stress));
+  };
   level_.grid.block(place.block).f(0)[place.cell] = population(0);
   for (int a = 1; a < D3Q19::q; a += 2) {
     const auto pair = level_.grid.access(place, a, level_.parity());

@@ -19,7 +19,8 @@ void WallPass<Real>::run(FluidLevel<Real>& level, WallAccount& account) {
   FluidGrid<Real>& grid = level.grid;
   const auto& owned = grid.owned();
   const SweepParameters& p = level.parameters;
-  const WallPhysics physics{(p.tau - 0.5) / 3, p.gravity, p.rheology.law == FlowLaw::newtonian};
+  const WallPhysics physics{(p.tau - 0.5) / 3, p.gravity, p.rheology.law == FlowLaw::newtonian,
+                            equilibrium_order(p.collision)};
   const bool measured = !loads_.empty();
   if (measured) block_loads_.resize(std::max(block_loads_.size(), owned.size()));
   parallel_for(0, owned.size(), kBlocksPerTask, [&](std::size_t k) {
