@@ -11,9 +11,8 @@
 // found better than the choice by the surface normal): f_opposite(i) = f_i^eq + f_opposite(i)^eq - f_i
 // (anti-bounce-back); the terms linear in u cancel in the sum. The equilibrium is that of the collision operator: with
 // another order a surface that moves along itself would bear a stress of rho u^2/6 across its motion
-// (docs/decisions/0065). The rule sets a pressure half a link from the cell's
-// centre, wherever the surface lies. So that it is the gas pressure on the surface itself, the density in it is that at
-// the link's middle,
+// (docs/decisions/0065). The rule sets a pressure half a link from the cell's centre, wherever the surface lies. So
+// that it is the gas pressure on the surface itself, the density in it is that at the link's middle,
 //   rho - 1 = gas + 3 (d + a . c_i / 2),
 // with a = grad p / rho (surface_gradient.h) and d = a . (centre - surface) from the fill level (surface_plane.h):
 // second order in the place of the surface, exact for water at rest at any angle to the lattice, and the plain rule in
@@ -31,7 +30,7 @@ namespace lahar::lbm {
 /// Lattice units.
 template <class Real>
 struct SurfacePhysics {
-  EquilibriumOrder equilibrium_order = EquilibriumOrder::second;  ///< of the collision operator
+  EquilibriumOrder equilibrium_order = EquilibriumOrder::fourth;  ///< of the collision operator
   Real gas_drho = 0;                                              ///< rho - 1 at the pressure of the gas
   Real largest_gradient = 0;  ///< of |a|: beyond it densities are sound and splash, no weight of liquid; 0: plain rule
   Real surface_tension = 0;   ///< sigma over the density; 0 is off
