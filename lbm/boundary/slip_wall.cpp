@@ -36,15 +36,6 @@ MirrorTable all_mirror_links() {
 
 const MirrorTable kMirrorLinks = all_mirror_links();
 
-/// Share of a link's flux that is mass of an interface cell.
-template <class Real>
-Real exchange_share(const FluidGrid<Real>& grid, CellPlace to, Real fill) {
-  const CellType type = grid.type(to);
-  if (type == CellType::liquid) return 1;
-  if (type != CellType::interface) return 0;
-  return Real(0.5) * (fill + grid.block(to.block).surface->fill_level[to.cell]);
-}
-
 }  // namespace
 
 int normal_axis(const WallCell& wall) {
@@ -73,13 +64,13 @@ void exchange_over_mirrors(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
     if (links == 0) continue;
     const CellPlace place{b, wall.cell};
     const int axis = normal_axis(wall);
-    const Real fill = block.surface->fill_level[wall.cell];
     Real gain = 0;
     for (int k = 0; k < wall.links; ++k) {
       if (!(links >> k & 1)) continue;
       const int i = directions[static_cast<std::size_t>(wall.first_link + k)];
       const auto link = link_populations(grid, place, i, parity);
-      gain += exchange_share(grid, grid.neighbour(place, mirror_link(i, axis).along), fill) * (*link.back - *link.sent);
+      if (grid.type(grid.neighbour(place, mirror_link(i, axis).along)) == CellType::liquid)
+        gain += *link.back - *link.sent;
     }
     block.surface->mass[wall.cell] += gain;
   }

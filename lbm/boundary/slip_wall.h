@@ -7,9 +7,9 @@
 // back to x instead holds that share back: liquid in the layer at the wall then moves by a sixth less than its velocity
 // says (docs/decisions/0013).
 //
-// Between wet cells the link by way of the wall is thus a link from x to x', and an interface cell's mass changes over
-// it as over any other (free_surface/surface_exchange.h):
-//   dm = k (f_opposite(c) coming in - f_c that went out), k by the types of x and x'.
+// Between wet cells the link by way of the wall is thus a link from x to x' through the face between them. An interface
+// cell's mass changes over it where x' is liquid; what goes to another interface cell is in the flux between the two
+// (free_surface/face_sums.h).
 // In a corner (x' is a wall) two mirrors send the population back where it came from. Where x' is gas the link by way
 // of the wall ends at the gas, and gets what any link to gas gets (anti-bounce-back at the gas pressure). Which links
 // lead where is settled after the conversion of cells, and holds for the coming step. The reflection itself is that of
@@ -54,7 +54,7 @@ LinkPopulations<Real> link_populations(FluidGrid<Real>& grid, CellPlace place, i
   return {pair.outgoing_b, pair.incoming_a};
 }
 
-/// Before a step: mass of a block's interface cells over mirrored links.
+/// Before a step: mass of a block's interface cells over mirrored links to liquid.
 template <class Real>
 void exchange_over_mirrors(FluidGrid<Real>& grid, BlockIndex b, Parity parity);
 

@@ -13,6 +13,7 @@
 #include "lbm/free_surface/surface_shear.h"
 #include "lbm/free_surface/surroundings.h"
 #include "lbm/step/gather.h"
+#include "lbm/step/row_moments.h"
 
 namespace lahar::lbm {
 
@@ -32,7 +33,9 @@ class RowExchange {
 
   RowExchange(const std::array<Block<Real>*, 27>& around, const Surroundings<Real>& near, Parity parity,
               const SurfacePhysics<Real>& physics, const Real* capillary)
-      : block_(*around[13]),
+      : around_(around),
+        parity_(parity),
+        block_(*around[13]),
         near_(near),
         // What is at home in the coming step is away in the one after it, and the reverse.
         home_ahead_(around, parity.next(), nowhere_),
@@ -56,13 +59,13 @@ class RowExchange {
     const auto interface = sight.template interface<0, 0, 0>();
     V gain(0), empty(0), fullest(0);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
-      const V full_ahead = sight.template full<CX, CY, CZ>(), full_behind = sight.template full<-CX, -CY, -CZ>();
-      const V share_ahead = select(sight.template interface<CX, CY, CZ>(), full_ahead + half_fill, full_ahead);
-      const V share_behind = select(sight.template interface<-CX, -CY, -CZ>(), full_behind + half_fill, full_behind);
-      gain += share_ahead * (incoming_b_[P] - outgoing_a_[P]);
-      gain += share_behind * (incoming_a_[P] - outgoing_b_[P]);
+      if constexpr (CX * CX + CY * CY + CZ * CZ == 1)
+        gain += through_faces<P, CX, CY, CZ>(row, sight, half_fill);
+      else
+        gain += past_edges<P, CX, CY, CZ>(row, sight, half_fill);
       empty = select(sight.template empty<CX, CY, CZ>(), empty + one, empty);
       empty = select(sight.template empty<-CX, -CY, -CZ>(), empty + one, empty);
+      const V full_ahead = sight.template full<CX, CY, CZ>(), full_behind = sight.template full<-CX, -CY, -CZ>();
       fullest = max(fullest, max(full_ahead, full_behind));
     });
     note(row, interface, gain, empty, fullest);
@@ -93,6 +96,83 @@ class RowExchange {
       outgoing_a_[P] = home_ahead_.template pair<P>().template load<V>(rows);
       incoming_b_[P] = away_ahead_.template pair<P>().template load<V>(rows);
     });
+  }
+
+  /// Mass that comes through the two faces across an axis (pair P): from liquid over the link, from interface cells by
+  /// the flux between the cells (face_sums.h) times the part of the face that is wet in the course of the step.
+  template <int P, int CX, int CY, int CZ>
+  [[gnu::always_inline]] V through_faces(int row, const Sight<V>& sight, const V& half_fill) const {
+    const V up = load<V>(block_.surface->sent[2 * P] + 8 * row),
+            down = load<V>(block_.surface->sent[2 * P + 1] + 8 * row);
+    const V flux_ahead = up - sent_beside<CX, CY, CZ>(2 * P + 1, row);
+    const V flux_behind = sent_beside<-CX, -CY, -CZ>(2 * P, row) - down;
+    const V ahead = sight.template full<CX, CY, CZ>(), behind = sight.template full<-CX, -CY, -CZ>(), none(0);
+    const V wet_ahead = ahead + half_fill - flux_ahead * (ahead - half_fill);
+    const V wet_behind = behind + half_fill - flux_behind * (half_fill - behind);
+    V gain = select(sight.template interface<-CX, -CY, -CZ>(), wet_behind * flux_behind, none);
+    gain -= select(sight.template interface<CX, CY, CZ>(), wet_ahead * flux_ahead, none);
+    gain += select(sight.template liquid<CX, CY, CZ>(), incoming_b_[P] - outgoing_a_[P], none);
+    return gain + select(sight.template liquid<-CX, -CY, -CZ>(), incoming_a_[P] - outgoing_b_[P], none);
+  }
+
+  /// Mass over the diagonal links of pair P, half by way of each of the two cells between its ends: what comes in from
+  /// the ends through faces to liquid, and what crosses the cell itself on its way from liquid to an interface cell.
+  template <int P, int CX, int CY, int CZ>
+  [[gnu::always_inline]] V past_edges(int row, const Sight<V>& sight, const V& half_fill) const {
+    constexpr int X = CX, Y = CX != 0 ? 0 : CY;  // one step of the two
+    constexpr int OY = CY - Y, OZ = CZ;          // the other
+    const V in_ahead =
+        half_of_link<CX, CY, CZ, X, Y, 0>(sight, half_fill) + half_of_link<CX, CY, CZ, 0, OY, OZ>(sight, half_fill);
+    const V in_behind = half_of_link<-CX, -CY, -CZ, -X, -Y, 0>(sight, half_fill) +
+                        half_of_link<-CX, -CY, -CZ, 0, -OY, -OZ>(sight, half_fill);
+    return in_ahead * (incoming_b_[P] - outgoing_a_[P]) + in_behind * (incoming_a_[P] - outgoing_b_[P]) +
+           crossing<P, -X, -Y, 0, 0, OY, OZ>(row, sight) + crossing<P, 0, -OY, -OZ, X, Y, 0>(row, sight);
+  }
+
+  /// Share of the link to c that comes in by way of the cell at m: half where that is liquid; by a wall or gas half of
+  /// what a link straight across would have; by an interface cell nothing, that is in the flux between the cells.
+  template <int CX, int CY, int CZ, int MX, int MY, int MZ>
+  [[gnu::always_inline]] static V half_of_link(const Sight<V>& sight, const V& half_fill) {
+    const V half(Real(0.5)), full = sight.template full<CX, CY, CZ>();
+    const V straight = half * select(sight.template interface<CX, CY, CZ>(), full + half_fill, full);
+    const auto wet = sight.template wet<CX, CY, CZ>();
+    const V by_dry = select(sight.template wet<MX, MY, MZ>(), V(0), straight);
+    return select(wet && sight.template liquid<MX, MY, MZ>(), half, by_dry);
+  }
+
+  /// Half of what the link of pair P from the cell at a to that at b carries, where one of the two is liquid.
+  template <int P, int AX, int AY, int AZ, int BX, int BY, int BZ>
+  [[gnu::always_inline]] V crossing(int row, const Sight<V>& sight) const {
+    const auto in = sight.template liquid<AX, AY, AZ>() && sight.template interface<BX, BY, BZ>();
+    const auto out = sight.template interface<AX, AY, AZ>() && sight.template liquid<BX, BY, BZ>();
+    const auto either = in || out;
+    if (none(either)) return V(0);
+    const V half(Real(0.5)), share = select(in, half, -half);
+    const auto at_b = [&](int slot) __attribute__((always_inline)) {
+      return beside<BX, BY, BZ>(
+          row, [slot](const Block<Real>* block)
+                   __attribute__((always_inline)) { return block ? block->f(slot) : kRest<Real>; });
+    };
+    const V flux = at_b(parity_.home(D3Q19::forward(P))) - at_b(parity_.away(D3Q19::forward(P)));
+    return select(either, share * flux, V(0));
+  }
+
+  /// SurfaceFields::sent of the cells at an offset; to be used where these are interface cells.
+  template <int X, int Y, int Z>
+  [[gnu::always_inline]] V sent_beside(int face, int row) const {
+    return beside<X, Y, Z>(
+        row, [face](const Block<Real>* block) __attribute__((always_inline)) {
+          return block && block->surface ? block->surface->sent[face] : kRest<Real>;
+        });
+  }
+
+  template <int X, int Y, int Z, class Field>
+  [[gnu::always_inline]] V beside(int row, const Field& field) const {
+    const Row<Real> first = row_at<X, Y, Z>(around_, kBlockWidth * row, field);
+    if constexpr (kRows == 1)
+      return first;
+    else
+      return join(first, row_at<X, Y, Z>(around_, kBlockWidth * (row + 1), field));
   }
 
   /// Populations that would come from the gas, in the cells `open` to it.
@@ -184,6 +264,8 @@ class RowExchange {
     store(s.alone.data() + 8 * row, fullest < V(1));
   }
 
+  const std::array<Block<Real>*, 27>& around_;
+  const Parity parity_;
   Block<Real>& block_;
   const Surroundings<Real>& near_;
   Real *home_[D3Q19::pairs], *away_[D3Q19::pairs];  ///< the block's own numbers

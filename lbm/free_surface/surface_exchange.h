@@ -2,10 +2,17 @@
 // Before a step: interface cells exchange mass with their wet neighbours, and get the populations that would come from
 // the gas.
 //
-// Mass (Koerner, Thies, Hofmann, Thuerey & Ruede 2005, Eq. 13-15): over the link to the neighbour at x + c_i,
-//   dm_i = k_i (f_opposite(i) coming in - f_i that went out),  k_i = 1 to liquid, (F + F_neighbour)/2 to interface, 0
-//   to gas.
-// What one cell gains the other loses, to the last bit.
+// Mass. By whole links (Koerner, Thies, Hofmann, Thuerey & Ruede 2005, Eq. 13-15) a cell would gain
+//   dm_i = k_i N_i,  N_i = f_opposite(i) coming in - f_i that went out,
+// with k_i = 1 to liquid, (F + F_neighbour)/2 to interface, 0 to gas. Where liquid flows along its surface that moves
+// the surface at 2/3 of its speed and lets it grow rough (docs/decisions/0066). So mass crosses faces, and only as much
+// of each as is wet: all of a face to liquid; between interface cells, of which the flux F moves from A to B,
+//   a = (F_A + F_B)/2 - F (F_B - F_A)/2,
+// the mean over the step of what lies behind the face (Lax & Wendroff); nothing to gas. The links across a face to
+// liquid are those of the lattice, so that what the liquid cell loses is what its neighbours gain: the link straight
+// across, and by half each diagonal link that passes the face on one of its two ways around the edge. What lies between
+// two interface cells goes by their own flux (face_sums.h). A diagonal link keeps its half and its k where a wall or
+// gas lies on that way. What one cell gains the other loses.
 //
 // Missing populations (same paper, Eq. 11; only those from gas, as Bogner et al. 2015 and Schwarzmeier et al. 2023
 // found better than the choice by the surface normal): f_opposite(i) = f_i^eq + f_opposite(i)^eq - f_i

@@ -71,6 +71,10 @@ class Sight {
     return cells<CX, CY, CZ>(near_.wet);
   }
   template <int CX, int CY, int CZ>
+  [[nodiscard]] [[gnu::always_inline]] Mask liquid() const {
+    return wet<CX, CY, CZ>() && !interface<CX, CY, CZ>();
+  }
+  template <int CX, int CY, int CZ>
   [[nodiscard]] [[gnu::always_inline]] Mask empty() const {
     return cells<CX, CY, CZ>(near_.empty);
   }

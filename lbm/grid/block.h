@@ -19,6 +19,8 @@ struct SurfaceFields {
   alignas(64) Real density[kBlockCells];     ///< rho - 1, written by the sweep
   /// Bound on the relaxation rate (collision/stress_limit.h), written by exchange_surface before each sweep.
   alignas(64) Real largest_rate[kBlockCells];
+  /// What interface cells have sent across their faces, by 2 axis + (1 downwards); of each step (face_sums.h).
+  alignas(64) Real sent[6][kBlockCells];
   std::array<std::uint16_t, kBlockCells> cells;  ///< the interface cells, ascending
   /// Interface cells without liquid around at the start of the step, written by exchange_surface.
   std::array<bool, kBlockCells> alone;

@@ -7,19 +7,30 @@
 
 namespace lahar::lbm {
 
-/// Velocity (CX, CY, CZ) seen ahead of the row that starts with cell `first`: the numbers at n + (CX, CY, CZ). A
-/// missing block reads as rest at density 1.
-template <int CX, int CY, int CZ, class Real>
-[[gnu::always_inline]] inline Row<Real> row_ahead(const std::array<Block<Real>*, 27>& around, int velocity, int first) {
+/// A field of the blocks around one, seen at an offset of up to one cell from the row that starts with cell `first`:
+/// the numbers at n + (CX, CY, CZ). `field(block)` is a block's own, also of a missing one (null).
+template <int CX, int CY, int CZ, class Real, class Field>
+[[gnu::always_inline]] inline Row<Real> row_at(const std::array<Block<Real>*, 27>& around, int first,
+                                               const Field& field) {
   const auto p = cell_position(first);
   const int y = p[1] + CY, z = p[2] + CZ, there = cell_index(0, y & 7, z & 7);
   const auto slot = static_cast<std::size_t>(neighbour_slot(0, y >> 3, z >> 3));
   const auto numbers = [&](const Block<Real>* block) __attribute__((always_inline)) {
-    return load<Row<Real>>(block ? block->f(velocity) + there : kRest<Real>);
+    return load<Row<Real>>(field(block) + there);
   };
   const Row<Real> near = numbers(around[slot]);
   if constexpr (CX == 1) return shuffle<1, 2, 3, 4, 5, 6, 7, 8>(near, numbers(around[slot + 9]));
+  if constexpr (CX == -1) return shuffle<7, 8, 9, 10, 11, 12, 13, 14>(numbers(around[slot - 9]), near);
   return near;
+}
+
+/// One velocity seen at an offset. A missing block reads as rest at density 1.
+template <int CX, int CY, int CZ, class Real>
+[[gnu::always_inline]] inline Row<Real> row_ahead(const std::array<Block<Real>*, 27>& around, int velocity, int first) {
+  return row_at<CX, CY, CZ>(
+      around, first, [velocity](const Block<Real>* block) __attribute__((always_inline)) {
+        return block ? block->f(velocity) : kRest<Real>;
+      });
 }
 
 /// rho - 1 after the last collision in the row that starts with cell `first` of a block with these neighbours.

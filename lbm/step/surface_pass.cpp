@@ -5,6 +5,7 @@
 
 #include "core/parallel.h"
 #include "lbm/boundary/slip_wall.h"
+#include "lbm/free_surface/face_sums.h"
 #include "lbm/free_surface/surface_exchange.h"
 #include "lbm/free_surface/surface_shear.h"
 
@@ -30,6 +31,9 @@ void SurfacePass<Real>::run(FluidLevel<Real>& level, double surface_tension) {
   const auto& owned = grid.owned();
   const bool viscous = largest > 0 && feels_surface_shear(level.parameters);
   if (viscous) measure_shears(level);
+  parallel_for(0, owned.size(), kBlocksPerTask, [&](std::size_t k) {
+    if (grid.has_surface(owned[k])) sum_over_faces(grid, owned[k], level.parity());
+  });
   parallel_for(0, owned.size(), kBlocksPerTask, [&](std::size_t k) {
     if (!grid.has_surface(owned[k])) return;
     exchange_over_mirrors(grid, owned[k], level.parity());

@@ -66,9 +66,10 @@ std::vector<Row> run(const Context& context) {
                                    fluid.liquid_mass() / draining_film(fluid.options(), steps), 2));
       }
       fluid.fill({vessel.reservoir});
-      drain(fluid, context.quick ? 500 : 3000, worst);
-      rows.push_back(
-          at_least_row(name + "wet cells after the second filling", static_cast<double>(fluid.wet_cells()), 100));
+      drain(fluid, 500, worst);
+      rows.push_back(at_least_row(name + "wet cells 500 steps after the second filling",
+                                  static_cast<double>(fluid.wet_cells()), 100));
+      if (!context.quick) drain(fluid, 2500, worst);
       rows.push_back(at_most_row(name + "in - out - left, of in, with the second filling", worst, 1e-4));
     }
     return rows;

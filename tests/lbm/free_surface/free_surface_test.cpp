@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <complex>
+#include <numbers>
+
 #include "core/check.h"
 #include "core/parallel.h"
 #include "lbm/step/dry_blocks.h"
@@ -117,6 +120,61 @@ TYPED_TEST(FreeFlight, ABlockMovesAsASolidDoes) {
   EXPECT_LT(off, 1e-12);
   EXPECT_GT(fluid.wet_cells(), 0U);
   EXPECT_FALSE(fluid.cell_at(Vec3(12.5, 12.5, 10.5))) << "it has not left";
+}
+
+/// How a wave on the upper side of a slab of water, 1/50 of its length high or less, has moved in the time that the
+/// slab needs for 32 cells: the way, and the amplitude over the first one.
+template <class Operator>
+std::pair<double, double> wave_on_a_slab(int length, double speed) {
+  constexpr double amplitude = 0.1;
+  FluidOptions o = FreeFlight<Operator>::in_gas({length, 8, 24});
+  for (const int face : {0, 1, 2, 3}) o.domain.faces[static_cast<std::size_t>(face)] = FaceKind::periodic;
+  Fluid<double> fluid(o);
+  const double k = 2 * std::numbers::pi / length;
+  std::vector<LiquidRegion> columns;
+  for (int x = 0; x < length; ++x) {
+    const double top = 14.5 + amplitude * std::sin(k * (x + 0.5));
+    columns.push_back({Vec3(x, 0, 6), Vec3(x + 1, 8, top), Vec3(speed, 0, 0)});
+  }
+  fluid.fill(columns);
+  double angle = 0;
+  std::complex<double> now(0, -1);
+  for (int s = 0; s < static_cast<int>(std::lround(32 / speed)); ++s) {
+    fluid.step();
+    std::complex<double> next = 0;
+    fluid.for_each_wet_cell([&](const WetCell& c) {
+      next += c.liquid_volume * std::polar(2.0 / (8 * length * amplitude), -k * c.centre.x());
+    });
+    angle += std::arg(now / next);
+    now = next;
+  }
+  return {angle / k, std::abs(now)};
+}
+
+/// The surface goes with the water under it, and a fast one gets no rougher (docs/decisions/0066). With the mass that
+/// whole links carry a wave goes two thirds of the way, and one of 8 cells grows by half.
+TYPED_TEST(FreeFlight, AWaveOnASlabGoesWithIt) {
+  const auto [way, size] = wave_on_a_slab<TypeParam>(32, 0.1);
+  EXPECT_NEAR(way, 32, 0.32);
+  EXPECT_NEAR(size, 1, 0.01);
+  EXPECT_LT(wave_on_a_slab<TypeParam>(8, 0.1).second, 1);
+  EXPECT_LT(wave_on_a_slab<TypeParam>(8, 0.2).second, 1);
+}
+
+/// A small block arrives whole: no part of it is left behind. With the mass that whole links carry its centre is 1.8
+/// and 1.1 cells late.
+TYPED_TEST(FreeFlight, ABlockArrivesWhole) {
+  for (const auto& [way, late] : {std::pair(Vec3(1, 0, 0), 0.1), std::pair(Vec3(1, 0.5, 0.3), 0.45)}) {
+    Fluid<double> fluid(this->in_gas({64, 40, 32}));
+    const Vec3 velocity = 0.1 * way.normalized();
+    fluid.fill({{Vec3(8, 8, 8), Vec3(16, 16, 16), velocity}});
+    for (int s = 0; s < 400; ++s) fluid.step();
+    Vec3 sum = Vec3::Zero();
+    double volume = 0;
+    fluid.for_each_wet_cell([&](const WetCell& c) { sum += c.liquid_volume * c.centre, volume += c.liquid_volume; });
+    const Vec3 behind = Vec3(12, 12, 12) + fluid.time() * velocity - sum / volume;
+    EXPECT_NEAR(behind.dot(way.normalized()), 0, late) << "along (" << way.x() << ", " << way.y() << ", ...)";
+  }
 }
 
 template <class Real>

@@ -12,6 +12,7 @@
 #include "core/parallel.h"
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/boundary/wall_reflection.h"
+#include "lbm/free_surface/face_sums.h"
 #include "lbm/free_surface/surface_exchange.h"
 #include "lbm/free_surface/surface_shear.h"
 #include "tests/lbm/flows.h"
@@ -95,6 +96,8 @@ void run_by_hand(Level& level, bool viscous) {
   std::vector<std::vector<ShearRow<double>>> shear(owned.size());
   for (std::size_t k = owned.size(); viscous && k-- > 0;)
     if (grid.has_surface(owned[k])) measure_shear(grid, owned[k], level.parameters, shear[k]);
+  for (std::size_t k = owned.size(); k-- > 0;)
+    if (grid.has_surface(owned[k])) sum_over_faces(grid, owned[k], level.parity());
   for (std::size_t k = owned.size(); k-- > 0;) {
     if (!grid.has_surface(owned[k])) continue;
     exchange_over_mirrors(grid, owned[k], level.parity());
