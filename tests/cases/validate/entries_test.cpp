@@ -124,10 +124,9 @@ INSTANTIATE_TEST_SUITE_P(FreeSurface, QuickEntry,
 INSTANTIATE_TEST_SUITE_P(GrainsInFluid, QuickEntry,
                          testing::Values("grains_in_fluid.restart", "grains_in_fluid.random_pack",
                                          "grains_in_fluid.archimedes", "grains_in_fluid.sphere_across_blocks",
-                                         "grains_in_fluid.gas_under_sphere", "grains_in_fluid.water_entry_cavity",
-                                         "grains_in_fluid.bouncing_sphere", "grains_in_fluid.momentum_audit",
-                                         "grains_in_fluid.bed_permeability", "grains_in_fluid.wet_column_collapse",
-                                         "grains_in_fluid.wet_rebound"),
+                                         "grains_in_fluid.water_entry_cavity", "grains_in_fluid.bouncing_sphere",
+                                         "grains_in_fluid.momentum_audit", "grains_in_fluid.bed_permeability",
+                                         "grains_in_fluid.wet_column_collapse", "grains_in_fluid.wet_rebound"),
                          name_of);
 
 INSTANTIATE_TEST_SUITE_P(AveragedGrains, QuickEntry,
