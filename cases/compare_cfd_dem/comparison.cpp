@@ -142,6 +142,26 @@ double mean_ratio(const CaseRun& c, const char* above, const char* below) {
   return sum_b > 0 ? sum_a / sum_b : kNone;
 }
 
+/// How much a column has changed when the first of water and grains is at the net; NaN if the run does not hold it.
+double until_arrival(const CaseRun& c, const char* column) {
+  const double arrival = std::fmin(c.metric("front_arrival_s"), c.metric("particle_arrival_s"));
+  const auto* values = c.series.find(column);
+  const auto row = std::lower_bound(c.series.time_s.begin(), c.series.time_s.end(), arrival) - c.series.time_s.begin();
+  if (!values || !std::isfinite(arrival) || row >= std::ssize(values->values)) return kNone;
+  return values->values[static_cast<std::size_t>(row)] - values->values.front();
+}
+/// Of the energy that the flow has won by then on its way down: what the grains have lost by friction and in impacts,
+/// and what the water has lost by drag and shear, of which what it gave to the grains is none.
+double grains_loss(const CaseRun& c) {
+  const double won = until_arrival(c, "grains_potential_J") + until_arrival(c, "fluid_potential_J");
+  return -(until_arrival(c, "solids_friction_J") + until_arrival(c, "solids_damping_J")) / won;
+}
+double water_loss(const CaseRun& c) {
+  const double won = until_arrival(c, "grains_potential_J") + until_arrival(c, "fluid_potential_J");
+  const double kept = until_arrival(c, "fluid_kinetic_J") + until_arrival(c, "solids_work_J");
+  return (until_arrival(c, "fluid_potential_J") + kept) / won;
+}
+
 double water_share(const CaseRun& c) {
   const double water = c.metric("barrier_fluid_impulse_Ns"), grains = c.metric("barrier_contact_impulse_Ns");
   return water / (water + grains);
@@ -162,6 +182,10 @@ std::vector<Compared> make_quantities() {
   add("froude_front", "1", "Froude number with the speed of the front", front_froude, of_table(&Flow::froude),
       "Table 5");
   add("depth", "m", "depth of the deepest section", metric("depth_at_inflow_m"), not_given, "");
+  add("grains_loss", "1", "energy that grains lose until the net, of what the flow wins on its way", grains_loss,
+      not_given, "");
+  add("water_loss", "1", "energy that water loses until the net, of what the flow wins on its way", water_loss,
+      not_given, "");
   add("e_in", "kJ", "energy that arrives, about the bed at the net", e_in, of_table(&Flow::e_in), "Table 5");
   add("e_in_lower", "kJ", "energy that arrives, about the bed 1.30 m downstream", e_in_lower, of_table(&Flow::e_in),
       "Table 5");

@@ -110,6 +110,24 @@ CaseResult made_up(double release, double e_in, double e_out, int seed = 1) {
   return result_of(run);
 }
 
+/// Of 100 J that the flow wins until the water is at the net the grains rub off 20 J; the water wins 40 J of them,
+/// keeps 15 J, gives 5 J to the grains and loses the rest.
+TEST(Comparison, SaysWhoLosesTheEnergyOfTheWay) {
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", 4.1, 1};
+  run.metrics = {{"front_arrival_s", 0.2}, {"particle_arrival_s", 0.3}};
+  run.series.time_s = {0, 0.1, 0.2, 0.3};
+  run.series.columns = {
+      {"grains_potential_J", "J", "", {70, 40, 10, 0}}, {"fluid_potential_J", "J", "", {5, -9, -35, -50}},
+      {"solids_friction_J", "J", "", {1, 4, 13, 14}},   {"solids_damping_J", "J", "", {0, 3, 8, 9}},
+      {"fluid_kinetic_J", "J", "", {0, 8, 15, 16}},     {"solids_work_J", "J", "", {0, 1, 5, 6}}};
+  const CaseResult result = result_of(run);
+  EXPECT_NEAR(result.value("grains_loss"), 0.20, 1e-12);
+  EXPECT_NEAR(result.value("water_loss"), 0.20, 1e-12);
+  run.metrics["front_arrival_s"] = run.metrics["particle_arrival_s"] = 0.4;
+  EXPECT_TRUE(std::isnan(result_of(run).value("water_loss"))) << "the run ends before";
+}
+
 TEST(Comparison, HoldsTheirsAndOurs) {
   std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10), made_up(8.6, 100, 10)};
   const std::string csv = comparison_csv(results);
