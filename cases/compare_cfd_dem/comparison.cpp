@@ -151,7 +151,7 @@ double until_arrival(const CaseRun& c, const char* column) {
   return values->values[static_cast<std::size_t>(row)] - values->values.front();
 }
 /// Of the energy that the flow has won by then on its way down: what the grains have lost by friction and in impacts,
-/// and what the water has lost by drag and shear, of which what it gave to the grains is none.
+/// and what the water has lost by drag and shear; what it gave to the grains is not lost.
 double grains_loss(const CaseRun& c) {
   const double won = until_arrival(c, "grains_potential_J") + until_arrival(c, "fluid_potential_J");
   return -(until_arrival(c, "solids_friction_J") + until_arrival(c, "solids_damping_J")) / won;

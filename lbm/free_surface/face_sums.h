@@ -4,7 +4,7 @@
 // Across the face from A to B = A + e a step carries the links along e and, by half, those that pass the face on their
 // way from one cell's column to the other's: in a uniform flow rho u . e, in water at rest nothing, link by link. Five
 // velocities have c . e = 1. Their populations that A sends less the opposite five that B sends,
-//   F = sum_(c.e = 1) f_c(A) - sum_(c.e = -1) f_c(B),
+//   Phi = sum_(c.e = 1) f_c(A) - sum_(c.e = -1) f_c(B),
 // are that flux with the links that pass beside taken from A and B themselves: equal in both cases, of second order in
 // others, and known where a link would come from gas. So are the links into walls: along a wall that holds the water
 // its own links carry nothing, but those on the other side, where it is faster, as much more; and mirrors give back

@@ -6,8 +6,8 @@
 //   dm_i = k_i N_i,  N_i = f_opposite(i) coming in - f_i that went out,
 // with k_i = 1 to liquid, (F + F_neighbour)/2 to interface, 0 to gas. Where liquid flows along its surface that moves
 // the surface at 2/3 of its speed and lets it grow rough (docs/decisions/0066). So mass crosses faces, and only as much
-// of each as is wet: all of a face to liquid; between interface cells, of which the flux F moves from A to B,
-//   a = (F_A + F_B)/2 - F (F_B - F_A)/2,
+// of each as is wet: all of a face to liquid; between interface cells, where the flux Phi goes from A to B,
+//   a = (F_A + F_B)/2 - Phi (F_B - F_A)/2,
 // the mean over the step of what lies behind the face (Lax & Wendroff); nothing to gas. The links across a face to
 // liquid are those of the lattice, so that what the liquid cell loses is what its neighbours gain: the link straight
 // across, and by half each diagonal link that passes the face on one of its two ways around the edge. What lies between
