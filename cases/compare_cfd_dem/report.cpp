@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "cases/files/output_file.h"
 #include "cases/files/text_file.h"
@@ -20,25 +21,32 @@ const Compared& quantity(const char* name) {
 /// What one curve of a figure over the flows holds together.
 struct Curve {
   std::string sweep, preset, coupling;
+  int seed;
   [[nodiscard]] std::string label() const {
     std::string text = fmt::format("{}, {}, {}", sweep, coupling, preset);
+    if (seed != 1) text += fmt::format(", seed {}", seed);
     std::replace(text.begin(), text.end(), '_', ' ');
     return text;
   }
   [[nodiscard]] bool holds(const StudyCase& c) const {
-    return c.sweep == sweep && c.preset == preset && c.coupling == coupling && c.variant == variants().front().name;
+    return c.sweep == sweep && c.preset == preset && c.coupling == coupling && c.seed == seed &&
+           c.variant == variants().front().name;
   }
 };
 
 std::vector<Curve> curves_of(const std::vector<CaseResult>& results) {
+  std::set<int> seeds;
+  for (const CaseResult& c : results) seeds.insert(c.study_case.seed);
   std::vector<Curve> curves;
   for (const Choice& sweep : sweeps())
     for (const Choice& preset : presets())
-      for (const Choice& coupling : couplings()) {
-        const Curve curve{sweep.name, preset.name, coupling.name};
-        if (std::any_of(results.begin(), results.end(), [&](const CaseResult& c) { return curve.holds(c.study_case); }))
-          curves.push_back(curve);
-      }
+      for (const Choice& coupling : couplings())
+        for (const int seed : seeds) {
+          const Curve curve{sweep.name, preset.name, coupling.name, seed};
+          if (std::any_of(results.begin(), results.end(),
+                          [&](const CaseResult& c) { return curve.holds(c.study_case); }))
+            curves.push_back(curve);
+        }
   return curves;
 }
 
@@ -65,6 +73,7 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
     ChartSeries ours{.name = curve.label(), .mark = Mark::line_and_points};
     ours.dash = curve.coupling == "resolved" ? Dash::solid : Dash::dashed;
     for (const auto& [x, y] : points) ours.x.push_back(x), ours.y.push_back(y);
+    if (points.size() == 1) ours.mark = Mark::points;
     chart.series.push_back(ours);
   }
   return chart;
