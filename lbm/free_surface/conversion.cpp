@@ -80,12 +80,12 @@ void CellConversion<Real>::run(FluidLevel<Real>& level, LiquidAccount& account) 
   make_room(grid);
   const EquilibriumOrder order = equilibrium_order(level.parameters.collision);
   for_reached([&](BlockIndex b) { refill(grid, *changes_, b, level.parity(), order); });
-  distribute(grid, level.parity());
+  distribute(grid, level.parity(), order);
   book(account);
   changes_->clear();
   list_surfaces(grid);
   account.pool -= pay_isolated_liquid(grid, with_surface_, account.pool, round_);
-  if (round_ % kVoidsEvery == 0) close_voids(grid, level.parity());
+  if (round_ % kVoidsEvery == 0) close_voids(grid, level.parity(), order);
 }
 
 /// The blocks that hold flagged cells or neighbours of them.
@@ -176,8 +176,8 @@ void CellConversion<Real>::make_room(FluidGrid<Real>& grid) {
 }
 
 template <class Real>
-void CellConversion<Real>::distribute(FluidGrid<Real>& grid, Parity parity) {
-  ExcessMass<Real> excess(grid, *changes_);
+void CellConversion<Real>::distribute(FluidGrid<Real>& grid, Parity parity, EquilibriumOrder order) {
+  ExcessMass<Real> excess(grid, *changes_, parity, order);
   for_reached([&](BlockIndex b) { excess.offer(b); });
   // Cells that bodies cover ask too, and lie beside converted ones: so their neighbours may lie one block on.
   bool claims = false, further = false;
@@ -217,8 +217,8 @@ void CellConversion<Real>::book(LiquidAccount& account) {
 }
 
 template <class Real>
-void CellConversion<Real>::close_voids(FluidGrid<Real>& grid, Parity parity) {
-  Voids<Real> voids(grid, *changes_, parity);
+void CellConversion<Real>::close_voids(FluidGrid<Real>& grid, Parity parity, EquilibriumOrder order) {
+  Voids<Real> voids(grid, *changes_, parity, order);
   parallel_for(0, with_surface_.size(), 16, [&](std::size_t k) { voids.find(with_surface_[k]); });
   for (const BlockIndex b : with_surface_)
     if (const CellSet& asking = changes_->of(b).claims.cells(); !asking.empty()) changes_->note_reach(grid, b, asking);

@@ -81,9 +81,9 @@ class CellConversion {
   void convert_flagged(Block<Real>& block, BlockChanges<Real>& own) const;
   void note_missing(const FluidGrid<Real>& grid, BlockIndex b);
   void make_room(FluidGrid<Real>& grid);
-  void distribute(FluidGrid<Real>& grid, Parity parity);
+  void distribute(FluidGrid<Real>& grid, Parity parity, EquilibriumOrder order);
   void book(LiquidAccount& account);
-  void close_voids(FluidGrid<Real>& grid, Parity parity);
+  void close_voids(FluidGrid<Real>& grid, Parity parity, EquilibriumOrder order);
 
   std::unique_ptr<LevelChanges<Real>> changes_;
   std::vector<BlockIndex> with_surface_;  // in Morton order

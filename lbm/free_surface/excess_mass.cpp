@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lbm/free_surface/liquid_transfer.h"
 #include "lbm/free_surface/touching.h"
 
 namespace lahar::lbm {
@@ -140,7 +141,7 @@ void ExcessMass<Real>::take(BlockIndex b) {
   });
   const auto spills = [](const BlockChanges<Real>& c) -> const auto& { return c.spills; };
   changes_.for_each_noted(grid_, b, kSpills, spills, [&](int cell, Real part) {
-    if (type(cell) == CellType::liquid) block.f(0)[cell] += part;
+    if (type(cell) == CellType::liquid) add_to_liquid(grid_, {b, cell}, part, parity_, order_);
   });
 }
 

@@ -18,7 +18,8 @@
 //   offer     reads types and masses around converted cells; notes gifts and claims
 //   pay       reads claims; notes what each cell that is asked pays
 //   collect   reads payments; what is left of debts is noted for liquid neighbours or the pool
-//   take      reads gifts and what is left; masses and rest populations change
+//   take      reads gifts and what is left; masses change, and what liquid cells send out (liquid_transfer.h)
+#include "lbm/collision/equilibrium.h"
 #include "lbm/free_surface/block_changes.h"
 
 namespace lahar::lbm {
@@ -26,7 +27,9 @@ namespace lahar::lbm {
 template <class Real>
 class ExcessMass {
  public:
-  ExcessMass(FluidGrid<Real>& grid, LevelChanges<Real>& changes) : grid_(grid), changes_(changes) {}
+  /// `parity` is that of the coming step, `order` that of the collision operator's equilibrium.
+  ExcessMass(FluidGrid<Real>& grid, LevelChanges<Real>& changes, Parity parity, EquilibriumOrder order)
+      : grid_(grid), changes_(changes), parity_(parity), order_(order) {}
 
   void offer(BlockIndex b);
   void pay(BlockIndex b);
@@ -41,6 +44,8 @@ class ExcessMass {
 
   FluidGrid<Real>& grid_;
   LevelChanges<Real>& changes_;
+  const Parity parity_;
+  const EquilibriumOrder order_;
 };
 
 extern template class ExcessMass<float>;

@@ -9,9 +9,6 @@ namespace lahar::lbm {
 
 namespace {
 
-/// Place of the face on one side of a cell in SurfaceFields::sent; c is 1 or -1 along `axis`.
-constexpr int face(int axis, int c) { return 2 * axis + (c < 0); }
-
 template <class Real>
 void sum_row(const std::array<Block<Real>*, 27>& around, int first, Parity parity) {
   using V = Row<Real>;

@@ -13,6 +13,9 @@
 
 namespace lahar::lbm {
 
+/// Place of the face of a cell in SurfaceFields::sent; `side` is 1 or -1 along `axis`.
+constexpr int face(int axis, int side) { return 2 * axis + (side < 0); }
+
 /// Writes SurfaceFields::sent of one block: sums of shifted populations, lu. `parity` is that of the coming step. To be
 /// called for all blocks with a surface before the exchange of the first.
 template <class Real>

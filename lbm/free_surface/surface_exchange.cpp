@@ -7,6 +7,7 @@
 #include "lbm/collision/equilibrium.h"
 #include "lbm/collision/stress_limit.h"
 #include "lbm/free_surface/curvature.h"
+#include "lbm/free_surface/face_sums.h"
 #include "lbm/free_surface/look_around.h"
 #include "lbm/free_surface/surface_gradient.h"
 #include "lbm/free_surface/surface_plane.h"
@@ -98,14 +99,13 @@ class RowExchange {
     });
   }
 
-  /// Mass that comes through the two faces across an axis (pair P): from liquid over the link, from interface cells by
-  /// the flux between the cells (face_sums.h) times the part of the face that is wet in the course of the step.
+  /// Mass that comes through the two faces across the axis of pair P: from liquid over the link, from interface cells
+  /// by the flux between the cells (face_sums.h) times the part of the face that is wet in the course of the step.
   template <int P, int CX, int CY, int CZ>
   [[gnu::always_inline]] V through_faces(int row, const Sight<V>& sight, const V& half_fill) const {
-    const V up = load<V>(block_.surface->sent[2 * P] + 8 * row),
-            down = load<V>(block_.surface->sent[2 * P + 1] + 8 * row);
-    const V flux_ahead = up - sent_beside<CX, CY, CZ>(2 * P + 1, row);
-    const V flux_behind = sent_beside<-CX, -CY, -CZ>(2 * P, row) - down;
+    constexpr int axis = CX != 0 ? 0 : CY != 0 ? 1 : 2, up = face(axis, 1), down = face(axis, -1);
+    const V flux_ahead = load<V>(block_.surface->sent[up] + 8 * row) - sent_beside<CX, CY, CZ>(down, row);
+    const V flux_behind = sent_beside<-CX, -CY, -CZ>(up, row) - load<V>(block_.surface->sent[down] + 8 * row);
     const V ahead = sight.template full<CX, CY, CZ>(), behind = sight.template full<-CX, -CY, -CZ>(), none(0);
     const V wet_ahead = ahead + half_fill - flux_ahead * (ahead - half_fill);
     const V wet_behind = behind + half_fill - flux_behind * (half_fill - behind);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lbm/free_surface/liquid_transfer.h"
 #include "lbm/free_surface/touching.h"
 
 namespace lahar::lbm {
@@ -63,7 +64,9 @@ template <class Real>
 void Voids<Real>::close(BlockIndex b) {
   BlockChanges<Real>& own = changes_.of(b);
   Block<Real>& block = grid_.block(b);
-  own.payers.for_each([&](int cell, const Payer<Real>& payer) { block.f(0)[cell] -= payer.paid; });
+  own.payers.for_each([&](int cell, const Payer<Real>& payer) {
+    add_to_liquid(grid_, {b, cell}, -payer.paid, parity_, order_);
+  });
   own.claims.for_each([&](int cell, const Claim<Real>& claim) {
     for (int i = 1; i < D3Q19::q; ++i) {
       const CellPlace next = grid_.neighbour({b, cell}, i);

@@ -9,6 +9,8 @@
 namespace lahar::validate {
 namespace {
 
+constexpr int kFilling = 500;  ///< steps after which both fillings are looked at: over the wall, not yet drained
+
 /// Water behind a wall of 12 cells with a slot of 3 at its foot overtops it, drains through the slot and off an open
 /// end; then the tank is filled again.
 struct Vessel {
@@ -55,7 +57,9 @@ std::vector<Row> run(const Context& context) {
       fluid.fill({vessel.reservoir});
       const double start = fluid.liquid_mass();
       double worst = 0;
-      drain(fluid, steps, worst);
+      drain(fluid, kFilling, worst);
+      const auto first_wet = static_cast<double>(fluid.wet_cells());
+      drain(fluid, steps - kFilling, worst);
       if (slip) {
         rows.push_back(at_most_row(name + "wet cells left", static_cast<double>(fluid.wet_cells()), 0));
         rows.push_back(at_most_row(name + "liquid left, of all", std::abs(fluid.liquid_mass()) / start, 1e-9));
@@ -66,9 +70,9 @@ std::vector<Row> run(const Context& context) {
                                    fluid.liquid_mass() / draining_film(fluid.options(), steps), 2));
       }
       fluid.fill({vessel.reservoir});
-      drain(fluid, 500, worst);
-      rows.push_back(at_least_row(name + "wet cells 500 steps after the second filling",
-                                  static_cast<double>(fluid.wet_cells()), 100));
+      drain(fluid, kFilling, worst);
+      rows.push_back(relative_row(name + "wet cells 500 steps after the second filling; after the first",
+                                  static_cast<double>(fluid.wet_cells()), first_wet, 0.05));
       if (!context.quick) drain(fluid, 2500, worst);
       rows.push_back(at_most_row(name + "in - out - left, of in, with the second filling", worst, 1e-4));
     }

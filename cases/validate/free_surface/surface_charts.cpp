@@ -35,4 +35,15 @@ void draw_front(const Context& context, const std::string& name, const std::vect
       .write_all(context.plots / (name + ".png"));
 }
 
+void draw_depths(const Context& context, const std::string& name, const std::string& title,
+                 const std::vector<double>& place, const std::vector<double>& depth, const std::string& author,
+                 const std::vector<double>& exact) {
+  if (context.plots.empty()) return;
+  const cases::ChartSeries ours{.name = "Lahar", .x = place, .y = depth};
+  const cases::ChartSeries theirs{
+      .name = author, .x = place, .y = exact, .dash = cases::Dash::dashed, .colour = cases::ChartColour::black};
+  cases::Chart{.title = title, .x = {"x / h_{0}"}, .y = {"h / h_{0}"}, .series = {ours, theirs}}.write_all(
+      context.plots / (name + ".png"));
+}
+
 }  // namespace lahar::validate

@@ -14,4 +14,9 @@ void draw_gravity_wave(const Context& context, double reynolds, double period, c
 void draw_front(const Context& context, const std::string& name, const std::vector<double>& time,
                 const std::vector<double>& front, std::span<const std::pair<double, double>> measured);
 
+/// Depths along a stream, ours and the exact ones, over the depth upstream of it (as places are).
+void draw_depths(const Context& context, const std::string& name, const std::string& title,
+                 const std::vector<double>& place, const std::vector<double>& depth, const std::string& author,
+                 const std::vector<double>& exact);
+
 }  // namespace lahar::validate

@@ -2,16 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
 namespace {
 
-/// Water at rest, 0.24 m deep; voids are put into it next to each other, at a corner of blocks.
+/// Water, 0.24 m deep, at rest or moving as a whole; voids are put into it next to each other, at a corner of blocks.
 class VoidsTest : public testing::Test {
  protected:
-  VoidsTest() : fluid_(tank_options(Vec3(0.4, 0.4, 0.4), 0.02, 3.0)), grid_(fluid_.grid()) {
-    fluid_.fill({{Vec3::Zero(), Vec3(0.4, 0.4, 0.24)}});
+  explicit VoidsTest(const Vec3& velocity = Vec3::Zero())
+      : fluid_(tank_options(Vec3(0.4, 0.4, 0.4), 0.02, 3.0)), grid_(fluid_.grid()) {
+    fluid_.fill({{Vec3::Zero(), Vec3(0.4, 0.4, 0.24), velocity}});
     changes_.fit(grid_);
   }
   CellPlace make_void(const Vec3i& cell, double mass) {
@@ -23,7 +26,7 @@ class VoidsTest : public testing::Test {
     return p;
   }
   void close() {
-    Voids<double> voids(grid_, changes_, fluid_.parity());
+    Voids<double> voids(grid_, changes_, fluid_.parity(), EquilibriumOrder::fourth);
     for (const BlockIndex b : grid_.owned())
       if (grid_.has_surface(b)) {
         voids.find(b);
@@ -63,6 +66,23 @@ TEST_F(VoidsTest, TakeNoMoreThanHalfOfThePressure) {
   close();
   EXPECT_NEAR(pressure(between), start / 2, 1e-14);
   EXPECT_NEAR(fluid_.liquid_mass() / before, 1, 1e-14);
+}
+
+class VoidsInAStream : public VoidsTest {
+ protected:
+  VoidsInAStream() : VoidsTest(Vec3(0.9, -0.4, 0.2)) {}
+};
+
+/// What goes into a void takes its momentum along: those who pay go on as they did, and with them the whole.
+TEST_F(VoidsInAStream, TakeLiquidWithItsMomentum) {
+  const CellPlace a = make_void({8, 8, 4}, 0.3), beside = {a.block, a.cell + 1};
+  const double start = pressure(beside);
+  const CellMoments<double> before = outgoing_moments(grid_, beside, fluid_.parity());
+  ASSERT_GT(std::abs(before.u[0]), 0.01);
+  close();
+  ASSERT_LT(pressure(beside), 0.9 * start);
+  const CellMoments<double> after = outgoing_moments(grid_, beside, fluid_.parity());
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(after.u[k], before.u[k], 1e-16 + 1e-14 * std::abs(before.u[k]));
 }
 
 }  // namespace
