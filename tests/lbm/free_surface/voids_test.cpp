@@ -73,7 +73,7 @@ class VoidsInAStream : public VoidsTest {
   VoidsInAStream() : VoidsTest(Vec3(0.9, -0.4, 0.2)) {}
 };
 
-/// What goes into a void takes its momentum along: those who pay go on as they did, and with them the whole.
+/// What goes into a void takes its momentum along: a cell that pays goes on as it did.
 TEST_F(VoidsInAStream, TakeLiquidWithItsMomentum) {
   const CellPlace a = make_void({8, 8, 4}, 0.3), beside = {a.block, a.cell + 1};
   const double start = pressure(beside);
