@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/parallel.h"
-
 namespace lahar::dem {
 
 namespace {
+
+constexpr double kNowhere = std::numeric_limits<double>::quiet_NaN();
 
 /// Eight particles, one row per number.
 struct EightBodies {
@@ -37,29 +37,33 @@ void for_each_number(EightBodies& e, const Particles& p, const std::vector<doubl
 
 }  // namespace
 
-void ContactBodies::pack(const Particles& p, const ContactParties& parties, const std::vector<double>& damping,
-                         double dt, const MeanMotion* mean) {
-  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+void ContactBodies::make_room(const ContactParties& parties) {
   const std::size_t places = parties.particle.size();
   rows_.resize(4 * (places + 1));
-  // At most eight places; the arithmetic is the same wherever they lie.
-  const auto pack_eight = [&](std::size_t first, std::size_t count) {
-    const ParticleIndex* index = &parties.particle[first];
+  store_aligned(rows_[4 * places], Row<double>{kNowhere, kNowhere, kNowhere, 0, 0, 0, 0, 0});
+  store_aligned(rows_[4 * places + 1], Row<double>{0, 0, 0, 0, 0, 0, 0, 1});
+  store_aligned(rows_[4 * places + 2], Row<double>{0, 0, 0, 0, 0, 0, 1, 1});
+}
+
+void ContactBodies::pack(const Particles& p, const ContactParties& parties, std::span<const std::uint32_t> places,
+                         const std::vector<double>& damping, double dt, const MeanMotion* mean) {
+  for (std::size_t n = 0; n < places.size(); n += kRow) {  // the arithmetic is the same wherever they lie
+    const std::size_t count = std::min(kRow, places.size() - n);
+    std::array<ParticleIndex, kRow> index;
+    for (std::size_t l = 0; l < kRow; ++l) index[l] = parties.particle[places[n + std::min(l, count - 1)]];
     EightBodies e;
     if (count == kRow && index[kRow - 1] - index[0] == kRow - 1) {
       for_each_number(e, p, damping, mean, [&](Row<double>& to, const std::vector<double>& from) {
         to = load<Row<double>>(&from[index[0]]);
       });
     } else {
-      std::array<ParticleIndex, kRow> at;
-      for (std::size_t l = 0; l < kRow; ++l) at[l] = index[std::min(l, count - 1)];
       for_each_number(e, p, damping, mean, [&](Row<double>& to, const std::vector<double>& from) {
-        to = gather<Row<double>>(from.data(), at.data());
+        to = gather<Row<double>>(from.data(), index.data());
       });
     }
     auto removed = Mask<double, kRow>::all(false);
     for (std::size_t l = 0; l < count; ++l) removed.set(l, p.state[index[l]] == ParticleState::removed);
-    e.x[0] = select(removed, Row<double>(nowhere), e.x[0]);
+    e.x[0] = select(removed, Row<double>(kNowhere), e.x[0]);
 
     const Row<double> kick = (0.5 * dt) * e.inverse_mass;
     const Row<double> turn = select(e.inverse_mass > 0, (0.5 * dt) / e.inertia, Row<double>{});
@@ -78,17 +82,12 @@ void ContactBodies::pack(const Particles& p, const ContactParties& parties, cons
     transpose(b);
     transpose(c);
     for (std::size_t l = 0; l < count; ++l) {
-      store_aligned(rows_[4 * (first + l)], a[l]);
-      store_aligned(rows_[4 * (first + l) + 1], b[l]);
-      store_aligned(rows_[4 * (first + l) + 2], c[l]);
+      double* rows = rows_[4 * static_cast<std::size_t>(places[n + l])];
+      store_aligned(rows, a[l]);
+      store_aligned(rows + kRow, b[l]);
+      store_aligned(rows + 2 * kRow, c[l]);
     }
-  };
-  parallel_for_even_chunks(places, 512, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; k += kRow) pack_eight(k, std::min(kRow, last - k));
-  });
-  store_aligned(rows_[4 * places], Row<double>{nowhere, nowhere, nowhere, 0, 0, 0, 0, 0});
-  store_aligned(rows_[4 * places + 1], Row<double>{0, 0, 0, 0, 0, 0, 0, 1});
-  store_aligned(rows_[4 * places + 2], Row<double>{0, 0, 0, 0, 0, 0, 1, 1});
+  }
 }
 
 }  // namespace lahar::dem

@@ -2,6 +2,7 @@
 // What contact evaluation reads of a particle: three rows of eight numbers, arranged so that what a contact needs of
 // its two spheres is the difference or the sum of their rows. A fourth row takes what the particle gets.
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/row_field.h"
@@ -10,7 +11,7 @@
 
 namespace lahar::dem {
 
-/// The rows of the particles that have a place among the parties of contacts (SI units; spin in rad/s):
+/// The rows of particles that have a place among the parties of contacts (SI units; spin in rad/s):
 /// 0: position, velocity at mid-step, velocity at the end of the step (x, y)
 /// 1: velocity at the end (z), spin at mid-step, sum of the dampers of its contacts / mass, two spare, radius
 /// 2: radius x spin at mid-step, radius x spin at the end, inverse mass, radius
@@ -19,11 +20,13 @@ namespace lahar::dem {
 /// that never touches.
 class ContactBodies {
  public:
-  /// `particles.force` must still hold the sums of the last step, and `damping` the sums of its dampers (N s/m, per
-  /// particle). Where velocities change within it, `mean` gives those that count as mid-step ones. Removed particles
-  /// get a position that is not a number, so that they never touch.
-  void pack(const Particles& particles, const ContactParties& parties, const std::vector<double>& damping, double dt,
-            const MeanMotion* mean = nullptr);
+  /// To be called before `pack`.
+  void make_room(const ContactParties& parties);
+  /// Packs the particles at `places`, which ascend. `particles.force` must still hold the sums of the last step, and
+  /// `damping` the sums of its dampers (N s/m, per particle). Where velocities change within it, `mean` gives those
+  /// that count as mid-step ones. Removed particles get a position that is not a number, so that they never touch.
+  void pack(const Particles& particles, const ContactParties& parties, std::span<const std::uint32_t> places,
+            const std::vector<double>& damping, double dt, const MeanMotion* mean = nullptr);
   /// Numbers from one place to the next.
   static constexpr std::size_t kStride = 4 * kRow;
   [[nodiscard]] const double* data() const { return rows_[0]; }

@@ -88,7 +88,7 @@ struct ContactParties {
 ///
 /// Two lists, one inside the other (as in molecular dynamics: Pall & Hess 2013, Comput. Phys. Commun. 184:2641): the
 /// neighbour list with a wide skin comes from cells and holds long; the slots are its pairs within a narrow skin, found
-/// by running through it. Few slots then do not touch, and the contact loop takes them all. The narrow skin widens
+/// by running through it. Of them the contact loop takes those that touch (active_contacts.h). The narrow skin widens
 /// where particles are fast and thins where they rest.
 class ContactDetection {
  public:

@@ -10,7 +10,9 @@
 
 namespace lahar::dem {
 
+/// Eight active slots, and the numbers of all.
 struct PairContacts::Eight {
+  const std::uint32_t* slot;
   const std::uint32_t *owner, *partner;  // where their rows begin
   const std::uint16_t* material;
   double *x, *y, *z, *stiffness, *normal_force, *damping_force;  // history
@@ -25,28 +27,30 @@ struct PairContacts::Arms {
   Row<double> i, j;
 };
 
-/// The last slots of a chunk, less than eight, in a place of their own: the next ones belong to other threads.
+/// The last active slots of a chunk, less than eight, in a place of their own, filled up with what never touches.
 struct PairContacts::Tail {
   template <class T>
   using Numbers = std::array<T, kRow>;
+  static constexpr Numbers<std::uint32_t> kSlot{0, 1, 2, 3, 4, 5, 6, 7};
   Numbers<std::uint32_t> owner, partner;
   Numbers<std::uint16_t> material;
   Numbers<double> x{}, y{}, z{}, stiffness{}, normal_force{}, damping_force{};
   Numbers<std::uint8_t> touching{};
   Numbers<Triple> rolling{};
+  Numbers<ContactTally> of_rolling{};
   alignas(64) std::array<double, kRow * kRow> on_partner;
 
-  /// Idle lanes hold what never touches.
   Tail(const Eight& at, std::size_t count, std::uint32_t nobody) {
-    owner.fill(nobody), partner.fill(nobody), material.fill(at.material[0]);
+    owner.fill(nobody), partner.fill(nobody), material.fill(at.material[at.slot[0]]);
     copy(at, count, true);
-    std::copy_n(at.owner, count, owner.data());
-    std::copy_n(at.partner, count, partner.data());
-    std::copy_n(at.material, count, material.data());
+    for (std::size_t l = 0; l < count; ++l) {
+      const std::uint32_t k = at.slot[l];
+      owner[l] = at.owner[k], partner[l] = at.partner[k], material[l] = at.material[k];
+    }
   }
-  /// Lanes that are idle book nothing.
-  [[nodiscard]] Eight eight(bool rolls, ContactTally* of_rolling) {
-    return {owner.data(),
+  [[nodiscard]] Eight eight(const Eight& at) {
+    return {kSlot.data(),
+            owner.data(),
             partner.data(),
             material.data(),
             x.data(),
@@ -56,20 +60,23 @@ struct PairContacts::Tail {
             normal_force.data(),
             damping_force.data(),
             touching.data(),
-            rolls ? rolling.data() : nullptr,
+            at.rolling != nullptr ? rolling.data() : nullptr,
             on_partner.data(),
-            of_rolling};
+            at.of_rolling != nullptr ? of_rolling.data() : nullptr};
   }
   void copy(const Eight& at, std::size_t count, bool in) {
-    const auto move = [&](auto* theirs, auto* ours) {
-      in ? std::copy_n(theirs, count, ours) : std::copy_n(ours, count, theirs);
-    };
-    move(at.x, x.data()), move(at.y, y.data()), move(at.z, z.data());
-    move(at.stiffness, stiffness.data()), move(at.normal_force, normal_force.data());
-    move(at.damping_force, damping_force.data());
-    move(at.touching, touching.data());
-    if (at.rolling != nullptr) move(at.rolling, rolling.data());
-    if (!in) std::copy_n(on_partner.data(), kRow * count, at.on_partner);
+    for (std::size_t l = 0; l < count; ++l) {
+      const std::uint32_t k = at.slot[l];
+      const auto move = [&](auto& theirs, auto& ours) { in ? ours = theirs : theirs = ours; };
+      move(at.x[k], x[l]), move(at.y[k], y[l]), move(at.z[k], z[l]);
+      move(at.stiffness[k], stiffness[l]), move(at.normal_force[k], normal_force[l]);
+      move(at.damping_force[k], damping_force[l]);
+      move(at.touching[k], touching[l]);
+      if (at.rolling != nullptr) move(at.rolling[k], rolling[l]);
+      if (in) continue;
+      if (at.of_rolling != nullptr) at.of_rolling[k] = of_rolling[l];
+      std::copy_n(on_partner.data() + kRow * l, kRow, at.on_partner + kRow * k);
+    }
   }
 };
 
@@ -89,6 +96,7 @@ void PairContacts::note_slots(const Particles& p, const ContactDetection& contac
     owner_at_[k] = static_cast<std::uint32_t>(ContactBodies::kStride * parties.owner[k]);
     partner_at_[k] = static_cast<std::uint32_t>(ContactBodies::kStride * parties.partner[k]);
   });
+  active_.note_slots(contacts);
   one_material_ = std::all_of(material_.begin(), material_.end(), [&](auto m) { return m == material_[0]; });
   const bool by_id = p.numbering.by_id();
   id_of_place_.clear();
@@ -98,28 +106,35 @@ void PairContacts::note_slots(const Particles& p, const ContactDetection& contac
   of_rolling_.assign(by_id || !slots.rolls ? 0 : slots.size(), {});
 }
 
-namespace {
+void PairContacts::pack(const Particles& p, const ContactDetection& contacts, const std::vector<double>& damping,
+                        double dt, const MeanMotion* mean) {
+  const std::size_t chunks = contacts.parties().first_place.size() - 1;
+  parallel_for(0, chunks, 4, [&](std::size_t chunk) { active_.find_slots(p, contacts, chunk); });
+  bodies_.make_room(contacts.parties());
+  parallel_for(0, chunks, 4, [&](std::size_t chunk) {
+    active_.find_places(contacts, chunk);
+    bodies_.pack(p, contacts.parties(), active_.places(chunk), damping, dt, mean);
+  });
+}
 
 /// Differences or sums of the rows of eight pairs of spheres, turned: one row per number.
-[[gnu::always_inline]] inline std::array<Row<double>, kRow> together(const double* rows, const std::uint32_t* owner,
-                                                                     const std::uint32_t* partner,
-                                                                     const Row<double>& sign) {
+[[gnu::always_inline]] inline std::array<Row<double>, kRow> PairContacts::together(const double* rows, const Eight& at,
+                                                                                   const Row<double>& sign) {
   std::array<Row<double>, kRow> a;
   for (std::size_t l = 0; l < kRow; ++l)
-    a[l] = load_aligned<Row<double>>(rows + owner[l]) + sign * load_aligned<Row<double>>(rows + partner[l]);
+    a[l] = load_aligned<Row<double>>(rows + at.owner[at.slot[l]]) +
+           sign * load_aligned<Row<double>>(rows + at.partner[at.slot[l]]);
   transpose(a);
   return a;
 }
-
-}  // namespace
 
 /// Fetches what eight contacts need of their spheres.
 [[gnu::always_inline]] inline void PairContacts::gather(EightContacts& c, Arms& arms, const Eight& at,
                                                         const ContactMaterials& materials) const {
   const double* rows = bodies_.data();
-  const auto a = together(rows, at.owner, at.partner, Row<double>(-1));
-  const auto b = together(rows + kRow, at.owner, at.partner, Row<double>{-1, 1, 1, 1, 1, 1, 1, 1});
-  const auto d = together(rows + 2 * kRow, at.owner, at.partner, Row<double>{1, 1, 1, 1, 1, 1, 1, -1});
+  const auto a = together(rows, at, Row<double>(-1));
+  const auto b = together(rows + kRow, at, Row<double>{-1, 1, 1, 1, 1, 1, 1, 1});
+  const auto d = together(rows + 2 * kRow, at, Row<double>{1, 1, 1, 1, 1, 1, 1, -1});
   c.slip = {a[3], a[4], a[5]};
   c.slip_end = {a[6], a[7], b[0]};
   c.spin = {b[1], b[2], b[3]};
@@ -133,13 +148,13 @@ namespace {
   arms = {radius_i - 0.5 * c.overlap, radius_j - 0.5 * c.overlap};
 
   if (one_material_) {
-    const double* m = materials[at.material[0]];
+    const double* m = materials[at.material[at.slot[0]]];
     c.modulus = Row<double>(m[0]), c.shear_modulus = Row<double>(m[1]);
     c.friction = Row<double>(m[2]), c.damping_ratio = Row<double>(m[3]);
     return;
   }
   std::array<Row<double>, kRow> m;
-  for (std::size_t l = 0; l < kRow; ++l) m[l] = load_aligned<Row<double>>(materials[at.material[l]]);
+  for (std::size_t l = 0; l < kRow; ++l) m[l] = load_aligned<Row<double>>(materials[at.material[at.slot[l]]]);
   transpose(m);
   c.modulus = m[0], c.shear_modulus = m[1], c.friction = m[2], c.damping_ratio = m[3];
 }
@@ -150,10 +165,11 @@ void PairContacts::roll(const EightContacts& c, const ContactHistoryOf<Row<doubl
                         double dt, std::array<Row<double>, kRow>& on_owner, std::array<Row<double>, kRow>& on_partner,
                         ContactTally& tally) const {
   for (std::size_t l = 0; l < kRow; ++l) {
+    const std::uint32_t k = at.slot[l];
     RollingState state;
-    state.rolling_friction = materials[at.material[l]][ContactMaterials::kRollingFriction];
-    if (state.rolling_friction == 0 || (!c.touches[l] && at.touching[l] == 0)) continue;
-    const double *i = bodies_.data() + at.owner[l], *j = bodies_.data() + at.partner[l];  // see contact_bodies.h
+    state.rolling_friction = materials[at.material[k]][ContactMaterials::kRollingFriction];
+    if (state.rolling_friction == 0 || (!c.touches[l] && at.touching[k] == 0)) continue;
+    const double *i = bodies_.data() + at.owner[k], *j = bodies_.data() + at.partner[k];  // see contact_bodies.h
     const auto difference = [&](std::size_t first) {  // of the spins that make the rims' velocities there
       const double *a = i + 2 * kRow + first, *b = j + 2 * kRow + first, ri = i[2 * kRow + 7], rj = j[2 * kRow + 7];
       return Triple{a[0] / ri - b[0] / rj, a[1] / ri - b[1] / rj, a[2] / ri - b[2] / rj};
@@ -163,9 +179,9 @@ void PairContacts::roll(const EightContacts& c, const ContactHistoryOf<Row<doubl
                                    inverse_rolling_inertia(j[2 * kRow + 6], j[2 * kRow + 7]);
     state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
     ContactTally booked;
-    const Triple torque = roll_lane(c, history, l, state, stiffness_before[l], dt, at.rolling[l], booked);
+    const Triple torque = roll_lane(c, history, l, state, stiffness_before[l], dt, at.rolling[k], booked);
     tally += booked;
-    if (at.of_rolling != nullptr) at.of_rolling[l] = booked;
+    if (at.of_rolling != nullptr) at.of_rolling[k] = booked;
     const Row<double> row{0, 0, 0, torque.x, torque.y, torque.z, 0, 0};
     on_owner[l] += row;
     on_partner[l] -= row;
@@ -180,18 +196,22 @@ template <ContactLaw L>
   EightContacts c;
   Arms arms;
   gather(c, arms, at, materials);
-  const Row<double> stiffness_before = load<Row<double>>(at.stiffness);
-  ContactHistoryOf<Row<double>> h{{load<Row<double>>(at.x), load<Row<double>>(at.y), load<Row<double>>(at.z)},
-                                  stiffness_before,
-                                  load<Row<double>>(at.normal_force),
-                                  load<Row<double>>(at.damping_force)};
+  const auto read = [&](const double* of) __attribute__((always_inline)) {
+    return lahar::gather<Row<double>>(of, at.slot);
+  };
+  const Row<double> stiffness_before = read(at.stiffness);
+  ContactHistoryOf<Row<double>> h{
+      {read(at.x), read(at.y), read(at.z)}, stiffness_before, read(at.normal_force), read(at.damping_force)};
   const EightAnswers f = dem::evaluate(c, h, law, dt);
-  store(at.x, h.tangential_displacement.x);
-  store(at.y, h.tangential_displacement.y);
-  store(at.z, h.tangential_displacement.z);
-  store(at.stiffness, h.tangential_stiffness);
-  store(at.normal_force, h.normal_force);
-  store(at.damping_force, h.damping_force);
+  const auto write = [&](double* of, const Row<double>& numbers) __attribute__((always_inline)) {
+    for (std::size_t l = 0; l < kRow; ++l) of[at.slot[l]] = numbers[l];
+  };
+  write(at.x, h.tangential_displacement.x);
+  write(at.y, h.tangential_displacement.y);
+  write(at.z, h.tangential_displacement.z);
+  write(at.stiffness, h.tangential_stiffness);
+  write(at.normal_force, h.normal_force);
+  write(at.damping_force, h.damping_force);
 
   const Rows3 torque_i = arms.i * f.twist, torque_j = arms.j * f.twist;
   std::array<Row<double>, kRow> on_owner{f.force.x,  f.force.y,  f.force.z,      torque_i.x,
@@ -201,18 +221,21 @@ template <ContactLaw L>
   transpose(on_owner);
   transpose(on_partner);
   if (at.rolling != nullptr) roll(c, h, stiffness_before, at, materials, dt, on_owner, on_partner, tally);
-  store(at.touching, c.touches);
+  const unsigned touches = c.touches.bits();
   double* sums = bodies_.sums();
   for (std::size_t l = 0; l < kRow; ++l) {
-    store_aligned(sums + at.owner[l], load_aligned<Row<double>>(sums + at.owner[l]) + on_owner[l]);
-    store_aligned(at.on_partner + kRow * l, on_partner[l]);
+    const std::uint32_t k = at.slot[l];
+    at.touching[k] = static_cast<std::uint8_t>(touches >> l & 1U);
+    double* sum = sums + at.owner[k];
+    store_aligned(sum, load_aligned<Row<double>>(sum) + on_owner[l]);
+    store_aligned(at.on_partner + kRow * k, on_partner[l]);
   }
 }
 
 /// Prefetches the rows of the partners in eight slots, which lie apart, while others are evaluated.
-[[gnu::always_inline]] inline void PairContacts::prefetch_partners(std::size_t slot) const {
+[[gnu::always_inline]] inline void PairContacts::prefetch_partners(const std::uint32_t* slot) const {
   for (std::size_t l = 0; l < kRow; ++l) {
-    const double* const rows = bodies_.data() + partner_at_[slot + l];
+    const double* const rows = bodies_.data() + partner_at_[slot[l]];
     for (std::size_t row = 0; row < 3; ++row) __builtin_prefetch(rows + row * kRow);
   }
 }
@@ -222,42 +245,47 @@ void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const
                                  std::size_t chunk, ContactTally& tally) {
   ContactSlots& slots = contacts.pairs();
   SlotHistories& h = slots.history;
-  const ContactParties& t = contacts.parties();
-  const std::size_t particles = slots.offset.size() - 1, first = chunk * kContactChunk;
-  for (std::size_t p = t.first_place[chunk]; p < t.first_place[chunk + 1]; ++p)
-    store_aligned(bodies_.sum(p), Row<double>{});
-  const std::size_t end = slots.offset[std::min(first + kContactChunk, particles)];
-  if (!of_rolling_.empty()) std::fill(&of_rolling_[slots.offset[first]], of_rolling_.data() + end, ContactTally{});
-  for (std::size_t k = slots.offset[first]; k < end; k += kRow) {
-    const Eight at{&owner_at_[k],
-                   &partner_at_[k],
-                   &material_[k],
-                   &h.x[k],
-                   &h.y[k],
-                   &h.z[k],
-                   &h.stiffness[k],
-                   &h.normal_force[k],
-                   &h.damping_force[k],
-                   &slots.touching[k],
-                   slots.rolls ? &slots.rolling[k] : nullptr,
-                   on_partner_[k],
-                   of_rolling_.empty() ? nullptr : &of_rolling_[k]};
-    const std::size_t count = std::min(kRow, end - k);
-    if (k + 3 * kRow <= end) prefetch_partners(k + 2 * kRow);
-    if (count == kRow) {
+  for (const std::uint32_t p : active_.places(chunk)) store_aligned(bodies_.sum(p), Row<double>{});
+  if (!of_rolling_.empty()) {
+    const std::size_t first = chunk * kContactChunk, last = std::min(first + kContactChunk, slots.offset.size() - 1);
+    std::fill(&of_rolling_[slots.offset[first]], of_rolling_.data() + slots.offset[last], ContactTally{});
+  }
+  Eight at{nullptr,
+           owner_at_.data(),
+           partner_at_.data(),
+           material_.data(),
+           h.x.data(),
+           h.y.data(),
+           h.z.data(),
+           h.stiffness.data(),
+           h.normal_force.data(),
+           h.damping_force.data(),
+           slots.touching.data(),
+           slots.rolls ? slots.rolling.data() : nullptr,
+           on_partner_[0],
+           of_rolling_.empty() ? nullptr : of_rolling_.data()};
+  const std::span<const std::uint32_t> active = active_.slots(chunk);
+  for (std::size_t n = 0; n < active.size(); n += kRow) {
+    at.slot = &active[n];
+    if (n + 3 * kRow <= active.size()) prefetch_partners(&active[n + 2 * kRow]);
+    if (n + kRow <= active.size()) {
       evaluate_eight(law, at, materials, dt, tally);
       continue;
     }
-    Tail tail(at, count, static_cast<std::uint32_t>(ContactBodies::kStride * t.particle.size()));
-    evaluate_eight(law, tail.eight(slots.rolls, at.of_rolling), materials, dt, tally);
-    tail.copy(at, count, false);
+    Tail tail(at, active.size() - n,
+              static_cast<std::uint32_t>(ContactBodies::kStride * contacts.parties().particle.size()));
+    evaluate_eight(law, tail.eight(at), materials, dt, tally);
+    tail.copy(at, active.size() - n, false);
   }
   double damping = 0;  // partners bring the work of friction in the same place
-  for (std::size_t p = t.first_place[chunk]; p < t.first_place[chunk + 1]; ++p) {
-    double* at = bodies_.sum(p);
-    damping += at[6];
-    if (!id_of_place_.empty()) energies_[id_of_place_[p]].damping = at[6];
-    at[6] = 0;
+  const std::vector<std::uint32_t>& first_place = contacts.parties().first_place;
+  for (std::size_t p = first_place[chunk]; !id_of_place_.empty() && p < first_place[chunk + 1]; ++p)
+    energies_[id_of_place_[p]] = {};
+  for (const std::uint32_t p : active_.places(chunk)) {
+    double* sum = bodies_.sum(p);
+    damping += sum[6];
+    if (!id_of_place_.empty()) energies_[id_of_place_[p]].damping = sum[6];
+    sum[6] = 0;
   }
   tally.damping += damping;
 }
@@ -269,31 +297,32 @@ void PairContacts::evaluate(const ContactLawChoice& law, ContactDetection& conta
 
 void PairContacts::add_partners(Particles& particles, std::vector<double>& damping, const ContactDetection& contacts,
                                 std::size_t chunk, ContactTally& tally) {
-  const ContactParties& t = contacts.parties();
-  for (std::size_t n = t.first_partner[chunk]; n < t.first_partner[chunk + 1]; ++n) {
-    double* sum = bodies_.sum(t.as_partner[n].place);
-    store_aligned(sum, load_aligned<Row<double>>(sum) + load_aligned<Row<double>>(on_partner_[t.as_partner[n].slot]));
+  for (const ContactParties::Partner& n : active_.as_partner(chunk)) {
+    double* sum = bodies_.sum(n.place);
+    store_aligned(sum, load_aligned<Row<double>>(sum) + load_aligned<Row<double>>(on_partner_[n.slot]));
   }
   double friction = 0;
-  const std::size_t end = t.first_place[chunk + 1];
   const auto each = [&](const auto& add) {
     add(0, particles.force.x), add(1, particles.force.y), add(2, particles.force.z);
     add(3, particles.torque.x), add(4, particles.torque.y), add(5, particles.torque.z);
     add(7, damping);
   };
-  for (std::size_t p = t.first_place[chunk]; p < end; p += kRow) {
-    const std::size_t count = std::min(kRow, end - p);
-    const ParticleIndex* index = &t.particle[p];
+  const std::span<const std::uint32_t> places = active_.places(chunk);
+  for (std::size_t n = 0; n < places.size(); n += kRow) {
+    const std::size_t count = std::min(kRow, places.size() - n);
+    std::array<ParticleIndex, kRow> index{};
     std::array<Row<double>, kRow> sum{};
     for (std::size_t l = 0; l < count; ++l) {
-      sum[l] = load_aligned<Row<double>>(bodies_.sum(p + l));
-      friction += bodies_.sum(p + l)[6];
-      if (!id_of_place_.empty()) energies_[id_of_place_[p + l]].friction = sum[l][6];
+      const std::uint32_t p = places[n + l];
+      index[l] = contacts.parties().particle[p];
+      sum[l] = load_aligned<Row<double>>(bodies_.sum(p));
+      friction += sum[l][6];
+      if (!id_of_place_.empty()) energies_[id_of_place_[p]].friction = sum[l][6];
     }
     if (count == kRow && index[kRow - 1] - index[0] == kRow - 1) {
       transpose(sum);
       each([&](std::size_t number, std::vector<double>& to) {
-        store(&to[*index], load<Row<double>>(&to[*index]) + sum[number]);
+        store(&to[index[0]], load<Row<double>>(&to[index[0]]) + sum[number]);
       });
     } else {
       each([&](std::size_t number, std::vector<double>& to) {

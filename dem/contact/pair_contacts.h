@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "dem/contact/active_contacts.h"
 #include "dem/contact/contact_bodies.h"
 #include "dem/contact/contact_detection.h"
 #include "dem/contact/contact_energy_sums.h"
@@ -15,19 +16,17 @@
 namespace lahar::dem {
 
 /// A particle's sum is taken over the slots that it owns, in the order of their partners' ids, then over those where it
-/// is the partner, in the order of their owners' ids. Slots that do not touch add zeros: the sum depends neither on
-/// which of them are listed nor on threads nor on where particles stand.
+/// is the partner, in the order of their owners' ids. Only active slots are evaluated, others would add zeros: the sum
+/// depends neither on which of them are listed nor on threads nor on where particles stand.
 class PairContacts {
  public:
   /// Notes what stays the same while the slots stay. To be called when they are new.
   void note_slots(const Particles& particles, const ContactDetection& contacts, const ContactMaterials& materials);
-  /// See ContactBodies::pack.
+  /// Finds the active slots and packs their spheres (see ContactBodies::pack).
   void pack(const Particles& particles, const ContactDetection& contacts, const std::vector<double>& damping, double dt,
-            const MeanMotion* mean) {
-    bodies_.pack(particles, contacts.parties(), damping, dt, mean);
-  }
-  /// The slots owned by a chunk of particles: evaluates them, advances their histories by `dt` and adds to the sums of
-  /// the owners. To be called for all chunks, in any order or at once, before `add_partners`.
+            const MeanMotion* mean);
+  /// The active slots owned by a chunk of particles: evaluates them, advances their histories by `dt` and adds to the
+  /// sums of the owners. To be called for all chunks, in any order or at once, before `add_partners`.
   void evaluate(const ContactLawChoice& law, ContactDetection& contacts, const ContactMaterials& materials, double dt,
                 std::size_t chunk, ContactTally& tally);
   /// Completes the sums of a chunk of particles and adds them to `force` and `torque`, those of their dampers to
@@ -51,13 +50,15 @@ class PairContacts {
                      std::size_t chunk, ContactTally& tally);
   template <ContactLaw L>
   void evaluate_eight(const L& law, const Eight& at, const ContactMaterials& materials, double dt, ContactTally& tally);
+  static std::array<Row<double>, kRow> together(const double* rows, const Eight& at, const Row<double>& sign);
   void gather(EightContacts& contacts, Arms& arms, const Eight& at, const ContactMaterials& materials) const;
-  void prefetch_partners(std::size_t slot) const;
+  void prefetch_partners(const std::uint32_t* slot) const;
   void roll(const EightContacts& contacts, const ContactHistoryOf<Row<double>>& history,
             const Row<double>& stiffness_before, const Eight& at, const ContactMaterials& materials, double dt,
             std::array<Row<double>, kRow>& on_owner, std::array<Row<double>, kRow>& on_partner,
             ContactTally& tally) const;
 
+  ActiveContacts active_;
   ContactBodies bodies_;
   std::vector<std::uint16_t> material_;               // per slot, into ContactMaterials
   RowField on_partner_;                               // per slot: force, torque, friction work, damper
