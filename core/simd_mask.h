@@ -20,6 +20,39 @@
 
 namespace lahar {
 
+/// Bytes of the processor's widest vectors.
+#if defined(__AVX512F__)
+inline constexpr std::size_t kVectorBytes = 64;
+#elif defined(__AVX__)
+inline constexpr std::size_t kVectorBytes = 32;
+#else
+inline constexpr std::size_t kVectorBytes = 16;
+#endif
+
+template <class T, int N>
+class Mask;
+
+#if !LAHAR_MASK_REGISTERS
+namespace detail {
+
+template <class T>
+using MaskWord = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+
+/// The lanes of a mask: a vector of the processor, or two halves where it has none so wide.
+template <class T, int N, bool kHalves>
+struct MaskStorage {
+  using Type [[gnu::vector_size(N * sizeof(T))]] = MaskWord<T>;
+};
+template <class T, int N>
+struct MaskStorage<T, N, true> {
+  struct Type {
+    Mask<T, N / 2> low, high;
+  };
+};
+
+}  // namespace detail
+#endif
+
 /// Comparison of lanes of packs of T.
 template <class T, int N>
 class Mask {
@@ -28,8 +61,9 @@ class Mask {
 #if LAHAR_MASK_REGISTERS
   using Storage = std::conditional_t<(N <= 8), std::uint8_t, std::uint16_t>;
 #else
-  using Word = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
-  using Storage [[gnu::vector_size(N * sizeof(Word))]] = Word;
+  static constexpr bool kHalves = N * sizeof(T) > kVectorBytes;
+  using Word = detail::MaskWord<T>;
+  using Storage = typename detail::MaskStorage<T, N, kHalves>::Type;
 #endif
   static constexpr unsigned kAll = (1U << N) - 1;  ///< bits of all lanes
   static constexpr std::size_t size() { return N; }
@@ -40,11 +74,16 @@ class Mask {
 #if LAHAR_MASK_REGISTERS
     return Mask(static_cast<Storage>(bits));
 #else
-    const Storage lane = []<int... I>(std::integer_sequence<int, I...>) {
-      return Storage{static_cast<Word>(1U << I)...};
+    if constexpr (kHalves) {
+      using Half = Mask<T, N / 2>;
+      return Mask(Storage{Half::from_bits(bits & Half::kAll), Half::from_bits(bits >> N / 2)});
+    } else {
+      const Storage lane = []<int... I>(std::integer_sequence<int, I...>) {
+        return Storage{static_cast<Word>(1U << I)...};
+      }
+      (std::make_integer_sequence<int, N>{});
+      return Mask(Storage((lane & static_cast<Word>(bits)) != 0));
     }
-    (std::make_integer_sequence<int, N>{});
-    return Mask(Storage((lane & static_cast<Word>(bits)) != 0));
 #endif
   }
   [[gnu::always_inline]] static Mask all(bool value) { return from_bits(value ? kAll : 0); }
@@ -62,7 +101,10 @@ class Mask {
 #if LAHAR_MASK_REGISTERS
     return (lanes_ >> lane & 1U) != 0;
 #else
-    return lanes_[lane] != 0;
+    if constexpr (kHalves)
+      return lane < N / 2 ? lanes_.low[lane] : lanes_.high[lane - N / 2];
+    else
+      return lanes_[lane] != 0;
 #endif
   }
   [[gnu::always_inline]] void set(std::size_t lane, bool value) {
@@ -70,27 +112,46 @@ class Mask {
     const unsigned bit = 1U << lane;
     lanes_ = static_cast<Storage>(value ? lanes_ | bit : lanes_ & ~bit);
 #else
-    lanes_[lane] = value ? -1 : 0;
+    if constexpr (kHalves)
+      lane < N / 2 ? lanes_.low.set(lane, value) : lanes_.high.set(lane - N / 2, value);
+    else
+      lanes_[lane] = value ? -1 : 0;
 #endif
   }
 
+#if LAHAR_MASK_REGISTERS
   [[gnu::always_inline]] friend Mask operator&&(const Mask& a, const Mask& b) {
     return Mask(static_cast<Storage>(a.lanes_ & b.lanes_));
   }
   [[gnu::always_inline]] friend Mask operator||(const Mask& a, const Mask& b) {
     return Mask(static_cast<Storage>(a.lanes_ | b.lanes_));
   }
-  [[gnu::always_inline]] friend Mask operator!(const Mask& a) {
-#if LAHAR_MASK_REGISTERS
-    return Mask(static_cast<Storage>(a.lanes_ ^ kAll));
+  [[gnu::always_inline]] friend Mask operator!(const Mask& a) { return Mask(static_cast<Storage>(a.lanes_ ^ kAll)); }
 #else
-    return Mask(~a.lanes_);
-#endif
+  [[gnu::always_inline]] friend Mask operator&&(const Mask& a, const Mask& b) {
+    if constexpr (kHalves)
+      return Mask(Storage{a.lanes_.low && b.lanes_.low, a.lanes_.high && b.lanes_.high});
+    else
+      return Mask(Storage(a.lanes_ & b.lanes_));
   }
+  [[gnu::always_inline]] friend Mask operator||(const Mask& a, const Mask& b) {
+    if constexpr (kHalves)
+      return Mask(Storage{a.lanes_.low || b.lanes_.low, a.lanes_.high || b.lanes_.high});
+    else
+      return Mask(Storage(a.lanes_ | b.lanes_));
+  }
+  [[gnu::always_inline]] friend Mask operator!(const Mask& a) {
+    if constexpr (kHalves)
+      return Mask(Storage{!a.lanes_.low, !a.lanes_.high});
+    else
+      return Mask(~a.lanes_);
+  }
+#endif
 
  private:
 #if !LAHAR_MASK_REGISTERS
   [[gnu::always_inline]] unsigned bits_of_vector() const {
+    if constexpr (kHalves) return lanes_.low.bits() | lanes_.high.bits() << N / 2;
     unsigned found = 0;
 #if defined(__SSE2__)
     // The signs of 16 bytes at a time.

@@ -59,7 +59,7 @@ template <class Function, class T, int N, class... Others>
     return join(by_pieces(function, half_of<0>(a), half_of<0>(b)...),
                 by_pieces(function, half_of<1>(a), half_of<1>(b)...));
   else
-    return Pack<T, N>(typename Pack<T, N>::Vector(function(a.vector(), b.vector()...)));
+    return Pack<T, N>(typename Pack<T, N>::Storage(function(a.storage(), b.storage()...)));
 }
 
 }  // namespace detail
@@ -105,8 +105,8 @@ requires std::is_arithmetic_v<T>
 template <class T, int N>
 [[gnu::always_inline]] inline Pack<T, N> abs(const Pack<T, N>& a) {
   using Bits = Pack<std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>, N>;
-  const auto value = std::bit_cast<Bits>(a).vector() & std::numeric_limits<typename Bits::value_type>::max();
-  return std::bit_cast<Pack<T, N>>(Bits(typename Bits::Vector(value)));
+  return std::bit_cast<Pack<T, N>>(std::bit_cast<Bits>(a) &
+                                   Bits(std::numeric_limits<typename Bits::value_type>::max()));
 }
 
 /// Neither infinite nor not a number.
@@ -196,8 +196,7 @@ template <int N>
   }
 #endif
   using Bits = Pack<std::int64_t, N>;
-  const auto start = 0x5fe6eb50c7b537a9 - (std::bit_cast<Bits>(x).vector() >> 1);
-  P y = std::bit_cast<P>(Bits(typename Bits::Vector(start)));
+  P y = std::bit_cast<P>(Bits(std::int64_t{0x5fe6eb50c7b537a9}) - (std::bit_cast<Bits>(x) >> 1));
   y = detail::closer_inverse_root(x, detail::closer_inverse_root(x, y));
   return y + (P(0.5) * y) * (1 - (x * y) * y);
 }
