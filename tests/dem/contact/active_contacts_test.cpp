@@ -77,7 +77,7 @@ TEST(ActiveContacts, AreFoundAmongManySlots) {
   EXPECT_TRUE(std::ranges::equal(of_partners, expected));
 }
 
-/// Groups of eight that are not full must not be taken for particles side by side.
+/// A wider list has more slots, but none more that is active.
 TEST(ActiveContacts, ForcesDoNotDependOnWhatElseIsListed) {
   const Materials stone = testing::one_material(1e7, 0.25, 0.5, 0.5);
   const Particles p = testing::loose_grains(4, 4, 4, 0.02, 0.04, 2);
