@@ -50,6 +50,22 @@ std::vector<Curve> curves_of(const std::vector<CaseResult>& results) {
   return curves;
 }
 
+/// One colour in all figures: dark the resolved flows of a sweep, light its averaged ones.
+cases::ChartColour colour_of(const std::string& sweep, const std::string& preset, const std::string& coupling) {
+  using enum cases::ChartColour;
+  const bool matched = sweep == "matched";
+  if (preset != presets().front().name) return purple;
+  if (coupling == "resolved") return matched ? vermilion : blue;
+  return coupling != "averaged" ? green : matched ? amber : sky;
+}
+
+/// Broken where grains are averaged, otherwise broken where the packing is another.
+cases::Dash dash_of(const std::string& coupling, int seed) {
+  using enum cases::Dash;
+  if (coupling == "resolved") return seed == 1 ? solid : dash_dot;
+  return seed == 1 ? dashed : dotted;
+}
+
 /// Theirs over their Froude number, and ours at the flow of the same release distance.
 cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results) {
   using namespace cases;
@@ -70,8 +86,10 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
       if (const Flow* flow = published(c.study_case.release); flow && curve.holds(c.study_case))
         points.emplace_back(flow->froude, c.value(q.name));
     std::sort(points.begin(), points.end());
-    ChartSeries ours{.name = curve.label(), .mark = Mark::line_and_points};
-    ours.dash = curve.coupling == "resolved" ? Dash::solid : Dash::dashed;
+    ChartSeries ours{.name = curve.label(),
+                     .mark = Mark::line_and_points,
+                     .dash = dash_of(curve.coupling, curve.seed),
+                     .colour = colour_of(curve.sweep, curve.preset, curve.coupling)};
     for (const auto& [x, y] : points) ours.x.push_back(x), ours.y.push_back(y);
     if (points.size() == 1) ours.mark = Mark::points;
     chart.series.push_back(ours);
@@ -96,7 +114,9 @@ cases::Chart over_time(const ShownColumn& shown, double release, const std::stri
     ChartSeries line{
         .name = fmt::format("{}, {}{}", s.coupling, s.preset, s.seed == 1 ? "" : fmt::format(", seed {}", s.seed)),
         .x = c.curves.time_s,
-        .y = values->values};
+        .y = values->values,
+        .dash = dash_of(s.coupling, s.seed),
+        .colour = colour_of(s.sweep, s.preset, s.coupling)};
     std::replace(line.name.begin(), line.name.end(), '_', ' ');
     for (double& y : line.y) y *= shown.factor;
     chart.series.push_back(line);
