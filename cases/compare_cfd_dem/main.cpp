@@ -15,6 +15,7 @@
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
+#include "cases/runner/output_folder.h"
 #include "core/check.h"
 
 namespace lahar::study {
@@ -67,7 +68,6 @@ void share(std::vector<CaseResult>& results, const std::filesystem::path& record
 /// What is done, and the page about it.
 void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   const std::filesystem::path folder = a.out;
-  std::filesystem::create_directories(folder);
   std::vector<CaseResult> results = results_in(folder, study_cases, a.selection.further);
   if (!a.records.empty()) share(results, a.records);
   std::sort(results.begin(), results.end(),
@@ -92,6 +92,8 @@ int run(const Arguments& a) {
         {"command line", 1, 1,
          "--records with --set: records are of the study's own values, expected one of the two"}});
   if (a.list) return list(study_cases, a), cases::exit_done;
+  cases::create_folder(a.out);
+  if (!a.records.empty()) cases::create_folder(a.records, "--records");
   int code = cases::exit_done;
   if (!a.report_only) {
     const int all = a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());

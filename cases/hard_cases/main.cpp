@@ -11,6 +11,7 @@
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
+#include "cases/runner/output_folder.h"
 #include "core/check.h"
 #include "core/parallel.h"
 
@@ -55,7 +56,7 @@ int run(const Arguments& a) {
   context.quick = a.quick;
   if (a.common.precision == "float") context.precision = Precision::float32;
   const std::filesystem::path folder = a.common.out.empty() ? "results/hard_cases" : a.common.out;
-  std::filesystem::create_directories(folder);
+  cases::create_folder(folder);
   const std::string date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now()));
   const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
                                                : static_cast<int>(std::thread::hardware_concurrency()));

@@ -9,6 +9,7 @@
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
+#include "cases/runner/output_folder.h"
 #include "cases/speed_error/report.h"
 #include "core/check.h"
 #include "core/parallel.h"
@@ -48,7 +49,7 @@ int run(const Arguments& a) {
     return cases::exit_done;
   }
   const std::filesystem::path folder = a.common.out.empty() ? "results/speed_error" : a.common.out;
-  std::filesystem::create_directories(folder);
+  cases::create_folder(folder);
   Sitting sitting{
       cases::machine_name(), cases::commit(), fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now())),
       a.common.threads > 0 ? a.common.threads : static_cast<int>(std::thread::hardware_concurrency()), a.quick};

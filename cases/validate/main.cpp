@@ -7,6 +7,7 @@
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
+#include "cases/runner/output_folder.h"
 #include "cases/validate/entry.h"
 #include "core/check.h"
 #include "core/parallel.h"
@@ -34,8 +35,9 @@ Context context_of(const Arguments& a) {
   context.quick = a.quick;
   if (!a.common.out.empty()) {
     context.plots = a.common.out;
-    std::filesystem::create_directories(context.plots);
+    cases::create_folder(context.plots);
   }
+  if (!a.json.empty()) cases::require_writable(a.json, "--json");
   return context;
 }
 

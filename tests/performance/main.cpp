@@ -11,6 +11,7 @@
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
+#include "cases/runner/output_folder.h"
 #include "cases/scene/names.h"
 #include "core/check.h"
 #include "core/parallel.h"
@@ -148,6 +149,7 @@ int run(const Arguments& a) {
       fmt::print("{}{}\n", b.name, b.by_name_only ? " (by name only)" : "");
     return cases::exit_done;
   }
+  if (!a.json.empty()) cases::require_writable(a.json, "--json");
   const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
                                                : static_cast<int>(std::thread::hardware_concurrency()));
   cases::watch_for_interrupt();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "cases/scene/writer.h"
 #include "tests/cases/scene/scene_files.h"
 
@@ -57,6 +59,42 @@ TEST(OutputFolder, AFileInTheWay) {
   EXPECT_THROW(prepare_output(file, true), InputError);
   EXPECT_THROW(prepare_output(file / "below", true), InputError);
   EXPECT_EQ(scene::file_text(file), "x");
+}
+
+std::string refused(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(OutputFolder, APlaceThatCannotBeMadeIsRefusedByTheNameOfItsOption) {
+  const scene::ScratchFolder scratch;
+  create_folder(scratch.path() / "a/b");
+  create_folder(scratch.path() / "a/b");
+  EXPECT_TRUE(fs::is_directory(scratch.path() / "a/b"));
+  EXPECT_NE(refused([] { create_folder("/proc/nothing"); }).find("--out /proc/nothing:1:1: cannot be created"),
+            std::string::npos);
+  const fs::path file = scratch.write("file", "x");
+  EXPECT_NE(refused([&] { create_folder(file, "--records"); }).find("--records " + file.string() + ":1:1: is a file"),
+            std::string::npos);
+  EXPECT_EQ(scene::file_text(file), "x");
+}
+
+TEST(OutputFolder, AFileThatCannotBeWrittenIsRefusedBeforeTheWork) {
+  const scene::ScratchFolder scratch;
+  const fs::path file = scratch.write("results.json", "of yesterday");
+  EXPECT_EQ(refused([&] { require_writable(file, "--json"); }), "");
+  EXPECT_EQ(refused([&] { require_writable(scratch.path() / "new.json", "--json"); }), "");
+  EXPECT_EQ(scene::file_text(file), "of yesterday");
+  EXPECT_EQ(count(scratch.path()), 1u);
+  EXPECT_NE(refused([&] { require_writable(scratch.path(), "--json"); }).find("is a folder"), std::string::npos);
+  EXPECT_NE(refused([&] {
+              require_writable(scratch.path() / "not/there.json", "--json");
+            }).find("there.json:1:1: cannot be created (No such file or directory)"),
+            std::string::npos);
 }
 
 }  // namespace
