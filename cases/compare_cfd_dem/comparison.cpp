@@ -162,6 +162,25 @@ double water_loss(const CaseRun& c) {
   return (until_arrival(c, "fluid_potential_J") + kept) / won;
 }
 
+/// kNs: the integral of a force (N) over the second after the first grain is at the net; NaN if the run ends before.
+double impulse_after_arrival(const CaseRun& c, const char* column) {
+  const std::vector<double>& time = c.series.time_s;
+  const double begin = c.metric("particle_arrival_s"), end = begin + 1;
+  const auto* values = c.series.find(column);
+  if (!values || !std::isfinite(begin) || time.empty() || time.back() < end) return kNone;
+  double sum = 0;
+  for (std::size_t k = 1; k < time.size(); ++k) {
+    const double from = std::clamp(begin, time[k - 1], time[k]), to = std::clamp(end, time[k - 1], time[k]);
+    if (to <= from) continue;
+    const double middle = (0.5 * (from + to) - time[k - 1]) / (time[k] - time[k - 1]);
+    sum += (to - from) * std::lerp(values->values[k - 1], values->values[k], middle);
+  }
+  return sum / 1000;
+}
+Ours impulse_of(const char* column) {
+  return [column](const CaseRun& c) { return impulse_after_arrival(c, column); };
+}
+
 double water_share(const CaseRun& c) {
   const double water = c.metric("barrier_fluid_impulse_Ns"), grains = c.metric("barrier_contact_impulse_Ns");
   return water / (water + grains);
@@ -234,6 +253,13 @@ std::vector<Compared> make_quantities() {
   add("elongation", "m", "largest displacement of the net along the flow; theirs: the largest of all flows",
       metric("max_elongation_m"), of_one(0.263), "4.3");
   add("ring_travel", "m", "way that edge rings slide, largest mean", metric("max_mean_ring_travel_m"), not_given, "");
+  add("net_impulse_grains", "kNs", "impulse of grains on the net along the flow, in the second after they arrive",
+      impulse_of("barrier_contact_force_x_N"), not_given, "");
+  add("net_impulse_water", "kNs",
+      "impulse of water itself on the net along the flow, in the second after grains arrive",
+      impulse_of("barrier_fluid_force_x_N"), not_given, "");
+  add("grains_impulse_water", "kNs", "impulse of water on all grains along the flow, in the second after they arrive",
+      impulse_of("grains_fluid_force_x_N"), not_given, "");
   add("water_share", "1", "share of the water in the impulse on the net along the flow", water_share, not_given, "");
   add(
       "velocity_through_net", "m/s", "of the water in the plane of the net, while more than a litre a second passes",
@@ -260,6 +286,7 @@ const std::vector<ShownColumn>& shown_columns() {
                                             {"barrier_elongation_m", "elongation of the net", "m"},
                                             {"barrier_fluid_force_x_N", "force of water on the net", "kN", 1e-3},
                                             {"barrier_contact_force_x_N", "force of grains on the net", "kN", 1e-3},
+                                            {"grains_fluid_force_x_N", "force of water on the grains", "kN", 1e-3},
                                             {"net_discharge_m3_s", "discharge of water through the net", "m^3/s"},
                                             {"net_grains_area_m2", "area of grains in the plane of the net", "m^2"},
                                             {"grains_passed_kg", "grains that have passed", "kg"},

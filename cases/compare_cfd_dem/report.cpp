@@ -83,8 +83,10 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
   for (const Curve& curve : curves_of(results)) {
     std::vector<std::pair<double, double>> points;
     for (const CaseResult& c : results)
-      if (const Flow* flow = published(c.study_case.release); flow && curve.holds(c.study_case))
+      if (const Flow* flow = published(c.study_case.release);
+          flow && curve.holds(c.study_case) && std::isfinite(c.value(q.name)))
         points.emplace_back(flow->froude, c.value(q.name));
+    if (points.empty()) continue;
     std::sort(points.begin(), points.end());
     ChartSeries ours{.name = curve.label(),
                      .mark = Mark::line_and_points,
@@ -148,6 +150,8 @@ std::vector<Figure> figures_of(const std::vector<CaseResult>& results) {
                                                           {"froude_front", "Table 5"},
                                                           {"froude_deepest", "Table 5"},
                                                           {"elongation", "section 4.3"},
+                                                          {"net_impulse_grains", "ours alone"},
+                                                          {"grains_impulse_water", "ours alone"},
                                                           {"water_share", "ours alone"},
                                                           {"velocity_through_net", "ours alone"},
                                                           {"clogging", "ours alone"},

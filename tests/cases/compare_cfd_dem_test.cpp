@@ -128,6 +128,23 @@ TEST(Comparison, SaysWhoLosesTheEnergyOfTheWay) {
   EXPECT_TRUE(std::isnan(result_of(run).value("water_loss"))) << "the run ends before";
 }
 
+/// A force that grows as 2 kN/s x t and one that is steady, over the second that begins between two rows.
+TEST(Comparison, IntegratesForcesOverTheSecondAfterGrainsArrive) {
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", 4.1, 1};
+  run.metrics = {{"front_arrival_s", 0.2}, {"particle_arrival_s", 0.75}};
+  run.series.time_s = {0, 0.5, 0.75, 1.25, 1.75, 2};
+  run.series.columns = {{"barrier_contact_force_x_N", "N", "", {0, 1000, 1500, 2500, 3500, 4000}},
+                        {"grains_fluid_force_x_N", "N", "", {300, 300, 300, 300, 300, 300}}};
+  EXPECT_NEAR(result_of(run).value("net_impulse_grains"), 2.5, 1e-12);
+  run.metrics["particle_arrival_s"] = 0.9;
+  EXPECT_NEAR(result_of(run).value("net_impulse_grains"), 2.8, 1e-12);
+  EXPECT_NEAR(result_of(run).value("grains_impulse_water"), 0.3, 1e-12);
+  EXPECT_TRUE(std::isnan(result_of(run).value("net_impulse_water"))) << "no such column";
+  run.metrics["particle_arrival_s"] = 1.1;
+  EXPECT_TRUE(std::isnan(result_of(run).value("grains_impulse_water"))) << "the run ends before";
+}
+
 TEST(Comparison, HoldsTheirsAndOurs) {
   std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10), made_up(8.6, 100, 10)};
   const std::string csv = comparison_csv(results);
@@ -189,6 +206,18 @@ TEST(Record, FilesThatAreNoneAreNamed) {
       EXPECT_EQ(e.path(), file);
     }
   }
+}
+
+/// A record of before a quantity was asked for is no curve in its figure.
+TEST(Report, FiguresHoldWhatCasesHave) {
+  CaseResult with = made_up(4.1, 50, 10), without = made_up(8.6, 100, 10);
+  without.study_case.coupling = "averaged";
+  with.values["grains_impulse_water"] = 4;
+  std::map<std::string, std::size_t> curves;
+  for (const Figure& f : figures_of({with, without})) curves[f.file] = f.chart.series.size();
+  EXPECT_EQ(curves.at("flows_grains_impulse_water"), 1u);
+  EXPECT_EQ(curves.at("flows_e_in"), 3u);  // theirs, resolved, averaged
+  EXPECT_FALSE(curves.contains("flows_net_impulse_grains"));
 }
 
 TEST(Report, Base64) {  // RFC 4648, section 10
