@@ -57,10 +57,15 @@ const std::vector<Choice>& variants() {
       {"as_built", "the net begins as built, free of stress", {"barrier.settle_time_s=0"}},
       {"rigid_grains",
        "covered cells take the grains' velocity at once, which carries too much water along",
-       {"coupling.body_weighting=wall_distance"}},
+       {"coupling.body_weighting=wall_distance"},
+       "resolved"},
       {"rockfall_dissipators",
        "dissipators as soft as those of the paper's rockfall (Table 3), which has the same rings and cables",
        {"barrier.bonds.dissipator_stiffness_N_m3=[3.5e8, 3.5e7]"}},
+      {"short_averages",
+       "averages over 0.08 m, the diameter of the large grains",
+       {"coupling.averaging_length_m=0.08"},
+       "averaged"},
       {"half_speed", "half the time step of the fluid", {"fluid.max_speed_m_s=14"}},
       {"stiff_rock", "rock as stiff as Table 4 says", {"materials.rock.youngs_modulus_Pa=70e9"}},
       {"light_beads", "beads without added inertia", {"barrier.net.bead_mass_scale=1"}},
@@ -178,7 +183,14 @@ std::vector<StudyCase> cases_of(const Selection& s) {
         for (const auto& sweep : sweep_names)
           for (const double release : releases)
             for (const auto& coupling : coupling_names)
-              all.push_back({sweep, preset, coupling, variant, release, seed, s.further});
+              if (coupling.starts_with(find(variants(), variant).coupling))
+                all.push_back({sweep, preset, coupling, variant, release, seed, s.further});
+  for (const auto& variant : variant_names)
+    if (std::none_of(all.begin(), all.end(), [&](const StudyCase& c) { return c.variant == variant; }))
+      throw InputError(std::vector<InputMistake>{
+          {"command line", 1, 1,
+           fmt::format("--variant {}: says nothing with --coupling {}, expected a coupling that begins with {}",
+                       variant, fmt::join(coupling_names, ", "), find(variants(), variant).coupling)}});
   return all;
 }
 

@@ -12,6 +12,7 @@ namespace lahar::study {
 struct Choice {
   std::string name, meaning;
   std::vector<std::string> changes{};
+  std::string coupling{};  ///< how the names of the couplings begin in which it says something; empty: in all
 };
 
 /// The scene files as_printed.toml and matched.toml.
@@ -20,7 +21,7 @@ const std::vector<Choice>& sweeps();
 const std::vector<Choice>& presets();
 /// How fluid and grains act on each other.
 const std::vector<Choice>& couplings();
-/// Readings of the net and of the time step that are looked at for one flow; the first is that of the study.
+/// Readings of the net, the averages and the time step that are looked at for one flow; the first is that of the study.
 const std::vector<Choice>& variants();
 /// m, the paper's ten.
 const std::vector<double>& release_distances();
@@ -54,7 +55,8 @@ struct Selection {
 };
 
 /// All combinations: by default both sweeps of ten distances, coarse, resolved and averaged, seed 1, the study's
-/// reading. Throws InputError for a name that is none, with those that there are.
+/// reading. Variants that say nothing in a coupling are left out there. Throws InputError for a name that is none, with
+/// those that there are, and for variants that say nothing in any coupling asked for.
 std::vector<StudyCase> cases_of(const Selection& selection);
 
 }  // namespace lahar::study

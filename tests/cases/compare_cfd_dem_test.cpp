@@ -40,6 +40,23 @@ TEST(StudyCases, NamesThatAreNoneAreRefused) {
   EXPECT_THROW(cases_of({.releases = {0.5}}), InputError);
 }
 
+TEST(StudyCases, LeaveOutVariantsThatSayNothing) {
+  const auto couplings_of = [](const Selection& selection) {
+    std::set<std::string> names;
+    for (const StudyCase& c : cases_of(selection)) names.insert(c.coupling);
+    return names;
+  };
+  EXPECT_EQ(couplings_of({.variants = {"short_averages"}}), std::set<std::string>{"averaged"});
+  EXPECT_EQ(couplings_of({.variants = {"rigid_grains"}}), std::set<std::string>{"resolved"});
+  EXPECT_EQ(couplings_of({.variants = {"half_speed"}}), (std::set<std::string>{"averaged", "resolved"}));
+  try {
+    (void)cases_of({.couplings = {"averaged", "averaged_ergun"}, .variants = {"study", "rigid_grains"}});
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(e.mistakes().at(0).message.find("--variant rigid_grains"), std::string::npos);
+  }
+}
+
 /// Each choice of each axis makes a scene that can be run, and that holds what was chosen.
 TEST(StudyCases, MakeScenes) {
   const auto load = [](const StudyCase& c) { return scene::load(c.scene_file(), c.changes()); };
@@ -63,6 +80,7 @@ TEST(StudyCases, MakeScenes) {
   }
   for (const Choice& variant : variants()) {
     c = plain, c.variant = variant.name;
+    if (!variant.coupling.empty()) c.coupling = variant.coupling;
     EXPECT_NO_THROW(load(c)) << variant.name;
   }
   for (const Choice& coupling : couplings()) {
