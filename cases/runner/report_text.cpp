@@ -1,6 +1,7 @@
 // The terminal form of `lahar check`.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cases/runner/check.h"
@@ -11,6 +12,23 @@ namespace lahar::cases {
 namespace {
 
 std::string line(const char* name, const std::string& text) { return fmt::format("  {:<26} {}\n", name, text); }
+
+/// Whether a wall that is named, or a face of the domain, is no-slip.
+bool holds_liquid(const scene::Scene& scene) {
+  const auto& walls = scene.walls;
+  const auto is_no_slip = [](const scene::WallSettings& w) { return w.slip == WallSlip::no_slip; };
+  return scene.domain.slip == WallSlip::no_slip || std::any_of(walls.begin(), walls.end(), is_no_slip);
+}
+
+/// How far the friction of a wall reaches into the liquid by the end, sqrt(nu t) (Stokes 1851), beside the layer of a
+/// cell that no-slip walls hold (docs/decisions/0070).
+std::string layer_text(const scene::Scene& scene) {
+  constexpr double thin = 0.5;
+  const double cells = std::sqrt(scene.fluid.kinematic_viscosity * scene.run.duration) / scene.fluid.cell_size;
+  std::string text = fmt::format("{:.2g} cells", cells);
+  if (cells < thin && holds_liquid(scene)) text += "; no-slip walls hold a layer of one: free_slip is nearer";
+  return line("friction of walls reaches", text);
+}
 
 std::string fluid_text(const scene::Scene& scene, const FluidFigures& f) {
   std::string t = "fluid\n";
@@ -39,6 +57,7 @@ std::string fluid_text(const scene::Scene& scene, const FluidFigures& f) {
               fmt::format("{:.3g} m^2/s, tau {:.3g}", scene.fluid.rheology.limit_viscosity, f.limit_tau));
   }
   t += line("cells per depth", fmt::format("{:.3g}", f.depth / scene.fluid.cell_size));
+  if (scene.fluid.rheology.law == scene::FlowLaw::newtonian) t += layer_text(scene);
   return t;
 }
 

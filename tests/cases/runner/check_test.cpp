@@ -212,5 +212,23 @@ TEST(ReportText, NamesFiguresAndWarnings) {
     EXPECT_NE(text.find(part), std::string::npos) << part;
 }
 
+/// Water in cells of 20 mm: friction reaches 0.8 mm in 0.7 s. Oil of 1e-3 m^2/s is slowed over 26 mm.
+TEST(ReportText, SaysHowFarTheFrictionOfWallsReaches) {
+  const auto text = [](const std::vector<std::string>& changes) {
+    const scene::Scene scene = load(case_file("dam_break/scene.toml"), changes);
+    return report_text(scene, check_scene(scene));
+  };
+  constexpr auto advice = "free_slip is nearer";
+  const std::vector<std::string> common{"fluid.cell_size_m=0.02", "run.duration_s=0.7"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.end(), common.begin(), common.end());
+    return text(more);
+  };
+  EXPECT_NE(with({"domain.slip=no_slip"}).find("0.042 cells"), std::string::npos);
+  EXPECT_NE(with({"domain.slip=no_slip"}).find(advice), std::string::npos);
+  EXPECT_EQ(with({"domain.slip=free_slip"}).find(advice), std::string::npos);
+  EXPECT_EQ(with({"fluid.kinematic_viscosity_m2_s=1e-3"}).find(advice), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lahar::cases
