@@ -99,11 +99,16 @@ double e_b(const CaseRun& c) { return (c.metric("barrier_energy_end_J") - c.metr
 double mass(const CaseRun& c) { return c.metric("liquid_mass_start_kg") + c.grain_mass; }
 /// Energies about the bed 1.30 m downstream, which the paper's numbers ask for: all mass that counts is higher.
 double e_in_lower(const CaseRun& c) { return e_in(c) + mass(c) * kGravity * kLowerDatum / 1000; }
+double e_out_liquid_lower(const CaseRun& c) {
+  return c.metric("e_out_liquid_kinetic_kJ") + c.metric("e_out_liquid_potential_kJ") +
+         c.metric("liquid_passed_kg") * kGravity * kLowerDatum / 1000;
+}
 double e_out_lower(const CaseRun& c) {
   const auto* passed = c.series.find("grains_passed_kg");
   const double grains = passed && !passed->values.empty() ? passed->values.back() : 0.0;
   return e_out(c) + (c.metric("liquid_passed_kg") + grains) * kGravity * kLowerDatum / 1000;
 }
+double e_d_lower(const CaseRun& c) { return e_in_lower(c) - e_out_lower(c); }
 
 /// s: the first row in which a column is at least `level`.
 double first_at_least(const CaseRun& c, const char* column, double level) {
@@ -212,20 +217,21 @@ std::vector<Compared> make_quantities() {
   add("e_out_lower", "kJ", "energy that leaves, about the bed 1.30 m downstream", e_out_lower, of_table(&Flow::e_out),
       "Table 5");
   add("e_d", "kJ", "energy that is dissipated or passed on, E_in - E_out", e_d, of_table(&Flow::e_d), "Table 5");
+  add("e_d_lower", "kJ", "the same about the bed 1.30 m downstream", e_d_lower, of_table(&Flow::e_d), "Table 5");
   add("e_b", "kJ", "energy that the barrier holds at the end", e_b, of_table(&Flow::e_b), "Table 5");
   add(
       "eta", "1", "E_d / E_in", [](const CaseRun& c) { return e_d(c) / e_in(c); }, of_table(&Flow::eta), "Table 5");
   add(
       "eta_lower", "1", "E_d / E_in, about the bed 1.30 m downstream",
-      [](const CaseRun& c) { return 1 - e_out_lower(c) / e_in_lower(c); }, of_table(&Flow::eta), "Table 5");
+      [](const CaseRun& c) { return e_d_lower(c) / e_in_lower(c); }, of_table(&Flow::eta), "Table 5");
   add(
       "zeta", "1", "E_b / E_d", [](const CaseRun& c) { return e_b(c) / e_d(c); }, of_table(&Flow::zeta), "Table 5");
   add(
-      "outflow_liquid_share", "1", "share of the liquid in E_out",
-      [](const CaseRun& c) {
-        return (c.metric("e_out_liquid_kinetic_kJ") + c.metric("e_out_liquid_potential_kJ")) / e_out(c);
-      },
-      not_given, "Fig. 16");
+      "zeta_lower", "1", "E_b / E_d, about the bed 1.30 m downstream",
+      [](const CaseRun& c) { return e_b(c) / e_d_lower(c); }, of_table(&Flow::zeta), "Table 5");
+  add(
+      "outflow_liquid_share", "1", "share of the liquid in E_out, about the bed 1.30 m downstream",
+      [](const CaseRun& c) { return e_out_liquid_lower(c) / e_out_lower(c); }, not_given, "Fig. 16");
   add("retained_mass", "1", "share of the grains' mass that is held", metric("retained_mass_ratio"),
       of_ends(0.98, 0.90), "4.2: ends of the range");
   add("retained_large", "1", "share of the large grains", metric("retained_large_grains_ratio"), of_ends(0.999, 0.965),
@@ -235,11 +241,11 @@ std::vector<Compared> make_quantities() {
   add("lower_cable_sum", "kN", "largest sum of bond forces in the lower cable", metric("peak_lower_cable_sum_kN"),
       of_one(517.54), "4.3");
   add("upper_cable_sum", "kN", "largest sum of bond forces in the upper cable", metric("peak_upper_cable_sum_kN"),
-      not_given, "Fig. 13");
+      not_given, "Fig. 14");
   add("left_cable_sum", "kN", "largest sum of bond forces in the left cable", metric("peak_left_cable_sum_kN"),
-      not_given, "Fig. 13");
+      not_given, "Fig. 14");
   add("right_cable_sum", "kN", "largest sum of bond forces in the right cable", metric("peak_right_cable_sum_kN"),
-      not_given, "Fig. 13");
+      not_given, "Fig. 14");
   add("barrier_sum", "kN", "largest sum of bond forces in the whole barrier", metric("peak_barrier_sum_kN"),
       of_ends(kNone, 4131.31), "Fig. 14: the largest of all flows, which rise");
   add("barrier_tension", "kN", "largest tension of a bond", metric("peak_barrier_tension_kN"), not_given, "");
@@ -249,8 +255,8 @@ std::vector<Compared> make_quantities() {
       not_given, "");
   add(
       "barrier_sum_at_rest", "kN", "sum of bond forces in the barrier, mean of the last half second",
-      [](const CaseRun& c) { return final_mean(c, "barrier_force_sum_N", 0.5) / 1000; }, not_given, "Fig. 11");
-  add("elongation", "m", "largest displacement of the net along the flow; theirs: the largest of all flows",
+      [](const CaseRun& c) { return final_mean(c, "barrier_force_sum_N", 0.5) / 1000; }, not_given, "");
+  add("elongation", "m", "largest way of a bead along the flow, from the flat net; theirs: the largest of all flows",
       metric("max_elongation_m"), of_one(0.263), "4.3");
   add("ring_travel", "m", "way that edge rings slide, largest mean", metric("max_mean_ring_travel_m"), not_given, "");
   add("net_impulse_grains", "kNs", "impulse of grains on the net along the flow, in the second after they arrive",
@@ -262,10 +268,11 @@ std::vector<Compared> make_quantities() {
       impulse_of("grains_fluid_force_x_N"), not_given, "");
   add("water_share", "1", "share of the water in the impulse on the net along the flow", water_share, not_given, "");
   add(
-      "velocity_through_net", "m/s", "of the water in the plane of the net, while more than a litre a second passes",
+      "velocity_through_net", "m/s",
+      "of the water in the plane where the net was built, while more than a litre a second passes",
       [](const CaseRun& c) { return mean_ratio(c, "net_discharge_m3_s", "net_liquid_area_m2"); }, not_given, "");
   add(
-      "clogging", "1", "area of grains over that of grains and water in the plane of the net, while water passes",
+      "clogging", "1", "area of grains over that of grains and water in that plane, while water passes",
       [](const CaseRun& c) { return 1 / (1 + 1 / mean_ratio(c, "net_grains_area_m2", "net_liquid_area_m2")); },
       not_given, "");
   add("water_left", "kg", "water that left the channel", metric("liquid_left_kg"), not_given, "");
@@ -280,17 +287,18 @@ const std::vector<Compared>& compared_quantities() {
 }
 
 const std::vector<ShownColumn>& shown_columns() {
-  static const std::vector<ShownColumn> all{{"lower_cable_force_sum_N", "sum of forces in the lower cable", "kN", 1e-3},
-                                            {"upper_cable_force_sum_N", "sum of forces in the upper cable", "kN", 1e-3},
-                                            {"barrier_force_sum_N", "sum of forces in the barrier", "kN", 1e-3},
-                                            {"barrier_elongation_m", "elongation of the net", "m"},
-                                            {"barrier_fluid_force_x_N", "force of water on the net", "kN", 1e-3},
-                                            {"barrier_contact_force_x_N", "force of grains on the net", "kN", 1e-3},
-                                            {"grains_fluid_force_x_N", "force of water on the grains", "kN", 1e-3},
-                                            {"net_discharge_m3_s", "discharge of water through the net", "m^3/s"},
-                                            {"net_grains_area_m2", "area of grains in the plane of the net", "m^2"},
-                                            {"grains_passed_kg", "grains that have passed", "kg"},
-                                            {"grains_kinetic_J", "kinetic energy of the grains", "kJ", 1e-3}};
+  static const std::vector<ShownColumn> all{
+      {"lower_cable_force_sum_N", "sum of forces in the lower cable", "kN", 1e-3, " (as Fig. 13)"},
+      {"upper_cable_force_sum_N", "sum of forces in the upper cable", "kN", 1e-3, " (as Fig. 13)"},
+      {"barrier_force_sum_N", "sum of forces in the barrier", "kN", 1e-3},
+      {"barrier_elongation_m", "elongation of the net", "m"},
+      {"barrier_fluid_force_x_N", "force of water on the net", "kN", 1e-3},
+      {"barrier_contact_force_x_N", "force of grains on the net", "kN", 1e-3},
+      {"grains_fluid_force_x_N", "force of water on the grains", "kN", 1e-3},
+      {"net_discharge_m3_s", "discharge of water through the net", "m^3/s"},
+      {"net_grains_area_m2", "area of grains in the plane of the net", "m^2"},
+      {"grains_passed_kg", "grains that have passed", "kg"},
+      {"grains_kinetic_J", "kinetic energy of the grains", "kJ", 1e-3}};
   return all;
 }
 
@@ -383,7 +391,7 @@ double kendall(const std::vector<std::pair<double, double>>& points) {
     for (std::size_t j = 0; j < i; ++j) {
       const double a = points[i].first - points[j].first, b = points[i].second - points[j].second;
       if (a == 0 || !std::isfinite(b)) continue;
-      sum += (a > 0) == (b > 0) ? (b == 0 ? 0 : 1) : -1, pairs += 1;
+      sum += b == 0 ? 0 : (a > 0) == (b > 0) ? 1 : -1, pairs += 1;
     }
   return pairs > 0 ? sum / pairs : kNone;
 }
@@ -399,10 +407,31 @@ constexpr Statement kStatements[] = {
     {"the peak in the whole barrier rises (4.3)", "barrier_sum", 1},
     {"eta rises (4.4), about the bed at the net", "eta", 1},
     {"eta rises (4.4), about the bed 1.30 m downstream", "eta_lower", 1},
-    {"zeta falls (4.4)", "zeta", -1},
+    {"zeta falls (4.4), about the bed at the net", "zeta", -1},
+    {"zeta falls (4.4), about the bed 1.30 m downstream", "zeta_lower", -1},
 };
 
+Agreement agreement_of(double correlation) {
+  if (!std::isfinite(correlation)) return Agreement::unknown;
+  constexpr double all_pairs = 1 - 1e-9;
+  return correlation > all_pairs ? Agreement::yes : correlation > 0 ? Agreement::mostly : Agreement::no;
+}
+
 }  // namespace
+
+const char* name_of(Agreement agreement) {
+  switch (agreement) {
+    case Agreement::yes:
+      return "yes";
+    case Agreement::mostly:
+      return "mostly";
+    case Agreement::no:
+      return "no";
+    case Agreement::unknown:
+      break;
+  }
+  return "-";
+}
 
 std::vector<Trend> trends(const std::vector<CaseResult>& results) {
   std::vector<Trend> all;
@@ -421,10 +450,11 @@ std::vector<Trend> trends(const std::vector<CaseResult>& results) {
         if (flows.size() < 3) continue;
         for (const Statement& s : kStatements) {
           std::vector<std::pair<double, double>> points;
-          for (const auto& [release, c] : flows) points.emplace_back(release, c->value(s.quantity));
-          const double correlation = kendall(points);
-          all.push_back(
-              {s.text, sweep.name, coupling.name, preset.name, points.size(), correlation, correlation * s.sign > 0});
+          for (const auto& [release, c] : flows)
+            if (const double value = c->value(s.quantity); std::isfinite(value)) points.emplace_back(release, value);
+          const double correlation = points.size() < 3 ? kNone : kendall(points);
+          all.push_back({s.text, sweep.name, coupling.name, preset.name, points.size(), correlation,
+                         agreement_of(correlation * s.sign)});
         }
       }
   return all;
@@ -434,7 +464,7 @@ std::string trends_csv(const std::vector<Trend>& all) {
   std::string text = "trend,sweep,coupling,preset,flows,correlation,agrees\n";
   for (const Trend& t : all)
     text += fmt::format("\"{}\",{},{},{},{},{:.2f},{}\n", t.statement, t.sweep, t.coupling, t.preset, t.flows,
-                        t.correlation, t.agrees ? "yes" : "no");
+                        t.correlation, name_of(t.agrees));
   return text;
 }
 

@@ -65,7 +65,8 @@ const std::vector<Compared>& compared_quantities();
 /// A column of a run's series that is shown over time.
 struct ShownColumn {
   std::string name, title, unit;
-  double factor = 1;  ///< from the column's unit to the shown one
+  double factor = 1;       ///< from the column's unit to the shown one
+  std::string where = {};  ///< in the paper
 };
 const std::vector<ShownColumn>& shown_columns();
 
@@ -73,12 +74,16 @@ const std::vector<ShownColumn>& shown_columns();
 /// over the seeds, variants and presets that the study has of the same flow and coupling, over their mean.
 std::string comparison_csv(const std::vector<CaseResult>& results);
 
-/// A trend that the paper states over its flows, and whether ours goes the same way.
+/// Whether a quantity goes the paper's way: from every flow to every faster one, in most pairs of flows, or not.
+enum class Agreement { yes, mostly, no, unknown };
+const char* name_of(Agreement agreement);
+
+/// A trend that the paper states over its flows.
 struct Trend {
   std::string statement, sweep, coupling, preset;
-  std::size_t flows = 0;
-  double correlation = 0;  ///< Kendall's rank correlation of ours with the release distance
-  bool agrees = false;
+  std::size_t flows = 0;   ///< that have the quantity
+  double correlation = 0;  ///< Kendall's rank correlation of ours with the release distance; NaN below three flows
+  Agreement agrees = Agreement::unknown;
 };
 /// Of every sweep with at least three flows of a preset and coupling (study's reading, lowest seed).
 std::vector<Trend> trends(const std::vector<CaseResult>& results);

@@ -137,8 +137,8 @@ std::vector<Figure> figures_of(const std::vector<CaseResult>& results) {
   const std::pair<const char*, const char*> of_flows[] = {{"retained_mass", "as Fig. 10"},
                                                           {"retained_large", "as Fig. 10"},
                                                           {"retained_small", "as Fig. 10"},
-                                                          {"lower_cable_sum", "as Fig. 13"},
-                                                          {"upper_cable_sum", "as Fig. 13"},
+                                                          {"lower_cable_sum", "as Fig. 14"},
+                                                          {"upper_cable_sum", "as Fig. 14"},
                                                           {"barrier_sum", "as Fig. 14"},
                                                           {"e_in", "Table 5"},
                                                           {"e_in_lower", "Table 5"},
@@ -146,7 +146,9 @@ std::vector<Figure> figures_of(const std::vector<CaseResult>& results) {
                                                           {"e_b", "Table 5"},
                                                           {"eta", "as Fig. 15"},
                                                           {"outflow_liquid_share", "as Fig. 16"},
+                                                          {"eta_lower", "as Fig. 15"},
                                                           {"zeta", "as Fig. 17"},
+                                                          {"zeta_lower", "as Fig. 17"},
                                                           {"froude_front", "Table 5"},
                                                           {"froude_deepest", "Table 5"},
                                                           {"elongation", "section 4.3"},
@@ -161,8 +163,8 @@ std::vector<Figure> figures_of(const std::vector<CaseResult>& results) {
          over_flows(name, results));
   for (const Choice& sweep : sweeps())
     for (const ShownColumn& shown : shown_columns())
-      keep(fmt::format("time_{}_{}", sweep.name, shown.name), fmt::format("{} at L = 4.10 m (Fig. 11)", shown.title),
-           over_time(shown, 4.1, sweep.name, results));
+      keep(fmt::format("time_{}_{}", sweep.name, shown.name),
+           fmt::format("{} at L = 4.10 m{}", shown.title, shown.where), over_time(shown, 4.1, sweep.name, results));
   return figures;
 }
 
@@ -232,7 +234,7 @@ std::string trend_table(const std::vector<CaseResult>& results) {
       "correlation with the release distance</th><th>agrees</th></tr>\n";
   for (const Trend& t : all)
     html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td></tr>\n",
-                        t.statement, t.sweep, t.coupling, t.preset, t.flows, t.correlation, t.agrees ? "yes" : "no");
+                        t.statement, t.sweep, t.coupling, t.preset, t.flows, t.correlation, name_of(t.agrees));
   return html + "</table>\n";
 }
 

@@ -13,7 +13,7 @@ constexpr std::size_t kWidth = lbm::FluidSnapshot::block_width;
 
 /// Sums over the wet cells of a block, or over columns of them across the flow: by x, from the block's first cell.
 struct BlockFigures {
-  double kinetic = 0, potential = 0, outflow_power = 0, outflow_kinetic_power = 0, outflow_rate = 0;
+  double kinetic = 0, potential = 0, outflow_power = 0, outflow_kinetic_power = 0, outflow_rate = 0, beyond_outflow = 0;
   Vec3 momentum = Vec3::Zero();
   std::size_t x = 0, y = 0;  ///< of the block's first cell
   /// m^3 of mixture and of liquid, m^4/s of the liquid's volume times velocity.
@@ -68,7 +68,9 @@ struct Look {
     if (c.fill_level > 0.5 && c.centre.z() - lower.z() < dx) {
       f.foremost[y] = std::max(f.foremost[y], c.centre.x() + dx / 2 - lower.x());
     }
-    if (run.section && std::abs(c.centre.x() - outflow_x) <= dx / 2) {
+    if (!run.section) return;
+    f.beyond_outflow += mass * std::clamp((c.centre.x() - outflow_x) / dx + 0.5, 0.0, 1.0);
+    if (std::abs(c.centre.x() - outflow_x) <= dx / 2) {
       f.outflow_rate += mass * c.velocity.x() / dx;
       f.outflow_power += mass * (0.5 * square + g * height) * c.velocity.x() / dx;
       f.outflow_kinetic_power += mass * 0.5 * square * c.velocity.x() / dx;
@@ -98,7 +100,7 @@ FlowFigures look_at_flow(const Observed& run) {
   for (const BlockFigures& block : blocks) {
     f.kinetic += block.kinetic, f.potential += block.potential, f.momentum += block.momentum;
     f.outflow_rate += block.outflow_rate, f.outflow_power += block.outflow_power;
-    f.outflow_kinetic_power += block.outflow_kinetic_power;
+    f.outflow_kinetic_power += block.outflow_kinetic_power, f.beyond_outflow += block.beyond_outflow;
     for (std::size_t k = 0; k < kWidth; ++k) {
       at(profile.volume, block.x + k) += block.volume[k];
       at(profile.liquid, block.x + k) += block.liquid[k];

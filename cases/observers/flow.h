@@ -12,6 +12,7 @@ struct FlowFigures {
   double outflow_power = 0;               ///< W, energy flux through the outflow section
   double outflow_kinetic_power = 0;       ///< W, the kinetic part of it
   double outflow_rate = 0;                ///< kg/s through that section
+  double beyond_outflow = 0;              ///< kg beyond it
   double deepest = 0, deepest_speed = 0;  ///< m, m/s at the section with the largest depth
 };
 

@@ -10,16 +10,18 @@ FlowEnergy::FlowEnergy(const Observed& run, const ObserverList& before)
         "kinetic and potential energy of liquid and grains at the first row with the front within "
         "`measure.inflow_distance_m` upstream of the measured section",
         [this] { return arrival_.energy; });
-  event("froude_deepest_section", "1", "speed of the deepest section over sqrt(g depth) at the row of `e_in_kJ`",
+  event("froude_deepest_section", "1",
+        "speed of the deepest section over sqrt(g depth), g across the bed, at the row of `e_in_kJ`",
         [this] { return arrival_.froude_deepest; });
   event("depth_at_inflow_m", "m", "depth of the deepest section at the row of `e_in_kJ`",
         [this] { return arrival_.depth; });
-  event("froude_mean_speed", "1", "mean speed of all liquid over sqrt(g depth) at the row of `e_in_kJ`",
+  event("froude_mean_speed", "1",
+        "mean speed of all liquid over sqrt(g depth), g across the bed, at the row of `e_in_kJ`",
         [this] { return arrival_.froude_mean; });
   if (grains_)
     result("e_out_kJ", "kJ",
            "energy of liquid and grains that has passed `measure.outflow_distance_m` beyond the measured section",
-           [this] { return (outflow_.energy() + grains_->energy_out()) / 1000; });
+           [this] { return (outflow_.energy().sum() + grains_->energy_out()) / 1000; });
 }
 
 void FlowEnergy::sample(double) {

@@ -5,6 +5,15 @@
 
 namespace lahar::cases {
 
+/// J.
+struct OutflowEnergy {
+  double kinetic = 0, potential = 0;
+  [[nodiscard]] double sum() const { return kinetic + potential; }
+};
+
+/// The rate through cells that are partly full (level times velocity) is up to a twentieth more than the mass that
+/// goes: spray and sheets wait for their cells to fill. So the ledger says how much has passed, the rates what energy
+/// it had.
 class Outflow final : public Observer {
  public:
   Outflow(const Observed& run, const ObserverList& before);
@@ -12,12 +21,14 @@ class Outflow final : public Observer {
   [[nodiscard]] std::string_view name() const override { return "outflow"; }
   void sample(double interval) override;
   void transfer(Archive& archive) override;
-  /// J, passed so far.
-  [[nodiscard]] double energy() const { return energy_; }
+  /// Passed so far.
+  [[nodiscard]] OutflowEnergy energy() const;
 
  private:
   const Flow& flow_;
-  double energy_ = 0, kinetic_ = 0, mass_ = 0;  ///< J, J, kg
+  double energy_ = 0, kinetic_ = 0, mass_ = 0;  ///< J, J, kg: rates of the rows times their intervals
+  double at_start_ = kUnknown;                  ///< kg beyond the section at the first row
+  double passed_ = 0;                           ///< kg, at the last row
 };
 
 }  // namespace lahar::cases

@@ -1,7 +1,11 @@
 #include "cases/observers/sections.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <optional>
 
 namespace lahar::cases {
 
@@ -35,10 +39,58 @@ std::pair<double, double> reach(const SectionFrame& f, const Vec3& direction, do
   return {std::max(low, -half), std::min(high, half)};
 }
 
+/// Mean velocity of the grains in the cells at a section.
+class GrainVelocities {
+ public:
+  GrainVelocities(const lbm::Domain& domain, const dem::Particles* grains, const SectionFrame& frame)
+      : domain_(domain) {
+    for (dem::ParticleId id = 0; grains && id < grains->size(); ++id) {
+      const dem::ParticleIndex i = grains->index(id);
+      if (grains->kind[i] != dem::ParticleKind::grain || grains->state[i] == dem::ParticleState::removed) continue;
+      const Vec3 centre = grains->position[i];
+      if (std::abs((centre - frame.centre).dot(frame.normal)) < grains->radius[i] + 2 * domain.cell_size())
+        add(centre, grains->radius[i], grains->velocity[i], frame);
+    }
+  }
+  /// m/s; none where no grain is.
+  [[nodiscard]] std::optional<Vec3> at(const Vec3& centre) const {
+    const auto found = cells_.find(key(domain_.cell_at(centre)));
+    if (found == cells_.end()) return std::nullopt;
+    return Vec3(found->second.momentum / found->second.share);
+  }
+
+ private:
+  struct Sum {
+    double share = 0;
+    Vec3 momentum = Vec3::Zero();
+  };
+  static std::array<int, 3> key(const Vec3i& cell) { return {cell.x(), cell.y(), cell.z()}; }
+
+  /// A cell belongs to a grain by the distance of its centre from the surface, over a cell.
+  void add(const Vec3& centre, double radius, const Vec3& velocity, const SectionFrame& frame) {
+    const double h = domain_.cell_size();
+    const Vec3 reach = Vec3::Constant(radius + h / 2);
+    const Vec3i low = domain_.cell_at(centre - reach), high = domain_.cell_at(centre + reach);
+    for (int x = low.x(); x <= high.x(); ++x)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int z = low.z(); z <= high.z(); ++z) {
+          const Vec3i cell(x, y, z);
+          const Vec3 there = domain_.centre(cell);
+          const double share = std::clamp(0.5 + (radius - (there - centre).norm()) / h, 0.0, 1.0);
+          if (share <= 0 || std::abs((there - frame.centre).dot(frame.normal)) > 2 * h) continue;
+          Sum& sum = cells_[key(cell)];
+          sum.share += share, sum.momentum += share * velocity;
+        }
+  }
+
+  const lbm::Domain& domain_;
+  std::map<std::array<int, 3>, Sum> cells_;
+};
+
 }  // namespace
 
-Flux liquid_flux(const FluidView& fluid, const SectionFrame& frame, const scene::Domain& domain, const Vec3& up,
-                 double datum) {
+Flux liquid_flux(const FluidView& fluid, const dem::Particles* grains, const SectionFrame& frame,
+                 const scene::Domain& domain, const Vec3& up, double datum) {
   const double spacing = fluid.units().cell_size / 2, rho = fluid.options().density, g = fluid.options().gravity.norm();
   const auto [left, right] = reach(frame, frame.across, frame.half_width, domain);
   const auto [bottom, top] = reach(frame, frame.up, frame.half_height, domain);
@@ -46,6 +98,7 @@ Flux liquid_flux(const FluidView& fluid, const SectionFrame& frame, const scene:
   const int rows = std::max(1, static_cast<int>(std::ceil((top - bottom) / spacing - 1e-6)));
   const double wide = (right - left) / columns, high = (top - bottom) / rows;
   const double cell_volume = std::pow(fluid.units().cell_size, 3);
+  const GrainVelocities velocities(fluid.domain(), grains, frame);
   Flux flux;
   for (int i = 0; i < columns; ++i)
     for (int k = 0; k < rows; ++k) {
@@ -54,9 +107,11 @@ Flux liquid_flux(const FluidView& fluid, const SectionFrame& frame, const scene:
       for (const double side : {-0.5, 0.5}) {  // a plane between two layers of cells takes half of each
         const auto cell = fluid.cell_at(p + side * spacing * frame.normal);
         if (!cell) continue;
-        const double share = 0.5 * cell->liquid_volume / cell_volume * wide * high;
-        flux.area += share;
-        const double volume = cell->velocity.dot(frame.normal) * share;
+        const double area = 0.5 * wide * high, liquid = cell->liquid_volume / cell_volume;
+        const Vec3 solid = velocities.at(cell->centre).value_or(cell->velocity);
+        const double volume =
+            area * (cell->fill_level * cell->velocity - (cell->fill_level - liquid) * solid).dot(frame.normal);
+        flux.area += area * liquid;
         flux.volume += volume;
         flux.energy +=
             volume * (0.5 * rho * cell->velocity.squaredNorm() + rho * g * (up.dot(p) - datum) + cell->pressure);
@@ -138,7 +193,9 @@ void Sections::sample(double interval) {
 }
 
 void Sections::sample_liquid(Counter& counter, double interval) {
-  const Flux now = liquid_flux(*run_.simulation.fluid(), counter.frame, run_.scene.domain, run_.up, run_.datum);
+  const dem::Solids* solids = run_.simulation.solids();
+  const Flux now = liquid_flux(*run_.simulation.fluid(), solids ? &solids->particles() : nullptr, counter.frame,
+                               run_.scene.domain, run_.up, run_.datum);
   counter.volume += 0.5 * (now.volume + counter.now.volume) * interval;
   counter.liquid_energy += 0.5e-3 * (now.energy + counter.now.energy) * interval;
   counter.now = now;

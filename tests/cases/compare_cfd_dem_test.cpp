@@ -173,13 +173,29 @@ TEST(Comparison, HoldsTheirsAndOurs) {
   EXPECT_NE(comparison_csv(results).find("seed1,54.361,50,-0.080223,0.0909091"), std::string::npos);
   std::size_t agree = 0;
   const std::vector<Trend> found = trends(results);
-  for (const Trend& t : found) agree += t.agrees;
-  EXPECT_EQ(found.size(), 6u);
+  for (const Trend& t : found) agree += t.agrees == Agreement::yes;
+  EXPECT_EQ(found.size(), 7u);
   EXPECT_EQ(agree, 3u);  // retained mass and zeta fall, eta rises; of forces and of what passed nothing is known
   EXPECT_NE(
       trends_csv(found).find("\"eta rises (4.4), about the bed at the net\",matched,resolved,coarse,3,1.00,yes\n"),
       std::string::npos)
       << trends_csv(found);
+  EXPECT_NE(trends_csv(found).find("whole barrier rises (4.3)\",matched,resolved,coarse,0,nan,-\n"), std::string::npos);
+}
+
+/// Three flows of which two are alike, then one that turns back: only what goes on from flow to flow agrees.
+TEST(Comparison, TrendsThatTurnAgreeMostly) {
+  std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10), made_up(8.6, 100, 10)};
+  const auto agreement = [&](std::vector<double> sums) {
+    for (std::size_t k = 0; k < 3; ++k) results[k].values["barrier_sum"] = sums[k];
+    for (const Trend& t : trends(results))
+      if (t.statement.find("whole barrier") != std::string::npos) return std::pair(t.agrees, t.correlation);
+    return std::pair(Agreement::unknown, 0.0);
+  };
+  EXPECT_EQ(agreement({1, 2, 3}), std::pair(Agreement::yes, 1.0));
+  EXPECT_EQ(agreement({1, 1, 3}), std::pair(Agreement::mostly, 2.0 / 3));
+  EXPECT_EQ(agreement({2, 1, 3}), std::pair(Agreement::mostly, 1.0 / 3));
+  EXPECT_EQ(agreement({1, 1, 1}), std::pair(Agreement::no, 0.0));
 }
 
 /// A record gives back what is shown of a case; other files beside it are left alone.

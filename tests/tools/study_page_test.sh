@@ -34,14 +34,17 @@ expect_lacks "$output" '## Over the flows'
 
 plant docs/results/study/trends.csv 'trend,sweep,coupling,preset,flows,correlation,agrees
 eta rises (4.4),matched,resolved,coarse,3,1.00,yes
-eta rises (4.4),matched,averaged,coarse,4,-0.33,no'
-plant docs/images/study/flows_zeta.png ''
+eta rises (4.4),matched,averaged,coarse,4,-0.33,no
+zeta falls (4.4),matched,resolved,coarse,0,nan,-
+zeta falls (4.4),matched,averaged,coarse,3,-0.33,mostly'
+plant docs/images/study/flows_zeta_lower.png ''
 capture "$page"
 expect_contains "$output" '## Over the flows'
-expect_contains "$output" '![flows_zeta](images/study/flows_zeta.png)'
+expect_contains "$output" '![flows_zeta_lower](images/study/flows_zeta_lower.png)'
 expect_lacks "$output" 'flows_e_b'
 expect_contains "$output" '| The paper | matched, resolved, coarse, 3 flows | matched, averaged, coarse, 4 flows |'
 expect_contains "$output" '| eta rises (4.4) | 1.00, yes | -0.33, no |'
+expect_contains "$output" '| zeta falls (4.4) | - | -0.33, mostly (3 flows) |'
 
 capture "$page" one two
 expect_equal 'status of a wrong command' "$status" 1

@@ -45,7 +45,7 @@ TEST(Sections, DischargeIsTheVolumeThatArrives) {
     double passed = 0;
     while (static_cast<double>(fluid.steps()) * fluid.units().time_step < 0.4) {
       fluid.step();
-      passed += fluid.units().time_step * liquid_flux(*view, frame, scene.domain, Vec3::UnitZ(), 0).volume;
+      passed += fluid.units().time_step * liquid_flux(*view, nullptr, frame, scene.domain, Vec3::UnitZ(), 0).volume;
     }
     double behind = 0;
     fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
@@ -54,6 +54,62 @@ TEST(Sections, DischargeIsTheVolumeThatArrives) {
     });
     ASSERT_GT(behind, 0.003);
     EXPECT_NEAR(passed, behind, 0.03 * behind) << k;  // compression and flying drops are in neither
+  }
+}
+
+/// Of a tank of water with a heavy ball, two diameters above a level section and then two below it.
+const std::string sinking = R"([scene]
+name = "sinking"
+[run]
+duration_s = 1
+precision = "double"
+[gravity]
+magnitude_m_s2 = 9.81
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [0.32, 0.32, 0.6]
+open_faces = ["z+"]
+[fluid]
+enabled = true
+cell_size_m = 0.02
+max_speed_m_s = 3
+[[fluid.region]]
+lower_m = [0, 0, 0]
+upper_m = [0.32, 0.32, 0.54]
+[materials.rock]
+youngs_modulus_Pa = 1e7
+poisson_ratio = 0.2
+[[contact]]
+materials = ["rock", "rock"]
+friction = 0.5
+restitution = 0.5
+[[grains.sphere]]
+position_m = [0.16, 0.16, 0.4]
+diameter_m = 0.1
+density_kg_m3 = 8000
+material = "rock"
+[coupling]
+enabled = true
+)";
+
+/// As much water as the ball displaces goes up past it, however the ball is coupled.
+TEST(Sections, WaterGoesUpWhereABallSinks) {
+  const std::vector<std::string> couplings[] = {{"coupling.body_weighting=wall_distance"},
+                                                {"coupling.body_weighting=inertial"},
+                                                {"coupling.grains=averaged", "coupling.averaging_length_m=0.1"}};
+  for (const std::vector<std::string>& coupling : couplings) {
+    const scene::Scene scene = scene::load_text(sinking, coupling);
+    const auto simulation = build_simulation(scene);
+    const dem::Particles& ball = simulation->solids()->particles();
+    const SectionFrame frame = frame_of({"s", Vec3(0.16, 0.16, 0.28), Vec3::UnitZ(), 0, 0}, scene.domain);
+    double passed = 0;
+    while (ball.position[ball.index(0)].z() > 0.16) {
+      simulation->advance();
+      passed += simulation->time_step() *
+                liquid_flux(*simulation->fluid(), &ball, frame, scene.domain, Vec3::UnitZ(), 0).volume;
+    }
+    const double volume = std::numbers::pi / 6 * 1e-3;
+    EXPECT_NEAR(passed, volume, 0.05 * volume) << coupling.front();
   }
 }
 
@@ -81,7 +137,7 @@ TEST(Sections, OnlyTheRectangleCounts) {
   const double speed = fluid.units().velocity_to_si(0.05), width = 0.08, height = 0.2;
   const auto flux = [&](const Vec3& normal) {
     const SectionFrame frame = frame_of({"s", Vec3(0.5, 0.08, 0.2), normal, width, height}, scene.domain);
-    return liquid_flux(*view, frame, scene.domain, Vec3::UnitZ(), 0.2);
+    return liquid_flux(*view, nullptr, frame, scene.domain, Vec3::UnitZ(), 0.2);
   };
   EXPECT_NEAR(flux(Vec3(3, 0, 0)).volume, speed * width * height, 1e-9 * speed);
   EXPECT_NEAR(flux(Vec3(-1, 0, 0)).volume, -speed * width * height, 1e-9 * speed);
