@@ -31,20 +31,27 @@ double depth_in_walls(const Walls& walls, const Vec3& lower, const Vec3& upper) 
   return deepest;
 }
 
+/// m^3 of grains in a packing.
+double solid_volume(const Packing& packing) {
+  double volume = 0;
+  for (const GrainSize& size : packing.sizes)
+    volume += static_cast<double>(size.count) * std::numbers::pi / 6 * std::pow(size.diameter, 3);
+  for (const LogNormalGrains& g : packing.log_normal) volume += solid_volume(packing, g.amount, g.density);
+  for (const SievedGrains& g : packing.sieved) volume += solid_volume(packing, g.amount, g.density);
+  return volume;
+}
+
 void check_packing_content(const Packing& packing, const std::string& path, Findings& findings) {
   const Vec3 extent = packing.upper - packing.lower;
-  double volume = 0;
   for (std::size_t k = 0; k < packing.sizes.size(); ++k) {
     const GrainSize& size = packing.sizes[k];
     const std::string key = fmt::format("{}.sizes[{}].diameter_m", path, k);
     if (size.diameter > extent.minCoeff())
       findings.mistake(key, fmt::format("{} is {:g}, expected at most the smallest extent of the box, {:g}", key,
                                         size.diameter, extent.minCoeff()));
-    volume += static_cast<double>(size.count) * std::numbers::pi / 6 * std::pow(size.diameter, 3);
   }
-  for (const LogNormalGrains& g : packing.log_normal) volume += solid_volume(packing, g.amount, g.density);
-  for (const SievedGrains& g : packing.sieved) volume += solid_volume(packing, g.amount, g.density);
   constexpr double densest = 0.74;  // of equal spheres; mixtures settle far below
+  const double volume = solid_volume(packing);
   if (volume > densest * extent.prod())
     findings.mistake(path, fmt::format("{}: grains fill {:.2f} of the box, expected at most {}", path,
                                        volume / extent.prod(), densest));
@@ -66,6 +73,15 @@ void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
   if (const double depth = depth_in_walls(make_walls(scene), packing.lower, packing.upper); depth > slack)
     findings.mistake(path + ".lower_m",
                      fmt::format("{} reaches {:.3g} m into a wall, expected it in free space", path, depth));
+}
+
+/// Upper corner of the part of a packing's box that its grains will fill, once they have settled.
+Vec3 upper_of_content(const Packing& packing) {
+  constexpr double loosest = 0.5;  // of random packings that settle without friction
+  const Vec3 extent = packing.upper - packing.lower;
+  double height = solid_volume(packing) / (loosest * extent.x() * extent.y());
+  if (packing.target_height > 0) height = std::min(height, packing.target_height);
+  return packing.lower + Vec3(extent.x(), extent.y(), std::min(height, extent.z()));
 }
 
 void check_sphere(const Scene& scene, std::size_t i, Findings& findings) {
@@ -92,6 +108,14 @@ void check_sphere(const Scene& scene, std::size_t i, Findings& findings) {
     const double gap = (s.position - other.position).norm() - (s.diameter + other.diameter) / 2;
     if (-gap > largest_overlap * std::min(s.diameter, other.diameter) / 2)
       findings.mistake(path + ".position_m", fmt::format("{} overlaps grains.sphere[{}], expected a gap", path, k));
+  }
+  for (std::size_t k = 0; k < scene.grains.packings.size(); ++k) {
+    const Packing& packing = scene.grains.packings[k];
+    if (!findings.sound({fmt::format("grains.packing[{}]", k)})) continue;
+    const Vec3 nearest = s.position.cwiseMax(packing.lower).cwiseMin(upper_of_content(packing));
+    if ((s.position - nearest).norm() < (1 - largest_overlap) * s.diameter / 2)
+      findings.mistake(path + ".position_m",
+                       fmt::format("{} reaches into grains.packing[{}], expected it beside the packing", path, k));
   }
 }
 
@@ -158,6 +182,12 @@ void check_dissipators(const BarrierBonds& bonds, Findings& findings) {
         path, fmt::format("{} has {} entries, expected {}: one less than stages", path, limits.size(), expected));
   if (limits.size() == 2 && limits[1] <= limits[0])
     findings.mistake(path, path + " does not rise, expected the second above the first");
+  // Plastic elongation would not grow under load (dem/bonds/axial_law.h).
+  if (bonds.plastic_unloading && k.size() > 1 && (k[1] >= k[0] || k.back() > k[0]))
+    findings.mistake(
+        "barrier.bonds.plastic_unloading",
+        "barrier.bonds.plastic_unloading is true and a later stage of dissipator_stiffness_N_m3 as stiff as "
+        "the first, expected softer ones");
 }
 
 /// A stiffness that no run could follow: most likely meant in another unit.
@@ -235,8 +265,7 @@ namespace {
 void check_grains_beside_barrier(const Scene& scene, const dem::Particles& beads, Findings& findings) {
   for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
     const Packing& packing = scene.grains.packings[i];
-    Vec3 upper = packing.upper;
-    if (packing.target_height > 0) upper.z() = std::min(upper.z(), packing.lower.z() + packing.target_height);
+    const Vec3 upper = upper_of_content(packing);
     std::int64_t inside = 0;
     for (dem::ParticleIndex b = 0; b < beads.size(); ++b) {
       const Vec3 x = beads.position[b];
@@ -259,6 +288,21 @@ void check_grains_beside_barrier(const Scene& scene, const dem::Particles& beads
   }
 }
 
+/// The time step comes from single bonds of beads that touch. Beads farther apart, ties and posts can ask for a shorter
+/// one.
+void check_step_of_barrier(const Scene& scene, const dem::Particles& beads, const dem::Bonds& bonds,
+                           Findings& findings) {
+  if (scene.solids.time_step > 0) return;  // asked for
+  constexpr double agree = 1.02;           // the two limits do, for a net of rings of touching beads
+  const double step = cases::solids_time_step(scene), limit = dem::bond_time_step(bonds, beads);
+  if (step <= agree * limit) return;
+  const double safety = scene.solids.bond_safety;
+  findings.mistake("solids.bond_safety",
+                   fmt::format("solids.bond_safety is {:g}: the time step is {:.3g} s, and the barrier as built allows "
+                               "{:.3g} s, expected at most {:.2g}, or solids.time_step_s",
+                               safety, step, limit, std::floor(80 * safety * limit / step) / 100));
+}
+
 }  // namespace
 
 void check_net_can_be_built(const Scene& scene, Findings& findings) {
@@ -279,6 +323,7 @@ void check_net_can_be_built(const Scene& scene, Findings& findings) {
     attempt("barrier.posts", [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
   }
   if (findings.mistakes().empty()) check_grains_beside_barrier(scene, particles, findings);
+  if (findings.mistakes().empty()) check_step_of_barrier(scene, particles, bonds, findings);
 }
 
 void check_averaged(const Scene& scene, Findings& findings) {

@@ -14,6 +14,7 @@ dem::Solids barrier_alone(scene::Scene scene) {
   scene.grains = {};
   scene.fluid.enabled = scene.coupling.enabled = false;
   scene.barrier.settle_time = 0;
+  scene.solids.time_step = 0;             // that of the run may be too long without slow beads
   scene.barrier.net.bead_mass_scale = 1;  // of no account for how it hangs; slow beads would take longer
   return std::move(build_solids(scene).solids);
 }

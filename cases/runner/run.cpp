@@ -22,7 +22,7 @@ namespace lahar::cases {
 
 namespace {
 
-/// Grains that have gone through an open face are taken out of the scene.
+/// Grains that have left the domain are taken out of the scene; those that fly up may come back.
 void remove_leavers(const scene::Scene& scene, dem::Solids* solids) {
   if (!solids) return;
   const dem::Particles& p = solids->particles();
@@ -32,8 +32,7 @@ void remove_leavers(const scene::Scene& scene, dem::Solids* solids) {
     for (int axis = 0; axis < 3; ++axis) {
       const double x = p.position[i][axis];
       const bool below = x<scene.domain.lower[axis] - p.radius[i], above = x> scene.domain.upper[axis] + p.radius[i];
-      if ((below && scene.domain.open(static_cast<scene::Face>(2 * axis))) ||
-          (above && axis != 2 && scene.domain.open(static_cast<scene::Face>(2 * axis + 1)))) {
+      if (below || (above && axis != 2)) {
         solids->remove(i);
         break;
       }

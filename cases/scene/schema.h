@@ -81,7 +81,7 @@ void describe(V& v, Domain& s) {
   v.value("upper_m", s.upper, required(), "Upper corner.");
   v.value("open_faces", s.open_faces, {},
           "Faces through which water may leave (counted as outflow). Every other face is a wall for the water. "
-          "Grains are held by [[wall]] alone and removed once they have left the domain.");
+          "Grains are held by [[wall]] alone and removed once they have left the domain, but for its top.");
   v.value("slip", s.slip, {},
           "How water slides along the faces that are walls, smooth ones. A [[wall]] in the same place goes before.");
   v.value("periodic_axes", s.periodic_axes, {}, "Axes along which the fluid repeats; only without grains and barrier.");

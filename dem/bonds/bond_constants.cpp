@@ -17,7 +17,8 @@ BondConstants constants_of(const BondSort& s) {
   BondConstants c;
   c.axial = axial_curve(s.axial, area);
   c.shear_stiffness = s.shear_stiffness * area;
-  c.bending_stiffness = s.axial.stiffness[0] * inertia;
+  // A wire that goes slack does not bend. (Its rim stress would count all turns of its ends as tension.)
+  c.bending_stiffness = s.axial.tension_only ? 0 : s.axial.stiffness[0] * inertia;
   c.torsion_stiffness = s.shear_stiffness * 2 * inertia;
   // Stresses at the rim, Potyondy & Cundall (2004), Eq. 18, multiplied by the area.
   c.tension_limit = s.tensile_strength * area;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/check.h"
+#include "dem/bonds/bond_forces.h"
 
 namespace lahar::barrier {
 namespace {
@@ -65,6 +66,24 @@ TEST(HexagonalMesh, WireFollowsItsLaw) {
   EXPECT_NEAR(2192 + law.stiffness[2] * area * 0.3 * 0.05, 3240, 1e-6);
   EXPECT_NEAR(sort.tensile_strength * area, 3240, 1e-6);
   EXPECT_TRUE(law.tension_only);
+}
+
+/// A node may spin as often as it likes: a wire that is slack in bending does not break by it.
+TEST(HexagonalMesh, SpinOfNodesBreaksNoWire) {
+  dem::Particles p;
+  dem::Bonds b;
+  p.add({.position = Vec3::Zero(), .radius = 0.0108, .density = 7850, .state = dem::ParticleState::fixed});
+  p.add({.position = Vec3(0.05, 0, 0), .radius = 0.0108, .density = 7850});
+  b.add({0, 1, b.add_sort(wire_law_bond(mesh().single, 0.05, mesh()))}, p);
+  dem::BondForces forces;
+  forces.build(b, p);
+  p.angular_velocity.set(1, Vec3(0, 500, 0));
+  for (int step = 0; step < 1000; ++step) {
+    p.force.fill(Vec3::Zero()), p.torque.fill(Vec3::Zero());
+    forces.add_forces(b, p, 1e-3);
+  }
+  EXPECT_TRUE(b.intact[0]);
+  EXPECT_EQ(p.torque[1].norm(), 0);
 }
 
 TEST(HexagonalMesh, RefusesLawsAndMeshesThatMakeNoSense) {

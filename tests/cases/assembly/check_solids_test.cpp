@@ -34,6 +34,19 @@ INSTANTIATE_TEST_SUITE_P(
                    "grains.sphere[0].density_kg_m3=2500", "grains.sphere[0].material=rock"},
                   "grains.sphere[0] overlaps the barrier",
                   "expected a gap"},
+        Rejection{{"grains.sphere[0].position_m=[0.3, 0.9, 0.65]", "grains.sphere[0].diameter_m=0.3",
+                   "grains.sphere[0].density_kg_m3=2500", "grains.sphere[0].material=rock"},
+                  "grains.sphere[0] reaches into grains.packing[0]",
+                  "beside the packing"},
+        Rejection{{"barrier.bonds.dissipator_stiffness_N_m3=[8e10, 8e9, 8e11]",
+                   "barrier.bonds.dissipator_force_limit_N=[2000, 4000]", "barrier.bonds.plastic_unloading=true"},
+                  "barrier.bonds.plastic_unloading",
+                  "expected softer ones"},
+        Rejection{{"barrier.net.beads_per_ring=27", "barrier.net.bead_inertia_scale=1",
+                   "barrier.bonds.ring_stiffness_N_m3=8e11", "materials.steel.youngs_modulus_Pa=1e10",
+                   "materials.rock.youngs_modulus_Pa=1e9", "solids.bond_safety=0.9"},
+                  "solids.bond_safety is 0.9",
+                  "the barrier as built allows"},
         Rejection{{"barrier.net.width_m=1.86"}, "barrier.net.width_m", "outside the domain"},
         Rejection{
             {"domain.upper_m=[5.6, 1.9, 1.5]", "barrier.net.width_m=1.86"}, "barrier.net.width_m", "outside the walls"},
@@ -104,6 +117,14 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"probe[0].name=p", "probe[0].kind=pressure", "probe[0].position_m=[0, 0, 0.5]"},
                   "probe[0] without a fluid",
                   "fluid.enabled"}));
+
+/// Above what a packing will fill a sphere has room, even in its box.
+TEST(CheckSolids, ASphereAboveAPackingIsFine) {
+  EXPECT_TRUE(mistakes_in(case_file("debris_flow/scene.toml"),
+                          {"grains.sphere[0].position_m=[0.3, 0.9, 1.2]", "grains.sphere[0].diameter_m=0.3",
+                           "grains.sphere[0].density_kg_m3=2500", "grains.sphere[0].material=rock"})
+                  .empty());
+}
 
 TEST(CheckSolids, TouchingSpheresAndFixedOnesInWallsAreFine) {
   EXPECT_TRUE(
