@@ -26,7 +26,7 @@ class MomentumAudit {
   /// |sum of differences| over the sum of what was exchanged, 0 if nothing was.
   [[nodiscard]] double relative() const {
     const double scale = exchanged_.norm();
-    return scale > 0 ? difference_.norm() / scale : 0.0;
+    return scale <= 0 ? 0.0 : difference_.norm() / scale;  // NaN stays NaN
   }
   [[nodiscard]] double worst_step() const { return worst_; }
   void transfer(Archive& archive) {

@@ -337,6 +337,11 @@ void check_averaged(const Scene& scene, Findings& findings) {
                      fmt::format("coupling.averaging_length_m is {:g}, expected at least a cell (fluid.cell_size_m = "
                                  "{:g})",
                                  c.averaging_length, scene.fluid.cell_size));
+  else if (const double largest = cases::largest_grain(scene); c.averaging_length < largest * (1 - 1e-9))
+    findings.mistake("coupling.averaging_length_m",
+                     fmt::format("coupling.averaging_length_m is {:g}, expected at least the diameter of the largest "
+                                 "grain, {:g}: averages around its centre do not see the water at its rim",
+                                 c.averaging_length, largest));
   if (c.resolve_wires_from_cells)
     findings.mistake("coupling.resolve_wires_from_cells",
                      "coupling.resolve_wires_from_cells maps wires as bodies that cells hold whole, expected none with "

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "cases/assembly/cross_checks.h"
+#include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/memory.h"
 
@@ -32,6 +33,20 @@ void check_wall(const WallSettings& w, const std::string& path, Findings& findin
     findings.mistake(path + ".velocity_m_s",
                      path + ".velocity_m_s leaves the plane, expected it at right angles to normal");
   }
+}
+
+/// Beyond its map the ground goes on level: a map beside the domain would be a level floor.
+void check_heightmap(const Scene& scene, std::size_t i, Findings& findings) {
+  const WallSettings& w = scene.walls[i];
+  const std::string path = fmt::format("wall[{}].file", i);
+  if (w.shape != WallShape::heightmap || w.file.sampled.grid == nullptr) return;
+  const Bounds map = heightmap_bounds(w);
+  if ((map.lower.head<2>().array() < scene.domain.upper.head<2>().array()).all() &&
+      (map.upper.head<2>().array() > scene.domain.lower.head<2>().array()).all())
+    return;
+  findings.mistake(path, fmt::format("{}: \"{}\" covers x from {:g} to {:g} m and y from {:g} to {:g} m, expected some "
+                                     "of the domain (translate_m moves it)",
+                                     path, w.file.file, map.lower.x(), map.upper.x(), map.lower.y(), map.upper.y()));
 }
 
 void check_region(const Scene& scene, std::size_t i, Findings& findings) {
@@ -154,11 +169,30 @@ void check_speed(const Scene& scene, Findings& findings) {
                      "largest speed");
 }
 
+/// What fluid.max_speed_m_s makes of the liquid's weight (see start_compression). A step that adapts takes it back.
+void check_compression(const Scene& scene, Findings& findings) {
+  constexpr double most = 0.1;  // of the mass
+  const std::string path = "fluid.max_speed_m_s";
+  if (scene.fluid.max_speed == 0 || scene.fluid.adaptive_time_step || scene.fluid.regions.empty()) return;
+  if (!findings.sound({"fluid", "domain", "gravity", "wall"})) return;
+  const double share = cases::start_compression(scene);
+  if (share > most)
+    findings.mistake(
+        path, fmt::format("{} is {:g}: sound then runs at {:.3g} m/s, and the liquid, compressed by its own weight "
+                          "(density exp(g h / c_s^2)), would start {:.3g} % too heavy, expected at most {:g} %; a drop "
+                          "to the lowest of the domain makes {:.3g} m/s",
+                          path, scene.fluid.max_speed, cases::sound_speed(scene), 100 * share, 100 * most,
+                          cases::drop_speed(scene)));
+}
+
 }  // namespace
 
 void check_shapes(const Scene& scene, Findings& findings) {
   check_box(scene.domain.lower, scene.domain.upper, "domain", findings);
-  for (std::size_t i = 0; i < scene.walls.size(); ++i) check_wall(scene.walls[i], fmt::format("wall[{}]", i), findings);
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) {
+    check_wall(scene.walls[i], fmt::format("wall[{}]", i), findings);
+    check_heightmap(scene, i, findings);
+  }
   if (findings.sound({"domain", "wall"}) && filled_by_walls(make_walls(scene), scene.domain.lower, scene.domain.upper))
     findings.mistake("domain", "domain lies in walls, expected room beside them");
   for (std::size_t i = 0; i < scene.grains.packings.size(); ++i)
@@ -176,6 +210,7 @@ void check_fluid(const Scene& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.fluid.regions.size(); ++i) check_region(scene, i, findings);
   check_cells(scene, findings);
   check_speed(scene, findings);
+  check_compression(scene, findings);
 }
 
 }  // namespace lahar::scene

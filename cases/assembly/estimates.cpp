@@ -23,8 +23,7 @@ double highest(const Vec3& lower, const Vec3& upper, const Vec3& direction) {
 
 }  // namespace
 
-double expected_max_speed(const scene::Scene& scene) {
-  if (scene.fluid.max_speed > 0) return scene.fluid.max_speed;
+double drop_speed(const scene::Scene& scene) {
   const Vec3 up = -scene.gravity.vector();
   const double lowest = -highest(scene.domain.lower, scene.domain.upper, -up);
   double fastest = 0;
@@ -38,6 +37,23 @@ double expected_max_speed(const scene::Scene& scene) {
     fastest = std::max(fastest, std::sqrt(i.velocity.squaredNorm() + 2 * fall));
   }
   return fastest;
+}
+
+double expected_max_speed(const scene::Scene& scene) {
+  return scene.fluid.max_speed > 0 ? scene.fluid.max_speed : drop_speed(scene);
+}
+
+double sound_speed(const scene::Scene& scene) {
+  return scene.fluid.cell_size / fluid_time_step(scene) / std::sqrt(3.0);
+}
+
+double start_compression(const scene::Scene& scene) {
+  const Walls walls = scene::make_walls(scene);
+  double depth = 0;
+  for (const scene::FluidRegion& r : scene.fluid.regions)
+    depth = std::max(depth, scene::open_depth(walls, r.lower, r.upper).value_or(0));
+  const double pressure = -scene.gravity.vector().z() * depth / std::pow(sound_speed(scene), 2);  // over rho c_s^2
+  return pressure > 0 ? std::expm1(pressure) / pressure - 1 : 0;
 }
 
 double longest_capillary_step(const scene::Scene& scene) {

@@ -7,13 +7,23 @@
 
 namespace lahar::cases {
 
-/// m/s: fluid.max_speed_m_s, or what liquid reaches that falls without loss from the highest point of its regions to
-/// the lowest of the domain, sqrt(v0^2 + 2 g h); never less than the speed of a wall.
+/// m/s: what liquid reaches that falls without loss from the highest point of its regions to the lowest of the domain,
+/// sqrt(v0^2 + 2 g h); never less than the speed of a wall.
+double drop_speed(const scene::Scene& scene);
+
+/// m/s: fluid.max_speed_m_s, or the drop_speed where it is 0.
 double expected_max_speed(const scene::Scene& scene);
 
 /// s: lattice_velocity x cell size / expected speed, or what ripples allow if that is less. The scene must have a
 /// fluid.
 double fluid_time_step(const scene::Scene& scene);
+
+/// m/s: of the lattice fluid, cell size / time step / sqrt(3). The scene must have a fluid.
+double sound_speed(const scene::Scene& scene);
+
+/// By which share the deepest region of liquid is too heavy at the start. Liquid at rest under its own weight has the
+/// density exp(g h / c_s^2) at a depth h; this is its mean over the depth, less 1. The scene must have a fluid.
+double start_compression(const scene::Scene& scene);
 
 /// s: the longest step with surface tension; infinity without.
 double longest_capillary_step(const scene::Scene& scene);

@@ -15,6 +15,7 @@ class ViewOf final : public FluidView {
   [[nodiscard]] std::int64_t steps() const override { return fluid_.steps(); }
   [[nodiscard]] const lbm::TimeStepRecord& time_step_record() const override { return fluid_.time_step_record(); }
   [[nodiscard]] bool is_in_order() const override { return fluid_.is_in_order(); }
+  void watch() const override { fluid_.watch(); }
   [[nodiscard]] std::map<std::string, double> seconds() const override { return fluid_.timers().seconds(); }
   [[nodiscard]] std::size_t wet_cells() const override { return fluid_.wet_cells(); }
   [[nodiscard]] std::size_t active_blocks() const override { return fluid_.grid().owned().size(); }

@@ -36,6 +36,8 @@ class FluidView {
   [[nodiscard]] virtual const lbm::TimeStepRecord& time_step_record() const = 0;
   /// Whether the last step went well.
   [[nodiscard]] virtual bool is_in_order() const = 0;
+  /// Throws NumericalFailure with cell, step and cause if the last step went wrong for good.
+  virtual void watch() const = 0;
   /// Wall time by section, s.
   [[nodiscard]] virtual std::map<std::string, double> seconds() const = 0;
 

@@ -1,5 +1,7 @@
 #include "cases/assembly/geometry.h"
 
+#include "cases/files/heightmap_file.h"
+#include "cases/files/mesh_file.h"
 #include "core/check.h"
 
 namespace lahar::scene {
@@ -50,14 +52,30 @@ Walls make_walls(const Scene& scene) {
   return walls;
 }
 
-bool filled_by_walls(const Walls& walls, const Vec3& lower, const Vec3& upper) {
+std::optional<double> open_depth(const Walls& walls, const Vec3& lower, const Vec3& upper) {
   constexpr int n = 9;  // points along an edge
-  if (walls.empty()) return false;
+  if (walls.empty()) return upper.z() - lower.z();
   for (int i = 0; i < n * n * n; ++i) {
-    const Vec3 part((i % n + 0.5) / n, (i / n % n + 0.5) / n, (i / (n * n) + 0.5) / n);
-    if (walls.nearest(lower + (upper - lower).cwiseProduct(part)).distance > 0) return false;
+    const int layer = i / (n * n);
+    const Vec3 part((i % n + 0.5) / n, (i / n % n + 0.5) / n, (layer + 0.5) / n);
+    if (walls.nearest(lower + (upper - lower).cwiseProduct(part)).distance > 0)
+      return (upper.z() - lower.z()) * (n - layer) / n;
   }
-  return true;
+  return std::nullopt;
+}
+
+bool filled_by_walls(const Walls& walls, const Vec3& lower, const Vec3& upper) {
+  return !open_depth(walls, lower, upper).has_value();
+}
+
+Bounds heightmap_bounds(const WallSettings& s) {
+  const ShapeFile& f = s.file;
+  const auto map = cases::placed(cases::parse_heightmap(cases::read_bytes(f.file), f.spacing), f.scale, f.translate);
+  const Vec3 first(map.x - map.spacing / 2, map.y - map.spacing / 2, map.lowest());
+  const Vec3 extent(static_cast<double>(map.columns), static_cast<double>(map.rows), 0);
+  Vec3 last = first + map.spacing * extent;
+  last.z() = map.highest();
+  return {first, last};
 }
 
 dem::Materials make_materials(const Scene& scene) {

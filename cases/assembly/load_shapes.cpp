@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "cases/assembly/memory.h"
+#include "cases/files/checkpoint_file.h"
 #include "cases/files/heightmap_file.h"
 #include "cases/files/mesh_file.h"
 #include "core/mesh_distance.h"
@@ -104,6 +105,13 @@ void sample_heightmap(const Scene& scene, const fs::path& path, ShapeFile& s) {
   s.sampled.grid = sample(scene, mesh, ground, spacing);
 }
 
+std::string check_sum(const fs::path& path) {
+  const std::string bytes = cases::read_bytes(path);
+  cases::CheckSum sum;
+  sum.add(bytes.data(), bytes.size());
+  return sum.text();
+}
+
 /// Calls `load(path)` and makes a mistake of what goes wrong.
 template <class Load>
 void load_file(ShapeFile& s, const std::string& key, Findings& findings, const Load& load) {
@@ -111,6 +119,7 @@ void load_file(ShapeFile& s, const std::string& key, Findings& findings, const L
   const fs::path path = file_of(s, findings.place(key));
   try {
     load(path);
+    s.sampled.check_sum = check_sum(path);
     s.file = path.string();
   } catch (const cases::ShapeFileError& e) {
     findings.mistake(key, fmt::format("{}: \"{}\" {}", key, path.string(), e.what()));

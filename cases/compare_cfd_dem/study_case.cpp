@@ -176,6 +176,10 @@ std::vector<StudyCase> cases_of(const Selection& s) {
   const auto variant_names = chosen("--variant", variants(), s.variants, {"study"});
   const std::vector<double> releases = chosen_releases(s.releases);
   const std::vector<int> seeds = s.seeds.empty() ? std::vector<int>{1} : s.seeds;
+  for (const int seed : seeds)
+    if (seed < 0)
+      throw InputError(std::vector<InputMistake>{
+          {"command line", 1, 1, fmt::format("--seed {}: expected at least 0, as run.seed of a scene", seed)}});
   std::vector<StudyCase> all;
   for (const auto& preset : preset_names)
     for (const auto& variant : variant_names)

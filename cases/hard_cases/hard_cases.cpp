@@ -140,9 +140,8 @@ std::string result_text(const HardCaseResult& result) {
 }
 
 std::string results_csv(const std::vector<HardCaseResult>& results, const Context& context, const std::string& date) {
-  std::string text = fmt::format("# {}, commit {}, {}, {} form\n", cases::machine_name(), cases::commit(), date,
-                                 context.quick ? "quick" : "full");
-  text += "id,case,criterion,entry,row,value,reference,error,tolerance,pass,seconds\n";
+  std::string text = fmt::format("# {}, commit {}, {}, {} form\n{}\n", cases::machine_name(), cases::commit(), date,
+                                 context.quick ? "quick" : "full", kHardCasesColumns);
   for (const HardCaseResult& result : results)
     for (const Outcome& o : result.outcomes) {
       const HardCase& c = result.hard_case;

@@ -34,8 +34,12 @@ HardCaseResult run_hard_case(const HardCase& hard_case, const Context& context);
 /// A line for the terminal, and one for each row that falls short or entry that stopped.
 std::string result_text(const HardCaseResult& result);
 
-/// One row for each row of an entry: id, case, entry, row, value, reference, error, tolerance, pass, seconds (of the
-/// entry); machine, commit, date and form are named in the first lines.
+/// The table's name and columns; seconds are those of the entry.
+inline constexpr const char* kHardCasesTable = "hard_cases.csv";
+inline constexpr const char* kHardCasesColumns =
+    "id,case,criterion,entry,row,value,reference,error,tolerance,pass,seconds";
+
+/// Machine, commit, date and form, then the columns, then a row for each row of an entry.
 std::string results_csv(const std::vector<HardCaseResult>& results, const Context& context, const std::string& date);
 
 }  // namespace lahar::validate

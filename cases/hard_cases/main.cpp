@@ -11,7 +11,7 @@
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
-#include "cases/runner/output_folder.h"
+#include "cases/runner/table_folder.h"
 #include "core/check.h"
 #include "core/parallel.h"
 
@@ -56,7 +56,7 @@ int run(const Arguments& a) {
   context.quick = a.quick;
   if (a.common.precision == "float") context.precision = Precision::float32;
   const std::filesystem::path folder = a.common.out.empty() ? "results/hard_cases" : a.common.out;
-  cases::create_folder(folder);
+  cases::prepare_table_folder(folder, kHardCasesTable, kHardCasesColumns, a.common.overwrite);
   const std::string date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now()));
   const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
                                                : static_cast<int>(std::thread::hardware_concurrency()));
@@ -69,11 +69,11 @@ int run(const Arguments& a) {
     passed += results.back().pass();
     if (!a.common.quiet) fmt::print("{}", result_text(results.back()));
     std::fflush(stdout);
-    cases::replace_text_file(folder / "hard_cases.csv", results_csv(results, context, date));
+    cases::replace_text_file(folder / kHardCasesTable, results_csv(results, context, date));
   }
   if (!a.common.quiet)
     fmt::print("{} of {} hard cases are passed; every figure: {}\n", passed, results.size(),
-               (folder / "hard_cases.csv").string());
+               (folder / kHardCasesTable).string());
   if (results.size() < cases.size()) return cases::exit_interrupted;
   return passed == results.size() ? cases::exit_done : 1;
 }

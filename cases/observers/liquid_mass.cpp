@@ -24,7 +24,8 @@ LiquidMass::LiquidMass(const Observed& run) : Observer(run) {
          [&] {
            const double returned = fluid.transfers().wall_balance;
            return returned > 0 ? returned : kUnknown;
-         });
+         })
+      .unknown_at_times();
   result("liquid_left_kg", "kg", "liquid that left through open faces", [&] { return fluid.transfers().left; });
   result("liquid_pooled_kg", "kg", "liquid that went through the pool of isolated cells",
          [&] { return fluid.transfers().pooled; });

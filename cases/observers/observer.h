@@ -15,7 +15,7 @@
 
 namespace lahar::cases {
 
-/// What a quantity reads where there is nothing to say.
+/// What a quantity reads where there is nothing to say, see Quantity::may_be_unknown.
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The run that is looked at.
@@ -71,8 +71,10 @@ class Observer {
     return quantities_.back();
   }
   /// A metric that is read at the end.
-  void result(Label label, std::string unit, std::string meaning, Read read) {
-    hidden(std::move(read)).metrics.push_back({std::move(label), std::move(unit), std::move(meaning), Follow::last});
+  Quantity& result(Label label, std::string unit, std::string meaning, Read read) {
+    Quantity& quantity = hidden(std::move(read));
+    quantity.metrics.push_back({std::move(label), std::move(unit), std::move(meaning), Follow::last});
+    return quantity;
   }
   /// A metric that is the first known value among the rows.
   void event(Label label, std::string unit, std::string meaning, Read read) {

@@ -64,6 +64,7 @@ void Probes::declare_velocity(const scene::Probe& probe) {
         "where all are dry",
         [this, k, a] { return currents_[k].velocity[a]; });
   hidden([this, k] { return currents_[k].velocity.norm(); })
+      .unknown_at_times()
       .peak(of_probe(probe.name, "_speed_peak_m_s"), "m/s", "largest speed of the rows")
       .peak_time(of_probe(probe.name, "_speed_peak_time_s"));
 }
@@ -101,6 +102,7 @@ void Probes::declare_grain(const scene::Probe& probe) {
     column({probe.name + "_" + kAxes[a] + "_m_s", "PROBE_AXIS_m_s"}, "m/s", "grain probe: velocity of that grain",
            [this, k, a] { return followed_[k].velocity[a]; });
   hidden([this, k] { return followed_[k].velocity.norm(); })
+      .unknown_at_times()
       .peak(of_probe(probe.name, "_speed_peak_m_s"), "m/s", "largest speed of the rows")
       .peak_time(of_probe(probe.name, "_speed_peak_time_s"));
 }

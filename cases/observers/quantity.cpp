@@ -11,17 +11,18 @@ bool Quantity::is_followed() const {
 }
 
 void follow_row(const Quantity& quantity, double value, double time, Metrics& found) {
+  const bool wrong = std::isnan(value) && !quantity.may_be_unknown;
   bool rose = false;
   for (const Metric& m : quantity.metrics) {
     const std::string& name = m.label.name;
     if (m.follow == Follow::peak || m.follow == Follow::peak_magnitude) {
       const double now = (m.follow == Follow::peak ? value : std::abs(value)) / m.divisor;
       double& peak = found[name];
-      rose = now > peak;
+      rose = wrong || now > peak;  // what went wrong stays so
       if (rose) peak = now;
     } else if (m.follow == Follow::peak_time) {
       double& when = found[name];
-      if (rose) when = time;
+      if (rose) when = wrong ? value : time;
     } else if (m.follow == Follow::first && !std::isnan(value)) {
       found.try_emplace(name, value / m.divisor);
     }
@@ -31,7 +32,8 @@ void follow_row(const Quantity& quantity, double value, double time, Metrics& fo
 void close_books(const Quantity& quantity, Metrics& found) {
   for (const Metric& m : quantity.metrics) {
     if (m.follow != Follow::last) continue;
-    if (const double value = quantity.read(); !std::isnan(value)) found[m.label.name] = value / m.divisor;
+    const double value = quantity.read();
+    if (!std::isnan(value) || !quantity.may_be_unknown) found[m.label.name] = value / m.divisor;
   }
 }
 

@@ -21,7 +21,7 @@ struct Label {
 
 /// How a metric follows from what its quantity reads.
 enum class Follow {
-  last,            ///< the value at the end; absent where that is NaN
+  last,            ///< the value at the end
   first,           ///< the first row whose value is not NaN; absent without one
   peak,            ///< the largest of the rows, 0 at least
   peak_magnitude,  ///< the same of absolute values
@@ -41,7 +41,15 @@ struct Quantity {
   std::function<double()> read;  ///< of the state of the run, or of the last look of its observer
   bool is_column = false;
   std::vector<Metric> metrics;
+  /// NaN says that there is nothing to say: a peak leaves such rows out, and such a value at the end is absent.
+  /// Elsewhere it is a number that went wrong, and so is the metric that it meets. (For the first value it is never
+  /// one.)
+  bool may_be_unknown = false;
 
+  Quantity& unknown_at_times() {
+    may_be_unknown = true;
+    return *this;
+  }
   /// Adds a metric: the largest value of the rows, in a unit of its own.
   Quantity& peak(Label name, std::string unit_of_peak, std::string meaning_of_peak, double divisor = 1) {
     metrics.push_back({std::move(name), std::move(unit_of_peak), std::move(meaning_of_peak), Follow::peak, divisor});

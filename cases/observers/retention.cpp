@@ -8,14 +8,17 @@ Retention::Retention(const Observed& run) : Observer(run) {
   result("retained_mass_ratio", "1",
          "share by mass of the grains that are held at the end: upstream of the measured section, or of the foremost "
          "bead where the net has bulged beyond it",
-         [this] { return now().mass; });
+         [this] { return now().mass; })
+      .unknown_at_times();
   result(
       "retained_small_grains_ratio", "1",
       "share by number of the grains smaller than the middle of smallest and largest that are held; absent if all are "
       "equal",
-      [this] { return now().small; });
-  result("retained_large_grains_ratio", "1", "share by number of the larger grains that are held",
-         [this] { return now().large; });
+      [this] { return now().small; })
+      .unknown_at_times();
+  result("retained_large_grains_ratio", "1", "share by number of the larger grains that are held", [this] {
+    return now().large;
+  }).unknown_at_times();
 }
 
 /// How far down a grain may be and still count as held: the net's section, or the foremost bead where the net has

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <sstream>
 #include <vector>
 
@@ -41,15 +40,6 @@ auto guarded_read(const fs::path& file, const Read& read) {
   }
 }
 
-std::string check_sum(const std::string& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::vector<char> buffer(std::size_t{1} << 20);
-  CheckSum sum;
-  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0)
-    sum.add(buffer.data(), static_cast<std::size_t>(in.gcount()));
-  return sum.text();
-}
-
 /// To the disk, not only to the operating system.
 void sync(const fs::path& file) {
   const int handle = ::open(file.c_str(), O_RDONLY);
@@ -58,12 +48,13 @@ void sync(const fs::path& file) {
   if (!synced) throw FileError(file, "cannot be brought to the disk");
 }
 
-/// The first line in which two texts differ, as "[table] key = value".
+/// The first line in which two texts differ, as "[table] key = value" or "# file: check sum".
 std::string first_difference(const std::string& now, const std::string& stored) {
   std::istringstream a(now), b(stored);
   std::string table, line, other;
   while (std::getline(a, line)) {
     if (line.starts_with("[")) table = line + " ";
+    if (line.starts_with("#")) table.clear();
     if (!std::getline(b, other) || line != other)
       return table + line + " in place of " + (other.empty() ? "nothing" : other);
   }
@@ -81,11 +72,11 @@ std::string physics_of(const scene::Scene& scene) {
   copy.run = run;
   copy.identity.title.clear();
   std::string text = scene::to_toml(copy);
-  const auto add = [&](const std::string& file) {
-    if (!file.empty()) text += fmt::format("# {}: {}\n", file, check_sum(file));
+  const auto add = [&](const scene::ShapeFile& shape) {
+    if (!shape.file.empty()) text += fmt::format("# {}: {}\n", shape.file, shape.sampled.check_sum);
   };
-  for (const auto& w : scene.walls) add(w.file.file);
-  for (const auto& r : scene.fluid.regions) add(r.file.file);
+  for (const auto& w : scene.walls) add(w.file);
+  for (const auto& r : scene.fluid.regions) add(r.file);
   return text;
 }
 

@@ -22,7 +22,8 @@ struct CheckpointHead {
   std::string commit;   ///< of the program that wrote it
 };
 
-/// The scene without what may change in a resumed run (resume.h), and the check sums of the files that it names.
+/// The scene without what may change in a resumed run (resume.h), and the check sums that the files it names had when
+/// it was loaded.
 std::string physics_of(const scene::Scene& scene);
 
 /// Replaces the checkpoint. Throws FileError, and NumericalFailure if the state is not finite; the former checkpoint is

@@ -49,6 +49,9 @@ void set_handler(void (*handler)(int)) {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction hangup {};
+  sigaction(SIGHUP, nullptr, &hangup);
+  if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);
 }
 
 }  // namespace
@@ -63,6 +66,7 @@ void watch_for_interrupt() {
   watching = true;
   flag.store(false);
   set_handler(note);
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 bool interrupted() { return flag.load(std::memory_order_relaxed); }

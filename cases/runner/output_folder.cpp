@@ -1,10 +1,14 @@
 #include "cases/runner/output_folder.h"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <string>
@@ -31,14 +35,21 @@ void refuse_file(const fs::path& folder, const std::string& option = "--out") {
 
 /// Names of section 1 of the contract with the user, and images.
 bool written_by_run(const std::string& name) {
-  static constexpr std::array<std::string_view, 16> names{
+  static constexpr std::array<std::string_view, 15> names{
       "summary.json",      "scene.resolved.toml", "series.h5",         "series.h5.open",
       "series.damaged.h5", "particles.h5",        "particles.h5.open", "particles.damaged.h5",
-      "particles.xmf",     "bonds.xmf",           "checkpoint.h5",     "report.html",
-      "run.log",           "cable_forces.png",    "cable_forces.svg",  "cable_forces.pdf"};
+      "particles.xmf",     "bonds.xmf",           "checkpoint.h5",     "run.log",
+      "cable_forces.png",  "cable_forces.svg",    "cable_forces.pdf"};
   if (std::find(names.begin(), names.end(), name) != names.end()) return true;
-  return (name.starts_with("fluid_") && name.ends_with(".vdb")) ||
-         ((name.starts_with("image_") || name.starts_with("forces_")) && name.ends_with(".png"));
+  return number_of_file(name, "fluid_", ".vdb") || number_of_file(name, "image_", ".png") ||
+         number_of_file(name, "forces_", ".png");
+}
+
+void remove_former_run(const fs::path& folder) {
+  std::vector<fs::path> old;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && written_by_run(entry.path().filename().string())) old.push_back(entry.path());
+  for (const fs::path& path : old) fs::remove(path);
 }
 
 }  // namespace
@@ -71,18 +82,34 @@ void require_writable(const fs::path& file, const std::string& option) {
   fs::remove(trial, error);
 }
 
-void prepare_output(const fs::path& folder, bool overwrite) {
-  std::error_code error;
-  refuse_file(folder);
-  if (fs::is_directory(folder, error) && !fs::is_empty(folder, error)) {
-    if (!holds_run(folder)) refuse(folder, "is not empty and holds no former run, expected a new or an empty folder");
-    if (!overwrite) refuse(folder, "holds a former run, expected a new folder, or --overwrite to replace that run");
-    std::vector<fs::path> old;
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.is_regular_file() && written_by_run(entry.path().filename().string())) old.push_back(entry.path());
-    for (const fs::path& path : old) fs::remove(path);
-  }
+std::optional<std::int64_t> number_of_file(std::string_view name, std::string_view stem, std::string_view ending) {
+  if (name.size() <= stem.size() + ending.size() || !name.starts_with(stem) || !name.ends_with(ending)) return {};
+  const std::string_view digits = name.substr(stem.size(), name.size() - stem.size() - ending.size());
+  std::int64_t number = 0;
+  const bool read = std::from_chars(digits.data(), digits.data() + digits.size(), number).ec == std::errc();
+  if (!read || number < 0 || digits != fmt::format("{:06}", number)) return {};
+  return number;
+}
+
+FolderLock::FolderLock(const fs::path& folder) : handle_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (handle_ < 0 || ::flock(handle_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  ::close(handle_);
+  throw InputError(std::vector<InputMistake>{
+      {folder.string(), 1, 1, "a run is going on there, expected another folder, or the end of that run"}});
+}
+
+FolderLock::~FolderLock() {
+  if (handle_ >= 0) ::close(handle_);
+}
+
+FolderLock prepare_output(const fs::path& folder, bool overwrite) {
   create_folder(folder);
+  FolderLock lock(folder);
+  if (fs::is_empty(folder)) return lock;
+  if (!holds_run(folder)) refuse(folder, "is not empty and holds no former run, expected a new or an empty folder");
+  if (!overwrite) refuse(folder, "holds a former run, expected a new folder, or --overwrite to replace that run");
+  remove_former_run(folder);
+  return lock;
 }
 
 }  // namespace lahar::cases

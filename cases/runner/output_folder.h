@@ -1,8 +1,12 @@
 #pragma once
 // Folders and files that results go into. What a run wrote is never overwritten unasked, what is not ours is never
 // touched, and a place that nothing can be written to is refused before hours of work.
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace lahar::cases {
 
@@ -16,9 +20,28 @@ void create_folder(const std::filesystem::path& folder, const std::string& optio
 /// Throws InputError unless the file that a command-line option names can be written. What stands there stays as it is.
 void require_writable(const std::filesystem::path& file, const std::string& option);
 
-/// Makes the folder of `--out` ready for a new run. Creates it if it is not there. If it is there and not empty, it
-/// must hold a former run and `overwrite` must be set; then the files of that run, known by their names, are removed.
-/// Throws InputError otherwise, before anything is changed.
-void prepare_output(const std::filesystem::path& folder, bool overwrite);
+/// The number in the name of a file that runs write many of: STEM, six digits or more, ENDING; nothing for other names.
+std::optional<std::int64_t> number_of_file(std::string_view name, std::string_view stem, std::string_view ending);
+
+/// Keeps other runs out of a folder as long as it lives and the process does, however that ends. Where the file system
+/// cannot lock a folder (NFS) nothing is kept out.
+class FolderLock {
+ public:
+  /// Throws InputError if a run is going on in the folder.
+  explicit FolderLock(const std::filesystem::path& folder);
+  FolderLock(FolderLock&& other) noexcept : handle_(std::exchange(other.handle_, -1)) {}
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+  FolderLock& operator=(FolderLock&&) = delete;
+  ~FolderLock();
+
+ private:
+  int handle_;
+};
+
+/// Makes the folder of `--out` ready for a new run, and locks it. Creates it if it is not there. If it is there and not
+/// empty, it must hold a former run that has ended and `overwrite` must be set; then the files of that run, known by
+/// their names, are removed. Throws InputError otherwise, before anything is changed.
+[[nodiscard]] FolderLock prepare_output(const std::filesystem::path& folder, bool overwrite);
 
 }  // namespace lahar::cases

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
-#include <cstring>
 #include <vector>
 
 #include "cases/assembly/geometry.h"
@@ -11,6 +9,7 @@
 #include "cases/pictures/camera.h"
 #include "cases/pictures/force_map.h"
 #include "cases/pictures/picture.h"
+#include "cases/runner/output_folder.h"
 
 namespace lahar::cases {
 
@@ -109,9 +108,7 @@ void Outputs::remove_later_files() const {
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();
     const auto is_later = [&](const char* stem, const char* ending, const Schedule& schedule) {
-      long long n = 0;
-      return name.starts_with(stem) && std::sscanf(name.c_str() + std::strlen(stem), "%6lld", &n) == 1 &&
-             name == fmt::format("{}{:06d}{}", stem, n, ending) && n >= schedule.done();
+      return number_of_file(name, stem, ending) >= schedule.done();
     };
     if (is_later("fluid_", ".vdb", frames_) || is_later("image_", ".png", pictures_) ||
         is_later("forces_", ".png", force_maps_))

@@ -58,15 +58,15 @@ void Progress::print(double simulated, Clock::time_point now) {
   if (style_ == ProgressStyle::live) {
     // Padded, so that nothing of a longer line before it remains.
     line_width_ = std::max(line_width_, text.size());
-    fmt::print(stream_, "\r{:<{}}", text, line_width_);
+    std::fputs(fmt::format("\r{:<{}}", text, line_width_).c_str(), stream_);
   } else {
-    fmt::print(stream_, "{}\n", text);
+    std::fputs((text + "\n").c_str(), stream_);
   }
   std::fflush(stream_);
 }
 
 void Progress::finish() {
-  if (style_ == ProgressStyle::live && line_width_ > 0) fmt::print(stream_, "\n");
+  if (style_ == ProgressStyle::live && line_width_ > 0) std::fputs("\n", stream_);
   line_width_ = 0;
 }
 

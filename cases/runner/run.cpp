@@ -9,6 +9,7 @@
 
 #include "cases/assembly/build.h"
 #include "cases/assembly/simulation.h"
+#include "cases/files/output_file.h"
 #include "cases/observers/fluid_cells.h"
 #include "cases/observers/observer_list.h"
 #include "cases/runner/checkpoint.h"
@@ -16,7 +17,9 @@
 #include "cases/runner/machine.h"
 #include "cases/runner/outputs.h"
 #include "cases/runner/schedule.h"
+#include "cases/scene/writer.h"
 #include "core/check.h"
+#include "dem/watchdog.h"
 
 namespace lahar::cases {
 
@@ -38,6 +41,16 @@ void remove_leavers(const scene::Scene& scene, dem::Solids* solids) {
       }
     }
   }
+}
+
+/// The solvers' watchdogs look at intervals of steps: numbers may have gone wrong since. Throws NumericalFailure.
+void watch(Simulation& simulation) {
+  if (const FluidView* fluid = simulation.fluid()) fluid->watch();
+  const dem::Solids* solids = simulation.solids();
+  if (!solids) return;
+  const dem::WatchdogOptions& limits = solids->options().watchdog;
+  check_motion(solids->particles(), limits, solids->step_count());
+  check_overlap(solids->particles(), solids->worst_overlap(), limits, solids->step_count());
 }
 
 void fill_performance(Simulation& simulation, const ObserverList& observers, Summary& summary) {
@@ -99,11 +112,11 @@ class SceneRun {
       const ScopedTimer timer(timers_.section("preparation"));
       simulation_ = build_simulation(scene, options.resume ? Beginning::checkpoint : Beginning::scene);
     }
-    series_.emplace(open_series(options.out / "series.h5", from, monitor));
     observers_.emplace(scene, *simulation_);
-    observers_->declare(*series_);
     outputs_.emplace(scene, options.out);
     if (from) load(*from);
+    series_.emplace(open_series(options.out / "series.h5", from, monitor));
+    observers_->declare(*series_);
     const dem::Solids* solids = simulation_->solids();
     monitor.log.info("{} particles, fluid step {:.4g} s, {} particle steps in it",
                      solids ? solids->particles().size() : 0, simulation_->time_step(), substeps_of(scene));
@@ -113,16 +126,17 @@ class SceneRun {
     watch_for_interrupt();
     RunResult result;
     for (;;) {
+      const bool end = time() >= scene_.run.duration - 1e-9 * simulation_->time_step();
+      result.interrupted = interrupted() && !end;
+      if (end || result.interrupted) watch(*simulation_);
       const bool due = time() >= loop_.next_sample - 1e-12;
       if (due) sample();
       {
         const ScopedTimer timer(timers_.section("outputs"));
         outputs_->write_due(*simulation_);
       }
-      const bool end = time() >= scene_.run.duration - 1e-9 * simulation_->time_step();
-      result.interrupted = interrupted() && !end;
       // Before what only the end of a run writes: a run that goes on is the same as one that was never stopped.
-      if (result.interrupted || checkpoint_due(end)) save(result.interrupted);
+      if (result.interrupted || checkpoint_due(end)) save(end, result);
       if (end && !due) sample();
       if (end || result.interrupted) break;
       simulation_->advance();
@@ -143,7 +157,8 @@ class SceneRun {
     loop_.next_sample = time() + scene_.run.series_interval;
   }
 
-  /// Only when the last step of the fluid went well, so that the last checkpoint is a good one.
+  /// On the way only when the last step of the fluid went well, so that the last checkpoint is a good one. The end has
+  /// been watched.
   bool checkpoint_due(bool end) {
     const scene::Run& run = scene_.run;
     if (end) return run.checkpoint_interval > 0 || run.checkpoint_wall > 0;
@@ -152,22 +167,23 @@ class SceneRun {
            (run.checkpoint_wall > 0 && monitor_.seconds() - last_checkpoint_ >= run.checkpoint_wall);
   }
 
+  /// The outputs come last: loading them drops later files, when all else has been found whole.
   void transfer(Archive& archive) {
     archive.part("loop", loop_);
     archive.part("step", *simulation_);
     archive.part("observers", *observers_);
-    archive.part("outputs", *outputs_);
     archive.part("timers", timers_);
     TimersOfParts parts{*simulation_};
     archive.part("timers_of_parts", parts);
+    archive.part("outputs", *outputs_);
   }
   struct TimersOfParts {
     Simulation& simulation;
     void transfer(Archive& archive) { simulation.transfer_timers(archive); }
   };
 
-  /// A checkpoint on the way that cannot be written is a pity, the last one a failure.
-  void save(bool last) {
+  /// A checkpoint on the way that cannot be written is a pity, the last one a failure, told when the results are whole.
+  void save(bool end, RunResult& result) {
     const ScopedTimer timer(timers_.section("checkpoints"));
     series_->flush();
     outputs_->flush();
@@ -179,7 +195,7 @@ class SceneRun {
                        [&](Archive& archive) { transfer(archive); });
       monitor_.log.info("checkpoint at t = {:.6g} s", time());
     } catch (const FileError& e) {
-      if (last) throw;
+      if (end || result.interrupted) result.no_checkpoint = e;
       monitor_.log.warn("no checkpoint at t = {:.6g} s: {}", time(), e.what());
     }
     last_checkpoint_ = monitor_.seconds();
@@ -187,6 +203,7 @@ class SceneRun {
 
   void load(const CheckpointHead& from) {
     load_checkpoint(options_.out, [&](Archive& archive) { transfer(archive); });
+    replace_text_file(options_.out / "scene.resolved.toml", scene::to_toml(scene_));
     earlier_seconds_ = loop_.wall_seconds;
     if (const std::string lost = outputs_->lost(); !lost.empty()) monitor_.warn(lost);
     monitor_.progress.start_from(time());
@@ -230,7 +247,7 @@ class SceneRun {
 
 void RunMonitor::warn(const std::string& text) {
   log.warn("{}", text);
-  fmt::print(stderr, "warning: {}\n", text);
+  std::fputs(fmt::format("warning: {}\n", text).c_str(), stderr);  // nobody may be left to read it
 }
 
 RunResult run_scene(const scene::Scene& scene, const RunOptions& options, RunMonitor& monitor) {

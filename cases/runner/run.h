@@ -5,7 +5,9 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
+#include "cases/files/output_file.h"
 #include "cases/runner/progress.h"
 #include "cases/runner/summary.h"
 #include "cases/scene/scene.h"
@@ -37,19 +39,22 @@ struct RunResult {
   /// A solver fills simulated_seconds, metrics, checks, timers and performance (but for the peak memory); the rest is
   /// known without it.
   Summary summary;
-  bool interrupted = false;    ///< ended early by a signal, outputs whole
-  double earlier_seconds = 0;  ///< wall time before the checkpoint that the run went on from
+  bool interrupted = false;                ///< ended early by a signal, outputs whole
+  double earlier_seconds = 0;              ///< wall time before the checkpoint that the run went on from
+  std::optional<FileError> no_checkpoint;  ///< why the last checkpoint could not be written
 };
 
 /// Builds the solvers of a scene and runs them until its duration is over or interrupted() says so, writing series and
-/// outputs into options.out, which exists. Throws NumericalFailure when numbers go wrong.
+/// outputs into options.out, which exists. A run that goes on loads all of its checkpoint before it changes anything
+/// there, scene.resolved.toml first. Throws NumericalFailure when numbers go wrong, at the end at the latest.
 RunResult run_scene(const scene::Scene& scene, const RunOptions& options, RunMonitor& monitor);
 
 using Runner = std::function<RunResult(const scene::Scene&, const RunOptions&, RunMonitor&)>;
 
-/// A whole run: prepares the folder (see prepare_output) unless it is resumed, writes scene.resolved.toml, opens
-/// run.log, limits the threads, runs, and writes summary.json. A failure is logged and passed on, with the name of the
-/// last checkpoint if there is one; summary.json is then that of an earlier part of the run, or absent.
+/// A whole run: locks the folder, prepares it (see prepare_output) and writes scene.resolved.toml unless it is resumed,
+/// opens run.log, limits the threads, runs, and writes summary.json. A failure is logged and passed on, with the name
+/// of the last checkpoint if there is one; summary.json is then that of an earlier part of the run, or absent. Throws
+/// FileError if all but the last checkpoint could be written; summary.json is then that of the run.
 RunResult run_to_folder(const scene::Scene& scene, const RunOptions& options, const Runner& runner);
 
 }  // namespace lahar::cases

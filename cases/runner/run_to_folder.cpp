@@ -57,8 +57,8 @@ RunResult run_to_folder(const scene::Scene& scene, const RunOptions& options, co
   const auto start = std::chrono::steady_clock::now();
   const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
   const CheckReport report = check_scene(scene, threads);
-  if (!options.resume) prepare_output(options.out, options.overwrite);
-  replace_text_file(options.out / "scene.resolved.toml", scene::to_toml(scene));
+  const FolderLock lock = options.resume ? FolderLock(options.out) : prepare_output(options.out, options.overwrite);
+  if (!options.resume) replace_text_file(options.out / "scene.resolved.toml", scene::to_toml(scene));
   spdlog::logger log = open_log(options.out, options.resume);
   log.info("Lahar {} ({}), {}, {} threads used", version(), commit(), machine_name(), threads);
   for (const std::string& w : report.warnings) log.warn("{}", w);
@@ -71,6 +71,7 @@ RunResult run_to_folder(const scene::Scene& scene, const RunOptions& options, co
     complete(result.summary, scene, threads, result.earlier_seconds + monitor.seconds());
     write_summary(options.out, result.summary);
     log.info("{} at t = {:.6g} s", result.interrupted ? "interrupted" : "done", result.summary.simulated_seconds);
+    if (result.no_checkpoint) throw FileError(*result.no_checkpoint);
     return result;
   } catch (const NumericalFailure& e) {
     const NumericalFailure told = with_checkpoint(e, options.out);

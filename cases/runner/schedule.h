@@ -1,5 +1,7 @@
 #pragma once
 // When something that is written at intervals is due.
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "core/archive.h"
@@ -22,9 +24,13 @@ class Schedule {
     last_ = time;
     skip_until(time);
   }
-  /// Leaves out those that were due until a time.
+  /// Leaves out those that were due until a time. Where that is beyond the precision of numbers, of an interval far
+  /// shorter than any step, one is due at every step.
   void skip_until(double time) {
-    while (due(time)) ++since_;
+    if (!due(time)) return;
+    const double passed = std::floor((time + kRounding - from_) / interval_);
+    since_ = std::max(since_, static_cast<std::int64_t>(std::min(passed, kMostCounted)) - 1);
+    for (int k = 0; k < 3 && due(time); ++k) ++since_;  // rounding moves the division by one at most
   }
   /// How many were written.
   [[nodiscard]] std::int64_t done() const { return done_; }
@@ -43,7 +49,8 @@ class Schedule {
   }
 
  private:
-  static constexpr double kRounding = 1e-9;  ///< s, so that none is missed by rounding
+  static constexpr double kRounding = 1e-9;       ///< s, so that none is missed by rounding
+  static constexpr double kMostCounted = 0x1p62;  ///< fits into 64 bits
 
   double interval_, from_ = 0, last_ = -1;
   std::int64_t done_ = 0, since_ = 0;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <set>
 
+#include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/memory.h"
@@ -49,6 +50,11 @@ void add_fluid(const scene::Scene& s, const FluidFigures& f, List& list) {
   if (f.mach > 0.3)
     list.push_back(
         fmt::format("Ma = {:.2f}: errors of compressibility reach {:.0f} %", f.mach, 100 * f.compressibility_error));
+  if (const double drop = drop_speed(s); s.fluid.max_speed > 0 && s.fluid.max_speed < drop)
+    list.push_back(
+        fmt::format("fluid.max_speed_m_s is {:g} m/s; liquid that falls without loss to the lowest of the domain "
+                    "reaches {:.3g} m/s: Ma would be {:.2f}",
+                    s.fluid.max_speed, drop, f.mach * drop / s.fluid.max_speed));
   if (f.depth < 4 * s.fluid.cell_size)
     list.push_back(fmt::format("the liquid is only {:.1f} cells deep", f.depth / s.fluid.cell_size));
   const auto have = static_cast<double>(scene::physical_memory());
@@ -194,6 +200,22 @@ void add_places(const scene::Scene& s, List& list) {
             fmt::format("grains.packing[{}] and grains.packing[{}] share space: their grains may overlap", k, i));
 }
 
+/// Ground that a heightmap does not reach is level.
+void add_heightmaps(const scene::Scene& s, List& list) {
+  for (std::size_t i = 0; i < s.walls.size(); ++i) {
+    const scene::WallSettings& w = s.walls[i];
+    if (w.shape != scene::WallShape::heightmap) continue;
+    const Bounds map = scene::heightmap_bounds(w);
+    const Vec3 missing = (map.lower - s.domain.lower).cwiseMax(s.domain.upper - map.upper);
+    constexpr double bearable = 1e-6;  // m
+    if (missing.head<2>().maxCoeff() > bearable)
+      list.push_back(
+          fmt::format("wall[{}] covers x from {:g} to {:g} m and y from {:g} to {:g} m, not all of the domain: beyond, "
+                      "the ground is level",
+                      i, map.lower.x(), map.upper.x(), map.lower.y(), map.upper.y()));
+  }
+}
+
 /// Faces of the domain and walls along the axes that fall between the faces of cells.
 void add_rounded_walls(const scene::Scene& s, List& list) {
   const auto acts_at = [&](double x, int axis) {
@@ -232,6 +254,7 @@ std::vector<std::string> warnings(const scene::Scene& scene, const CheckReport& 
   add_times(scene, list);
   add_rows(scene, figures, list);
   add_places(scene, list);
+  add_heightmaps(scene, list);
   if (figures.fluid) add_rounded_walls(scene, list);
   if (figures.fluid) add_fluid(scene, *figures.fluid, list);
   if (figures.solids) add_solids(scene, *figures.solids, list);

@@ -87,6 +87,7 @@ struct Domain {
 /// The distance that was sampled from a file when the scene was loaded. The file's name stands for it in comparisons.
 struct SampledShape {
   std::shared_ptr<const DistanceGrid> grid;
+  std::string check_sum;  ///< of the file's bytes
   bool operator==(const SampledShape&) const { return true; }
 };
 

@@ -1,4 +1,5 @@
-// speed_error: what each knob costs and buys, on problems with known answers.
+// speed_error: what each knob costs and buys, on problems with known answers. Exit code 1 if a scene of a trial is
+// refused.
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -9,7 +10,7 @@
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
-#include "cases/runner/output_folder.h"
+#include "cases/runner/table_folder.h"
 #include "cases/speed_error/report.h"
 #include "core/check.h"
 #include "core/parallel.h"
@@ -49,22 +50,26 @@ int run(const Arguments& a) {
     return cases::exit_done;
   }
   const std::filesystem::path folder = a.common.out.empty() ? "results/speed_error" : a.common.out;
-  cases::create_folder(folder);
+  cases::prepare_table_folder(folder, kSpeedErrorTable, kSpeedErrorColumns, a.common.overwrite);
   Sitting sitting{
       cases::machine_name(), cases::commit(), fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now())),
       a.common.threads > 0 ? a.common.threads : static_cast<int>(std::thread::hardware_concurrency()), a.quick};
   const ThreadLimit limit(sitting.threads);
   cases::watch_for_interrupt();
   std::vector<ProblemResult> results;
+  std::string refusals;
   for (const Problem& p : problems) {
     if (cases::interrupted()) break;
     results.push_back(run_problem(p, fixed_work()));
     if (!a.common.quiet) fmt::print("{}", result_text(results.back()));
     std::fflush(stdout);
+    refusals += refusals_text(results.back());
     write_results(results, sitting, folder);
   }
   if (!a.common.quiet) fmt::print("report: {}\n", (folder / "report.html").string());
-  return results.size() < problems.size() ? cases::exit_interrupted : cases::exit_done;
+  fmt::print(stderr, "{}", refusals);
+  if (results.size() < problems.size()) return cases::exit_interrupted;
+  return refusals.empty() ? cases::exit_done : 1;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "cases/pictures/chart.h"
 #include "cases/speed_error/pareto.h"
 #include "cases/validate/fluid/flows.h"
+#include "core/check.h"
 
 namespace lahar::validate {
 
@@ -20,6 +21,15 @@ std::vector<Measurement> ProblemResult::measurements() const {
   return all;
 }
 
+namespace {
+
+std::string one_line(std::string text) {
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n')) text.replace(at, 1, "; ");
+  return text;
+}
+
+}  // namespace
+
 ProblemResult run_problem(const Problem& problem, double work) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   ProblemResult result{problem, work, {}};
@@ -27,6 +37,9 @@ ProblemResult run_problem(const Problem& problem, double work) {
     TrialResult t{trial.name(), trial.turned.empty(), {none, none}, {}};
     try {
       t.found = trial.run();
+    } catch (const InputError& e) {
+      t.failure = one_line(e.what());
+      t.refused = true;
     } catch (const std::exception& e) {
       t.failure = e.what();
     }
@@ -66,6 +79,13 @@ std::string result_text(const ProblemResult& result) {
                         t.name, t.found.error, t.found.seconds, t.found.seconds / result.work,
                         t.failure.empty() ? "" : "  stopped: " + t.failure);
   }
+  return text;
+}
+
+std::string refusals_text(const ProblemResult& result) {
+  std::string text;
+  for (const TrialResult& t : result.trials)
+    if (t.refused) text += fmt::format("{}: {}: its scene was refused: {}\n", result.problem.name, t.name, t.failure);
   return text;
 }
 
@@ -122,8 +142,7 @@ std::string table_of(const ProblemResult& result) {
 }  // namespace
 
 std::string results_csv(const std::vector<ProblemResult>& results, const Sitting& sitting) {
-  std::string text = fmt::format("# {}\n", sitting.line());
-  text += "problem,trial,error,seconds,time,beaten_by,front,failure\n";
+  std::string text = fmt::format("# {}\n{}\n", sitting.line(), kSpeedErrorColumns);
   for (const ProblemResult& result : results) {
     const std::vector<Measurement> all = result.measurements();
     const std::vector<std::size_t> front = pareto_front(all);
@@ -139,7 +158,7 @@ std::string results_csv(const std::vector<ProblemResult>& results, const Sitting
 
 void write_results(const std::vector<ProblemResult>& results, const Sitting& sitting,
                    const std::filesystem::path& folder) {
-  cases::replace_text_file(folder / "speed_error.csv", results_csv(results, sitting));
+  cases::replace_text_file(folder / kSpeedErrorTable, results_csv(results, sitting));
   std::string html =
       "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Speed against error</title><style>"
       "body{font:16px/1.5 sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"

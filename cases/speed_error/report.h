@@ -11,8 +11,9 @@ namespace lahar::validate {
 struct TrialResult {
   std::string name;  ///< of the trial
   bool defaults = false;
-  Measurement found;    ///< error and time; not a number where the trial failed
-  std::string failure;  ///< why, or empty
+  Measurement found;     ///< error and time; not a number where the trial failed
+  std::string failure;   ///< why, or empty
+  bool refused = false;  ///< whether it failed because its scene was refused: then it says nothing of the knob
 };
 
 struct ProblemResult {
@@ -35,6 +36,9 @@ double defaults_beaten_by(const ProblemResult& result);
 /// Lines for the terminal.
 std::string result_text(const ProblemResult& result);
 
+/// A line for each trial whose scene was refused: which, and what was wrong. Empty where all ran.
+std::string refusals_text(const ProblemResult& result);
+
 /// Who ran it, and when; the first line of the table.
 struct Sitting {
   std::string machine, commit, date;
@@ -43,10 +47,14 @@ struct Sitting {
   [[nodiscard]] std::string line() const;
 };
 
-/// problem, trial, error, seconds, time (in pieces of the fixed work), beaten_by, front, failure.
+/// The table's name and columns; time is in pieces of the fixed work.
+inline constexpr const char* kSpeedErrorTable = "speed_error.csv";
+inline constexpr const char* kSpeedErrorColumns = "problem,trial,error,seconds,time,beaten_by,front,failure";
+
+/// The sitting, the columns, a row for each trial.
 std::string results_csv(const std::vector<ProblemResult>& results, const Sitting& sitting);
 
-/// Writes speed_error.csv, NAME.png, .svg and .pdf of each problem, and report.html, which holds the charts. Throws
+/// Writes the table, NAME.png, .svg and .pdf of each problem, and report.html, which holds the charts. Throws
 /// FileError.
 void write_results(const std::vector<ProblemResult>& results, const Sitting& sitting,
                    const std::filesystem::path& folder);

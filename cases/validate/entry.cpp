@@ -123,4 +123,12 @@ std::string outcomes_json(const std::vector<Outcome>& outcomes, const Context& c
          "\n";
 }
 
+bool is_outcomes_json(const std::string& text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("entries") || !json["entries"].is_array()) return false;
+  const auto is_outcome = [](const nlohmann::json& e) { return e.is_object() && e.contains("rows"); };
+  return json.contains("machine") && json.contains("commit") &&
+         std::all_of(json["entries"].begin(), json["entries"].end(), is_outcome);
+}
+
 }  // namespace lahar::validate

@@ -78,5 +78,7 @@ Outcome run_entry(const Entry& entry, const Context& context);
 std::string outcome_text(const Outcome& outcome);
 /// {"machine", "commit", "quick", "entries": [...]}; numbers that are not finite become null.
 std::string outcomes_json(const std::vector<Outcome>& outcomes, const Context& context);
+/// Whether a text is what outcomes_json writes.
+bool is_outcomes_json(const std::string& text);
 
 }  // namespace lahar::validate

@@ -1,9 +1,11 @@
 // validate: runs the ladder of questions with known answers. Exit code 1 if one falls short.
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <thread>
 
 #include "cases/files/output_file.h"
+#include "cases/files/text_file.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
@@ -26,6 +28,16 @@ struct Arguments {
   throw InputError(std::vector<InputMistake>{{"command line", 1, 1, why}});
 }
 
+/// A file that is there is replaced only if it is empty or a former record of validate.
+void check_record(const std::string& file) {
+  cases::require_writable(file, "--json");
+  if (!std::filesystem::exists(file)) return;
+  const std::string text = cases::read_text_file(file);
+  if (!text.empty() && !is_outcomes_json(text))
+    throw InputError(std::vector<InputMistake>{
+        {"--json " + file, 1, 1, "is there and was not written by validate, expected a new file or a former record"}});
+}
+
 Context context_of(const Arguments& a) {
   if (!a.common.set.empty())
     refuse("--set " + a.common.set.front() +
@@ -37,7 +49,7 @@ Context context_of(const Arguments& a) {
     context.plots = a.common.out;
     cases::create_folder(context.plots);
   }
-  if (!a.json.empty()) cases::require_writable(a.json, "--json");
+  if (!a.json.empty()) check_record(a.json);
   return context;
 }
 

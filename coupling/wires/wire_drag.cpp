@@ -240,7 +240,8 @@ void WireDrag<Real>::choose_force(const lbm::Fluid<Real>& fluid, const dem::Part
   bead.force = std::min(1.0, bead.weight) * (drag + buoyancy) * units.force_to_lu(1.0);
 }
 
-/// Gives the opposite of the force to the cells, as they were sampled.
+/// Gives the opposite of the force to the cells, as they were sampled. The impulse of a cell is that of a full one: a
+/// cell of level F gets F of it.
 template <class Real>
 void WireDrag<Real>::spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair) const {
   const Bead& bead = beads_[pair.bead];
@@ -253,10 +254,11 @@ void WireDrag<Real>::spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair) const {
   Row<Real> x(0), y(0), z(0);
   for_rows<Real>(
       kernels_[pair.bead], pair.lowest, [&](int row, const Row<Real>& kernel) __attribute__((always_inline)) {
-        const Row<Real> share = kernel * liquid_shares(block, row);
-        const Row<Real> dx = share * ux, dy = share * uy, dz = share * uz;
-        add_to_row(impulse.x + row, dx), add_to_row(impulse.y + row, dy), add_to_row(impulse.z + row, dz);
-        x += dx, y += dy, z += dz;
+        const Row<Real> share = kernel * liquid_shares(block, row), level = water_in(block, row / lbm::kBlockWidth);
+        const Row<Real> full = select(share > Row<Real>(0), share / level, Row<Real>(0));
+        add_to_row(impulse.x + row, full * ux), add_to_row(impulse.y + row, full * uy);
+        add_to_row(impulse.z + row, full * uz);
+        x += share * ux, y += share * uy, z += share * uz;
       });
   pair.given = Vec3(sum_in_double(x), sum_in_double(y), sum_in_double(z));
 }

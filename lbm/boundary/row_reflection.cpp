@@ -5,6 +5,7 @@
 
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/collision/equilibrium.h"
+#include "lbm/grid/block_geometry.h"
 #include "lbm/grid/row_types.h"
 #include "lbm/step/cell_moments.h"
 
@@ -16,9 +17,17 @@ constexpr unsigned kWholeRow = 0xFF;
 
 bool is_forward(int i) { return i % 2 == 1; }
 
-/// Off a mirror the link leads to the cell beside unless that is a wall (a corner: two mirrors send it back) or the
-/// link straight across belongs to another wall.
-RowLink row_link(const WallCell& wall, const std::uint8_t* links, int i, const TypesAround& types) {
+/// Whether a wall is a mirror across the same axis for the cell at a place too: a wall may bend.
+bool goes_on(const Domain& domain, const WallCell& wall, const Vec3i& place) {
+  const Vec3 normal =
+      domain.walls().gradient(static_cast<std::size_t>(wall.wall), domain.centre(image_of(domain, place)));
+  return is_along_axis(static_cast<float>(normal[normal_axis(wall)]));
+}
+
+/// Off a mirror the link leads to the cell beside unless that is a wall (a corner: two mirrors send it back), the link
+/// straight across belongs to another wall, or the wall is no mirror for that cell.
+RowLink row_link(const WallCell& wall, const std::uint8_t* links, int i, const TypesAround& types, const Domain& domain,
+                 const Vec3i& lowest) {
   const auto row = static_cast<std::uint8_t>(wall.cell / kBlockWidth), own = static_cast<std::uint8_t>(i);
   RowLink straight{row, own, 0, own, static_cast<std::uint8_t>(1U << (wall.cell % kBlockWidth))};
   if (!is_mirror(wall)) return straight;
@@ -29,6 +38,7 @@ RowLink row_link(const WallCell& wall, const std::uint8_t* links, int i, const T
   const auto* t = D3Q19::c[link.along];
   const auto beside = static_cast<std::size_t>(100 * (p[0] + 1 + t[0]) + 10 * (p[1] + 1 + t[1]) + p[2] + 1 + t[2]);
   if (types[beside] == CellType::wall) return straight;
+  if (!goes_on(domain, wall, lowest + Vec3i(p[0] + t[0], p[1] + t[1], p[2] + t[2]))) return straight;
   straight.along = static_cast<std::uint8_t>(link.along);
   straight.source = static_cast<std::uint8_t>(link.mirrored);
   return straight;
@@ -148,7 +158,9 @@ void copy_row(const std::array<Block<Real>*, 27>& around, const RowLink& link, u
   if (cells >> 7) copy(9, 1);
 }
 
-/// A mirrored link that ends at gas: anti-bounce-back at the gas pressure.
+/// A mirrored link that ends at gas: anti-bounce-back at the gas pressure. Before the coming step the pass over the
+/// surface sets it again, with the place of the surface and its tension (free_surface/surface_exchange.h); what stands
+/// here is for the loads of walls.
 template <class Real>
 void end_at_gas(FluidGrid<Real>& grid, CellPlace place, int i, Parity parity, EquilibriumOrder order) {
   const auto m = outgoing_moments(grid, place, parity);
@@ -159,17 +171,17 @@ void end_at_gas(FluidGrid<Real>& grid, CellPlace place, int i, Parity parity, Eq
 
 }  // namespace
 
-void list_row_links(WallLinks& walls, const TypesAround& types, WallPlacement placement) {
+void list_row_links(WallLinks& walls, const TypesAround& types, const Domain& domain, const Vec3i& lowest) {
   walls.rows.clear(), walls.others.clear();
   for (std::size_t entry = 0; entry < walls.cells.size(); ++entry) {
     const WallCell& wall = walls.cells[entry];
-    const bool interpolated = wall.slip == WallSlip::no_slip && placement == WallPlacement::interpolated;
+    const bool interpolated = wall.slip == WallSlip::no_slip && domain.placement() == WallPlacement::interpolated;
     if (interpolated || !(stands_still(wall) || is_mirror(wall))) {
       walls.others.push_back(static_cast<std::uint16_t>(entry));
       continue;
     }
     const std::uint8_t* const links = walls.directions.data() + wall.first_link;
-    for (int k = 0; k < wall.links; ++k) walls.rows.push_back(row_link(wall, links, links[k], types));
+    for (int k = 0; k < wall.links; ++k) walls.rows.push_back(row_link(wall, links, links[k], types, domain, lowest));
   }
   std::sort(walls.rows.begin(), walls.rows.end(),
             [](const RowLink& a, const RowLink& b) { return place_in_memory(a) < place_in_memory(b); });

@@ -18,8 +18,9 @@ namespace lahar::lbm {
 /// Types of a block's cells and of one cell around it; cell (x, y, z) at 100 (x + 1) + 10 (y + 1) + z + 1.
 using TypesAround = std::array<CellType, 1000>;
 
-/// Lists the links of a block that rows can reflect, and the wall cells whose links they cannot.
-void list_row_links(WallLinks& walls, const TypesAround& types, WallPlacement placement);
+/// Lists the links of a block that rows can reflect, and the wall cells whose links they cannot. `lowest`: the block's
+/// first cell.
+void list_row_links(WallLinks& walls, const TypesAround& types, const Domain& domain, const Vec3i& lowest);
 
 /// Sets what comes back to the wet cells of a block over the listed links; notes those that led to another cell.
 /// `order` is that of the collision operator's equilibrium.

@@ -38,9 +38,11 @@ const MirrorTable kMirrorLinks = all_mirror_links();
 
 }  // namespace
 
+bool is_along_axis(float component) { return std::abs(component) > 1 - 1e-6F; }
+
 int normal_axis(const WallCell& wall) {
   for (int a = 0; a < 3; ++a)
-    if (std::abs(wall.normal[static_cast<std::size_t>(a)]) > 1 - 1e-6F) return a;
+    if (is_along_axis(wall.normal[static_cast<std::size_t>(a)])) return a;
   return -1;
 }
 

@@ -18,6 +18,9 @@
 
 namespace lahar::lbm {
 
+/// Whether a unit vector with this component along an axis lies along it, either way.
+bool is_along_axis(float component);
+
 /// Axis of a wall's normal, -1 if it does not lie along one.
 int normal_axis(const WallCell& wall);
 

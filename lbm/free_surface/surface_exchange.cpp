@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
+#include "lbm/boundary/slip_wall.h"
 #include "lbm/collision/equilibrium.h"
 #include "lbm/collision/stress_limit.h"
 #include "lbm/free_surface/curvature.h"
@@ -76,6 +78,26 @@ class RowExchange {
     rebuild_from_gas(row, sight, open, pressure);
     if constexpr (kRows == 1)
       if (shear) add_shear(row, sight, open && empty < V(kExposedSides), pressure, *shear);
+  }
+
+  /// The links of a row that lead by way of a mirror to gas (boundary/slip_wall.h), of the cells `ending`: what comes
+  /// back from there stands on the side of the cell where the mirror is.
+  void end_at_gas(FluidGrid<Real>& grid, BlockIndex b, const RowLink& link, unsigned ending) requires(kRows == 1) {
+    load_pairs(link.row);
+    const Sight<V> sight(near_, link.row & 7, link.row >> 3);
+    const SurfacePressure s = surface_pressure(link.row, sight, sight.template interface<0, 0, 0>());
+    const Velocity u = outgoing_velocity(link.row);
+    const auto* c = D3Q19::c[link.direction];
+    const V height = s.depth + V(Real(0.5)) * (V(Real(c[0])) * s.x + V(Real(c[1])) * s.y + V(Real(c[2])) * s.z);
+    const V drho = V(3) * height + (capillary_ ? V(gas_drho_ + load<V>(capillary_ + 8 * link.row)) : gas_drho_);
+    const HigherMoments<V> higher(order_, u.x, u.y, u.z);
+    const V even =
+        V(equilibrium_pair_sum(link.direction, drho, u.x, u.y, u.z)) + (V(1) + drho) * higher.pair_sum(link.direction);
+    for (; ending != 0; ending &= ending - 1) {
+      const int x = std::countr_zero(ending);
+      const auto populations = link_populations(grid, {b, kBlockWidth * link.row + x}, link.direction, parity_);
+      *populations.back = even[static_cast<std::size_t>(x)] - *populations.sent;
+    }
   }
 
  private:
@@ -294,6 +316,29 @@ void capillary_densities(const FluidGrid<Real>& grid, BlockIndex b, Real surface
 
 }  // namespace
 
+namespace {
+
+/// Links by way of mirrors that end at gas, once `near` has been filled.
+template <class Real>
+void end_mirrors_at_gas(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SurfacePhysics<Real>& physics,
+                        const Surroundings<Real>& near, const Real* capillary) {
+  const Block<Real>& block = grid.block(b);
+  std::optional<RowExchange<Row<Real>>> exchange;
+  for (const RowLink& link : block.walls.rows) {
+    if (link.along == 0 || !(block.surface->rows >> link.row & 1)) continue;
+    unsigned ending = 0;
+    for (unsigned left = link.cells & ~unsigned{link.mirrored}; left != 0; left &= left - 1) {
+      const int x = std::countr_zero(left);
+      if (block.type[static_cast<std::size_t>(kBlockWidth * link.row + x)] == CellType::interface) ending |= 1U << x;
+    }
+    if (ending == 0) continue;
+    if (!exchange) exchange.emplace(grid.around(b), near, parity, physics, capillary);
+    exchange->end_at_gas(grid, b, link, ending);
+  }
+}
+
+}  // namespace
+
 template <class Real>
 void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SurfacePhysics<Real>& physics,
                       const ShearRow<Real>* shear) {
@@ -313,12 +358,13 @@ void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
       LookAround<Real>(grid, b, parity).run(pairs | pairs << 1, near);
       RowExchange<Pack<Real, 2 * kBlockWidth>> exchange(grid.around(b), near, parity, physics, drho);
       for (std::uint64_t rows = pairs; rows != 0; rows &= rows - 1) exchange.run(std::countr_zero(rows), nullptr);
-      return;
+      return end_mirrors_at_gas(grid, b, parity, physics, near, drho);
     }
   LookAround<Real>(grid, b, parity).run(surface.rows, near);
   RowExchange<Row<Real>> exchange(grid.around(b), near, parity, physics, drho);
   for (std::uint64_t rows = surface.rows; rows != 0; rows &= rows - 1)
     exchange.run(std::countr_zero(rows), shear ? shear++ : nullptr);
+  end_mirrors_at_gas(grid, b, parity, physics, near, drho);
 }
 
 template <class Real>

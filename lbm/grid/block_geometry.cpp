@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "lbm/boundary/row_reflection.h"
 
@@ -40,25 +41,29 @@ void give_corner_links(const Domain& domain, const Vec3i& place, std::array<int,
   }
 }
 
-WallHit wall_hit(const Domain& domain, const Wall& wall, const Vec3i& place, int i, double velocity_to_lu) {
-  const Vec3 from = domain.centre(place), c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+WallHit wall_hit(const Domain& domain, const Wall& wall, const Vec3& from, int i, double velocity_to_lu) {
+  const Vec3 c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
   const double share = domain.wall_share(from, from + domain.cell_size() * c);
   const Vec3 velocity = wall.surface_velocity(from + share * domain.cell_size() * c) * velocity_to_lu;
   return {static_cast<float>(share), static_cast<float>(c.dot(velocity))};
 }
 
-/// Lists the links of a cell into walls, wall by wall.
+/// Lists the links of a cell into walls, wall by wall. A wall is looked at from where the cell stands beside it: beyond
+/// a periodic face that is another place.
 void add_wall_links(WallLinks& block_links, const Domain& domain, double velocity_to_lu, int cell, const Vec3i& place,
                     const TypesAround& types) {
   const auto p = cell_position(cell);
   std::array<int, D3Q19::q> wall_of{};
+  std::vector<Vec3> seen_from(domain.walls().all().size(), domain.centre(place));
   for (int i = 1; i < D3Q19::q; ++i) {
     const auto* c = D3Q19::c[i];
     const bool solid =
         types[static_cast<std::size_t>(100 * (p[0] + 1 + c[0]) + 10 * (p[1] + 1 + c[1]) + p[2] + 1 + c[2])] ==
         CellType::wall;
-    wall_of[static_cast<std::size_t>(i)] =
-        solid ? domain.walls().nearest(domain.centre(place + Vec3i(c[0], c[1], c[2]))).wall : -1;
+    const Vec3i way(c[0], c[1], c[2]), beyond = image_of(domain, place + way);
+    const int wall = solid ? domain.walls().nearest(domain.centre(beyond)).wall : -1;
+    wall_of[static_cast<std::size_t>(i)] = wall;
+    if (wall >= 0) seen_from[static_cast<std::size_t>(wall)] = domain.centre(beyond - way);
   }
   wall_of[0] = -1;
   give_corner_links(domain, place, wall_of);
@@ -66,7 +71,8 @@ void add_wall_links(WallLinks& block_links, const Domain& domain, double velocit
     const auto links = std::count(wall_of.begin(), wall_of.end(), wall);
     if (links == 0) continue;
     const Wall& w = domain.walls().all()[static_cast<std::size_t>(wall)];
-    const Vec3 centre = domain.centre(place), normal = domain.walls().gradient(static_cast<std::size_t>(wall), centre);
+    const Vec3 centre = seen_from[static_cast<std::size_t>(wall)],
+               normal = domain.walls().gradient(static_cast<std::size_t>(wall), centre);
     const Vec3 velocity = w.surface_velocity(centre) * velocity_to_lu;
     WallCell entry{
         static_cast<std::uint16_t>(cell),
@@ -92,12 +98,18 @@ void add_wall_links(WallLinks& block_links, const Domain& domain, double velocit
       if (wall_of[static_cast<std::size_t>(i)] == wall) {
         block_links.directions.push_back(static_cast<std::uint8_t>(i));
         if (domain.placement() == WallPlacement::interpolated)
-          block_links.hits.push_back(wall_hit(domain, w, place, i, velocity_to_lu));
+          block_links.hits.push_back(wall_hit(domain, w, centre, i, velocity_to_lu));
       }
   }
 }
 
 }  // namespace
+
+Vec3i image_of(const Domain& domain, Vec3i cell) {
+  for (int a = 0; a < 3; ++a)
+    if (const int n = kBlockWidth * domain.period()[a]; n > 0) cell[a] = (cell[a] % n + n) % n;
+  return cell;
+}
 
 template <class Real>
 void cut_geometry(Block<Real>& fresh, const Domain& domain, const Vec3i& lowest, double velocity_to_lu) {
@@ -106,7 +118,8 @@ void cut_geometry(Block<Real>& fresh, const Domain& domain, const Vec3i& lowest,
   for (int x = 0; x < 10; ++x)
     for (int y = 0; y < 10; ++y)
       for (int z = 0; z < 10; ++z)
-        types[static_cast<std::size_t>(100 * x + 10 * y + z)] = domain.classify(lowest + Vec3i(x - 1, y - 1, z - 1));
+        types[static_cast<std::size_t>(100 * x + 10 * y + z)] =
+            domain.classify(image_of(domain, lowest + Vec3i(x - 1, y - 1, z - 1)));
   for (int n = 0; n < kBlockCells; ++n) {
     const auto p = cell_position(n);
     const auto at = [&](int i) {
@@ -120,7 +133,7 @@ void cut_geometry(Block<Real>& fresh, const Domain& domain, const Vec3i& lowest,
     for (int i = 1; i < D3Q19::q; ++i) fresh.at_rim[cell] = fresh.at_rim[cell] || at(i) == CellType::sink;
     add_wall_links(fresh.walls, domain, velocity_to_lu, n, lowest + Vec3i(p[0], p[1], p[2]), types);
   }
-  list_row_links(fresh.walls, types, domain.placement());
+  list_row_links(fresh.walls, types, domain, lowest);
 }
 
 template void cut_geometry<float>(Block<float>&, const Domain&, const Vec3i&, double);

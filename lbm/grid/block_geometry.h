@@ -5,6 +5,9 @@
 
 namespace lahar::lbm {
 
+/// The cell inside the domain that a cell beyond a periodic face stands for.
+Vec3i image_of(const Domain& domain, Vec3i cell);
+
 /// `lowest` is the block's lowest cell; `velocity_to_lu` converts the walls' velocities. Writes this block alone.
 template <class Real>
 void cut_geometry(Block<Real>& block, const Domain& domain, const Vec3i& lowest, double velocity_to_lu);

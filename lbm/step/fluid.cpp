@@ -178,7 +178,10 @@ void Fluid<Real>::watch() const {
   const bool curable = control_ && control_->can_shorten(level_.units.time_step);
   const bool broken = survey_.speed >= kNotFinite;
   if (is_in_order() || (!broken && curable)) return;
-  if (!level_.grid.exists(survey_.fastest)) return;  // it went dry since
+  if (!level_.grid.exists(survey_.fastest)) {  // it went dry since
+    if (broken) throw NumericalFailure("a fluid cell that has gone dry", steps(), "velocity is not a number");
+    return;
+  }
   auto& grid = const_cast<FluidGrid<Real>&>(level_.grid);
   const CellPlace place = fastest_cell(grid, survey_.fastest, level_.parameters.parity);
   const auto m = outgoing_moments(grid, place, level_.parameters.parity);

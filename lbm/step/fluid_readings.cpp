@@ -34,7 +34,7 @@ double Fluid<Real>::liquid_mass() const {
 template <class Real>
 double Fluid<Real>::mass_drift(double liquid_mass) const {
   const double put_in = initial_mass_ + inflow_mass();
-  return put_in > 0 ? (liquid_mass + outflow_mass() - rescaled_mass() - put_in) / put_in : 0.0;
+  return put_in <= 0 ? 0.0 : (liquid_mass + outflow_mass() - rescaled_mass() - put_in) / put_in;  // NaN stays NaN
 }
 
 template <class Real>

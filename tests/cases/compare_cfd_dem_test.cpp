@@ -38,6 +38,8 @@ TEST(StudyCases, NamesThatAreNoneAreRefused) {
     EXPECT_NE(e.mistakes().at(0).message.find("resolved, averaged"), std::string::npos);
   }
   EXPECT_THROW(cases_of({.releases = {0.5}}), InputError);
+  EXPECT_THROW(cases_of({.seeds = {1, -1}}), InputError);  // as scenes do
+  EXPECT_NO_THROW(cases_of({.seeds = {0}}));
 }
 
 TEST(StudyCases, LeaveOutVariantsThatSayNothing) {

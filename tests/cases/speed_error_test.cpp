@@ -13,6 +13,7 @@
 #include "cases/speed_error/pareto.h"
 #include "cases/speed_error/report.h"
 #include "cases/validate/reference_table.h"
+#include "core/check.h"
 #include "tests/cases/files/test_folder.h"
 
 namespace lahar::validate {
@@ -89,6 +90,20 @@ TEST(SpeedError, FilesHoldEveryTrial) {
   EXPECT_NE(html.find("<svg"), std::string::npos);
   EXPECT_NE(html.find("beaten by 2.00"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(files / "made_up.png"));
+}
+
+/// A scene that is refused says nothing of the knob, numbers that go wrong do.
+TEST(SpeedError, NamesTrialsWhoseSceneIsRefused) {
+  Problem p{"made_up", "distance", "exact", "none", {}};
+  p.trials.push_back({{}, [] { return Measurement{0.1, 2}; }});
+  p.trials.push_back({{{"cells", "1"}}, []() -> Measurement { throw NumericalFailure("cell", 3, "too fast"); }});
+  EXPECT_EQ(refusals_text(run_problem(p, 0.5)), "");
+  p.trials.push_back(
+      {{{"cells", "2"}}, []() -> Measurement {
+         throw InputError(std::vector<InputMistake>{{"a.toml", 4, 5, "no net"}, {"a.toml", 6, 7, "no bed"}});
+       }});
+  EXPECT_EQ(refusals_text(run_problem(p, 0.5)),
+            "made_up: cells 2: its scene was refused: a.toml:4:5: no net; a.toml:6:7: no bed\n");
 }
 
 }  // namespace

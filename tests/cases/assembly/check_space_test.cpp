@@ -50,6 +50,20 @@ TEST(CheckSpace, AWallOrAFluidThatMovesIsSpeedEnough) {
   EXPECT_TRUE(mistakes_in(case_file("dam_break/scene.toml"), {no_gravity, "fluid.max_speed_m_s=1"}).empty());
 }
 
+/// Too long a step compresses the liquid: g h / c_s^2 = 3 g h (lattice velocity / max speed)^2 is 0.28 at 0.8 m/s.
+TEST(CheckSpace, LiquidThatWouldBeCompressedAtTheStart) {
+  const auto dam = case_file("dam_break/scene.toml");
+  expect_rejection(dam, {{"fluid.max_speed_m_s=0.8"}, "fluid.max_speed_m_s", "would start 15.2 % too heavy"});
+  expect_rejection(dam, {{"fluid.max_speed_m_s=2", "fluid.lattice_velocity=0.3"}, "fluid.max_speed_m_s", "3.43 m/s"});
+  EXPECT_TRUE(mistakes_in(dam, {"fluid.max_speed_m_s=1"}).empty()) << "9 %";
+  EXPECT_TRUE(mistakes_in(dam, {"fluid.lattice_velocity=0.3"}).empty()) << "by default never";
+  EXPECT_TRUE(mistakes_in(dam, {"fluid.max_speed_m_s=0.3", "fluid.adaptive_time_step=true"}).empty())
+      << "the liquid gets its mass back with the next step";
+  // Of a region that reaches down into the ground only the liquid counts.
+  const std::string ground = "wall=[{name='ground', shape='plane', point_m=[0, 0, 0.4], normal=[0, 0, 1]}]";
+  EXPECT_TRUE(mistakes_in(dam, {"fluid.max_speed_m_s=0.8", ground, "probe=[]"}).empty());
+}
+
 TEST(CheckSpace, APeriodicAxisOfWholeBlocks) {
   const Scene scene =
       load(case_file("dam_break/scene.toml"), {"domain.periodic_axes=['y']", "domain.upper_m=[1.6, 0.32, 0.8]"});

@@ -32,6 +32,17 @@ TEST(Estimates, SpeedDownASlope) {
   EXPECT_NEAR(fluid_time_step(debris), 0.1 * 0.01 / expected_max_speed(debris), 1e-18);
 }
 
+/// The dam is 0.6 m deep: g h / c_s^2 = 3 g h (lattice velocity / max speed)^2.
+TEST(Estimates, CompressionAtTheStart) {
+  const scene::Scene dam = load(case_file("dam_break/scene.toml"), {"fluid.max_speed_m_s=1"});
+  const double a = 3 * 9.81 * 0.6 * 0.01;
+  EXPECT_NEAR(sound_speed(dam), 10 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(start_compression(dam), std::expm1(a) / a - 1, 1e-12);
+  scene::Scene weightless = dam;
+  weightless.gravity.magnitude = 0;
+  EXPECT_EQ(start_compression(weightless), 0);
+}
+
 TEST(Estimates, CountsOfThePaper) {
   const scene::Scene debris = scene::debris_flow();
   EXPECT_EQ(net_columns(debris.barrier.net), 30);

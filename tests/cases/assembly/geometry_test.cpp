@@ -25,6 +25,16 @@ TEST(SceneGeometry, WallsOfTheChannel) {
   EXPECT_EQ(walls.all()[0].material, material_index(scene, "wall"));
 }
 
+TEST(SceneGeometry, OpenDepthEndsAtTheGround) {
+  Walls walls;
+  EXPECT_NEAR(*open_depth(walls, {0, 0, 1}, {1, 1, 1.9}), 0.9, 1e-14);
+  walls.add({"ground", HalfSpace{{0, 0, 1.3}, {0, 0, 1}}, {}, -1, {}, 0});
+  EXPECT_NEAR(*open_depth(walls, {0, 0, 1}, {1, 1, 1.9}), 0.6, 1e-14);
+  EXPECT_FALSE(filled_by_walls(walls, {0, 0, 1}, {1, 1, 1.9}));
+  EXPECT_FALSE(open_depth(walls, {0, 0, 1}, {1, 1, 1.2}).has_value());
+  EXPECT_TRUE(filled_by_walls(walls, {0, 0, 1}, {1, 1, 1.2}));
+}
+
 TEST(SceneGeometry, EveryShapeBecomesItsSolid) {
   WallSettings w;
   w.shape = WallShape::sphere, w.centre = {1, 0, 0}, w.radius = 0.5;

@@ -142,6 +142,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Rejection{{"wall[1].spacing_m=0"}, "wall[1].file", "expected spacing_m above 0"},
                     Rejection{{"wall[1].spacing_m=-1"}, "wall[1].spacing_m", "at least 0"},
                     Rejection{{"wall[1].translate_m=[0, 0, 9]"}, "wall[1].file", "has heights from 9 to 9.2 m"},
+                    Rejection{{"wall[1].translate_m=[70, 0, 0]"}, "wall[1].file", "covers x from 69.75 to 71.25 m"},
+                    Rejection{{"wall[1].translate_m=[0, -2, 0]"}, "wall[1].file", "expected some of the domain"},
                     Rejection{{"fluid.region[1].shape=drop"}, "fluid.region[1].shape", "one of \"box\""},
                     Rejection{{"fluid.region[1].radius_m=0"}, "fluid.region[1].radius_m", "above 0"},
                     Rejection{{"fluid.region[1].radius_m=0.4"}, "fluid.region[1]", "outside the domain"},

@@ -21,6 +21,9 @@ TEST(Audit, TellsWhatTheCoupledStepBooked) {
   EXPECT_EQ(check(0).name, "momentum_audit");
   EXPECT_TRUE(check(1e-6).pass);
   EXPECT_FALSE(check(1.1e-6).pass);
+  coupling::MomentumAudit broken;
+  broken.book({Vec3::Constant(kUnknown), Vec3::Constant(kUnknown)});
+  EXPECT_FALSE(check(broken.relative()).pass);
 }
 
 TEST(Audit, NeedsBothSides) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+
+#include "cases/observers/result_check.h"
 
 namespace lahar::cases {
 namespace {
@@ -30,6 +33,22 @@ TEST(Quantity, PeakOfTheMagnitude) {
   EXPECT_EQ(after(q, {0.1, -0.3, 0.2}).at("drift"), 0.3);
 }
 
+/// One row that is not a number, and the largest of all rows is not known.
+TEST(Quantity, APeakDoesNotHideWhatWentWrong) {
+  Quantity q{"drift", "1", "", {}, true, {}};
+  q.peak_magnitude("drift", "").peak_time("when_s");
+  const Metrics found = after(q, {0.1, kNone, 0.2});
+  EXPECT_TRUE(std::isnan(found.at("drift")));
+  EXPECT_TRUE(std::isnan(found.at("when_s")));
+  EXPECT_FALSE(vanishes(found, "drift", "ledger", 1, "").at(0).pass);
+}
+
+TEST(Quantity, APeakLeavesOutWhatIsUnknown) {
+  Quantity q{"speed", "m/s", "", {}, true, {}};
+  q.unknown_at_times().peak("peak", "m/s", "").peak_time("when_s");
+  EXPECT_EQ(after(q, {kNone, 2, kNone, 1}), (Metrics{{"peak", 2}, {"when_s", 1}}));
+}
+
 TEST(Quantity, TheFirstKnownValueStays) {
   Quantity q{"arrival", "s", "", {}, false, {}};
   q.metrics.push_back({"arrival", "s", "", Follow::first});
@@ -44,6 +63,10 @@ TEST(Quantity, WhatIsOnlyKnownAtTheEnd) {
   q.metrics.push_back({"mass", "kg", "", Follow::last});
   EXPECT_FALSE(q.is_followed());
   Metrics found = after(q, {7});
+  close_books(q, found);
+  EXPECT_TRUE(std::isnan(found.at("mass")));
+  found.clear();
+  q.unknown_at_times();
   close_books(q, found);
   EXPECT_TRUE(found.empty());
   value = 2;

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 
 #include "cases/assembly/estimates.h"
 #include "coupling/coupling_options.h"
@@ -19,6 +22,30 @@ bool warns(const CheckReport& report, const std::string& part) {
     if (w.find(part) != std::string::npos) return true;
   return false;
 }
+
+/// All scene files of the cases, by their path below cases/; files of parameters of procedures have no [scene].
+std::vector<std::string> scene_files() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(case_file("")))
+    if (entry.path().extension() == ".toml" && scene::file_text(entry.path()).find("\n[scene]\n") != std::string::npos)
+      names.push_back(std::filesystem::relative(entry.path(), case_file("")).string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+class SceneOfACase : public testing::TestWithParam<std::string> {};
+
+TEST_P(SceneOfACase, PassesItsChecks) {
+  EXPECT_EQ(scene::mistakes_in(case_file(GetParam())), std::vector<std::string>{});
+  EXPECT_GT(check_scene(load(case_file(GetParam()))).run_time, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Check, SceneOfACase, testing::ValuesIn(scene_files()), [](const auto& one) {
+  std::string name = one.param;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+});
 
 TEST(Check, FiguresOfTheDamBreak) {
   const scene::Scene dam = load(case_file("dam_break/scene.toml"));
@@ -124,6 +151,32 @@ TEST(Warnings, Fluid) {
   EXPECT_FALSE(warns(report({"fluid.collision=bgk", "fluid.smagorinsky=0.16"}), "unstable"));
   EXPECT_TRUE(warns(report({"fluid.lattice_velocity=0.2"}), "Ma = 0.35"));
   EXPECT_TRUE(warns(report({"fluid.cell_size_m=0.2"}), "cells deep"));
+}
+
+TEST(Warnings, AMaxSpeedBelowThatOfADrop) {
+  const auto report = [](const char* speed) {
+    return check_scene(load(case_file("dam_break/scene.toml"), {std::string("fluid.max_speed_m_s=") + speed}));
+  };
+  EXPECT_TRUE(warns(report("2"), "fluid.max_speed_m_s is 2 m/s"));  // sqrt(2 g 0.6 m) = 3.43 m/s
+  EXPECT_TRUE(warns(report("2"), "reaches 3.43 m/s: Ma would be 0.30"));
+  EXPECT_FALSE(warns(report("3.5"), "max_speed_m_s"));
+  EXPECT_FALSE(warns(report("0"), "max_speed_m_s"));
+}
+
+/// The domain is 1.6 x 0.3 m; each point of the map is the middle of a square of 0.6 m.
+TEST(Warnings, GroundBeyondAHeightmap) {
+  const scene::ScratchFolder scratch;
+  scratch.write("ground.txt", "0.2 0.1 0.0\n0.2 0.1 0.0\n");
+  const auto report = [&](const std::string& place) {
+    const auto file = scratch.write(
+        "scene.toml", "[scene]\nbase = \"" + case_file("dam_break/scene.toml").string() +
+                          "\"\nname = \"on_ground\"\n[[wall]]\nname = \"ground\"\nshape = \"heightmap\"\n"
+                          "file = \"ground.txt\"\nspacing_m = 0.6\ntranslate_m = " +
+                          place + "\n[[probe]]\nname = \"depth\"\nkind = \"height\"\nposition_m = [1.0, 0.1, 0.0]\n");
+    return check_scene(load(file));
+  };
+  EXPECT_TRUE(warns(report("[0, 0, 0]"), "wall[0] covers x from -0.3 to 1.5 m and y from -0.3 to 0.9 m"));
+  EXPECT_FALSE(warns(report("[0.3, 0, 0]"), "wall[0] covers")) << "x from 0 to 1.8 m";
 }
 
 TEST(Warnings, Solids) {

@@ -11,7 +11,8 @@ namespace lahar::cases {
 namespace {
 
 TEST(Interrupt, TheFirstSignalSetsTheFlag) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  std::signal(SIGHUP, SIG_DFL);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     end_at_interrupt();
     watch_for_interrupt();
     EXPECT_FALSE(interrupted());
@@ -25,12 +26,15 @@ TEST(Interrupt, TheFirstSignalSetsTheFlag) {
   EXPECT_FALSE(interrupted());
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGHUP, SIG_DFL);
+  std::signal(SIGPIPE, SIG_DFL);
 }
 
 TEST(InterruptDeathTest, BeforeARunASignalEndsTheProcess) {
-  for (const int signal : {SIGINT, SIGTERM})
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     EXPECT_EXIT(
         {
+          std::signal(SIGHUP, SIG_DFL);
           end_at_interrupt();
           std::raise(signal);
         },
@@ -46,6 +50,29 @@ TEST(InterruptDeathTest, ASecondSignalEndsTheProcess) {
         std::raise(SIGINT);
       },
       testing::KilledBySignal(SIGINT), "");
+}
+
+/// As nohup starts them.
+TEST(InterruptDeathTest, ARunThatIsToOutliveItsTerminalDoes) {
+  EXPECT_EXIT(
+      {
+        std::signal(SIGHUP, SIG_IGN);
+        end_at_interrupt();
+        watch_for_interrupt();
+        std::raise(SIGHUP);
+        std::_Exit(interrupted() ? 7 : 8);
+      },
+      testing::ExitedWithCode(8), "");
+}
+
+TEST(InterruptDeathTest, ARunGoesOnWhenNobodyReadsWhatItPrints) {
+  EXPECT_EXIT(
+      {
+        watch_for_interrupt();
+        std::raise(SIGPIPE);
+        std::_Exit(interrupted() ? 7 : 8);
+      },
+      testing::ExitedWithCode(8), "");
 }
 
 TEST(InterruptDeathTest, TwoSignalsAtOnceAreOneRequest) {

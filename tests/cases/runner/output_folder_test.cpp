@@ -1,8 +1,12 @@
 #include "cases/runner/output_folder.h"
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
 #include <functional>
+#include <vector>
 
 #include "cases/scene/writer.h"
 #include "tests/cases/scene/scene_files.h"
@@ -16,11 +20,20 @@ std::size_t count(const fs::path& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
 }
 
+std::string refused(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "";
+}
+
 TEST(OutputFolder, IsMadeWithItsParents) {
   const scene::ScratchFolder scratch;
-  prepare_output(scratch.path() / "a/b", false);
+  (void)prepare_output(scratch.path() / "a/b", false);
   EXPECT_TRUE(fs::is_directory(scratch.path() / "a/b"));
-  prepare_output(scratch.path() / "a/b", false);  // empty: may be used
+  (void)prepare_output(scratch.path() / "a/b", false);  // empty: may be used
   EXPECT_EQ(count(scratch.path() / "a/b"), 0u);
 }
 
@@ -28,8 +41,8 @@ TEST(OutputFolder, ForeignFilesAreNeverTouched) {
   const scene::ScratchFolder scratch;
   scratch.write("thesis.txt", "years of work");
   scratch.write("summary.json", "mine");
-  EXPECT_THROW(prepare_output(scratch.path(), false), InputError);
-  EXPECT_THROW(prepare_output(scratch.path(), true), InputError);
+  EXPECT_THROW((void)prepare_output(scratch.path(), false), InputError);
+  EXPECT_THROW((void)prepare_output(scratch.path(), true), InputError);
   EXPECT_EQ(count(scratch.path()), 2u);
 }
 
@@ -39,35 +52,80 @@ TEST(OutputFolder, AFormerRunIsReplacedOnlyOnDemand) {
   for (const char* name : {"summary.json", "run.log", "fluid_000010.vdb", "image_000001.png", "forces_000001.png",
                            "particles.h5", "notes.txt"})
     scratch.write(name, "old");
-  EXPECT_THROW(prepare_output(scratch.path(), false), InputError);
+  EXPECT_THROW((void)prepare_output(scratch.path(), false), InputError);
   EXPECT_EQ(count(scratch.path()), 8u);
-  prepare_output(scratch.path(), true);
+  (void)prepare_output(scratch.path(), true);
   EXPECT_EQ(count(scratch.path()), 1u);
   EXPECT_TRUE(fs::exists(scratch.path() / "notes.txt"));
+}
+
+/// What a user has made of a run's files, and named like them, is no part of the run.
+TEST(OutputFolder, NamesThatRunsDoNotWriteStay) {
+  const scene::ScratchFolder scratch;
+  scratch.write("scene.resolved.toml", std::string(scene::resolved_mark) + "\n");
+  const std::vector<const char*> mine{"image_best.png",       "fluid_mine.vdb",   "forces_paper.png",
+                                      "image_000001_cut.png", "report.html",      "image_1.png",
+                                      "fluid_-00001.vdb",     "image_000001.PNG", "fluid_000001.vdb.gz"};
+  for (const char* name : mine) scratch.write(name, "mine");
+  scratch.write("fluid_1234567.vdb", "old");
+  (void)prepare_output(scratch.path(), true);
+  for (const char* name : mine) EXPECT_TRUE(fs::exists(scratch.path() / name)) << name;
+  EXPECT_EQ(count(scratch.path()), mine.size());
+}
+
+TEST(OutputFolder, NumbersOfFiles) {
+  EXPECT_EQ(number_of_file("fluid_000012.vdb", "fluid_", ".vdb"), 12);
+  EXPECT_EQ(number_of_file("fluid_1000000.vdb", "fluid_", ".vdb"), 1000000);
+  for (const char* name : {"fluid_.vdb", "fluid_12.vdb", "fluid_0000012.vdb", "fluid_00001x.vdb", "image_000012.png"})
+    EXPECT_FALSE(number_of_file(name, "fluid_", ".vdb")) << name;
 }
 
 TEST(OutputFolder, AUsersResolvedSceneIsNoRun) {
   const scene::ScratchFolder scratch;
   scratch.write("scene.resolved.toml", "[scene]\n");
   EXPECT_FALSE(holds_run(scratch.path()));
-  EXPECT_THROW(prepare_output(scratch.path(), true), InputError);
+  EXPECT_THROW((void)prepare_output(scratch.path(), true), InputError);
 }
 
 TEST(OutputFolder, AFileInTheWay) {
   const scene::ScratchFolder scratch;
   const fs::path file = scratch.write("file", "x");
-  EXPECT_THROW(prepare_output(file, true), InputError);
-  EXPECT_THROW(prepare_output(file / "below", true), InputError);
+  EXPECT_THROW((void)prepare_output(file, true), InputError);
+  EXPECT_THROW((void)prepare_output(file / "below", true), InputError);
   EXPECT_EQ(scene::file_text(file), "x");
 }
 
-std::string refused(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const InputError& e) {
-    return e.what();
+TEST(OutputFolder, ARunThatIsGoingOnKeepsItsFiles) {
+  const scene::ScratchFolder scratch;
+  scratch.write("scene.resolved.toml", std::string(scene::resolved_mark) + "\n");
+  {
+    const FolderLock lock(scratch.path());
+    EXPECT_EQ(
+        refused([&] { (void)prepare_output(scratch.path(), true); }),
+        scratch.path().string() + ":1:1: a run is going on there, expected another folder, or the end of that run");
+    EXPECT_EQ(count(scratch.path()), 1u);
   }
-  return "";
+  (void)prepare_output(scratch.path(), true);
+  EXPECT_EQ(count(scratch.path()), 0u);
+}
+
+TEST(OutputFolder, ALockEndsWithItsProcess) {
+  const scene::ScratchFolder scratch;
+  int ready[2];
+  ASSERT_EQ(pipe(ready), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    const FolderLock lock(scratch.path());
+    if (write(ready[1], "x", 1) != 1) _exit(1);
+    for (;;) pause();
+  }
+  char byte = 0;
+  ASSERT_EQ(read(ready[0], &byte, 1), 1);
+  EXPECT_THROW(FolderLock{scratch.path()}, InputError);
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  EXPECT_NO_THROW(FolderLock{scratch.path()});
+  close(ready[0]), close(ready[1]);
 }
 
 TEST(OutputFolder, APlaceThatCannotBeMadeIsRefusedByTheNameOfItsOption) {

@@ -11,6 +11,7 @@
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/run.h"
 #include "core/check.h"
+#include "tests/cases/files/shape_texts.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::cases {
@@ -199,6 +200,45 @@ TEST_F(Resume, DamageIsFoundAndNamed) {
   EXPECT_NE(mistake("nowhere").find("holds no run"), std::string::npos);
 }
 
+/// What comes after the checkpoint can still be used when the checkpoint cannot.
+TEST_F(Resume, ADamagedCheckpointLeavesTheFolderAsItWas) {
+  run("out");
+  run("early", {"run.duration_s=0.1"});
+  const auto file = folder("out") / kCheckpointFile;
+  std::filesystem::copy_file(folder("early") / kCheckpointFile, file,
+                             std::filesystem::copy_options::overwrite_existing);
+  {
+    std::fstream out(file, std::ios::in | std::ios::out | std::ios::binary);
+    out.seekp(static_cast<std::streamoff>(std::filesystem::file_size(file) / 2));
+    out.write("damage", 6);
+  }
+  const std::size_t before = files("out");
+  const std::string scene = scene::file_text(folder("out") / "scene.resolved.toml");
+  const std::string series = scene::file_text(folder("out") / "series.h5");
+  const std::string why = mistake("out", {"run.duration_s=0.5"});
+  EXPECT_NE(why.find("checkpoint.h5:1:1: is damaged"), std::string::npos) << why;
+  EXPECT_EQ(files("out"), before);
+  EXPECT_EQ(scene::file_text(folder("out") / "scene.resolved.toml"), scene);
+  EXPECT_EQ(scene::file_text(folder("out") / "series.h5"), series);
+}
+
+/// The one that the run has read counts, not the one that lies there when a checkpoint is written.
+TEST_F(Resume, AMeshThatWasChangedDuringTheRunIsAnotherScene) {
+  const std::string mesh = stl_text(box_mesh(Vec3(0.7, 0.7, 0), Vec3(0.9, 0.9, 0.2)));
+  const auto file = scratch_.write("block.stl", mesh);
+  const scene::Scene scene = scene::load(scratch_.write("scene.toml", scene::small_scene + R"([[wall]]
+shape = "mesh"
+file = "block.stl"
+material = "rock"
+)"),
+                                         {"run.duration_s=0.01"});
+  scratch_.write("block.stl", stl_text(box_mesh(Vec3(0.7, 0.7, 0), Vec3(0.9, 0.9, 0.3))));
+  run_to_folder(scene, {.out = folder("out"), .threads = 1, .quiet = true}, run_scene);
+  EXPECT_NE(mistake("out").find("is of another scene (# " + file.string()), std::string::npos) << mistake("out");
+  scratch_.write("block.stl", mesh);
+  EXPECT_EQ(mistake("out"), "none");
+}
+
 TEST_F(Resume, AnotherFormatIsRefused) {
   run("out", {"run.duration_s=0.05"});
   {
@@ -214,8 +254,9 @@ TEST_F(Resume, AnotherFormatIsRefused) {
 
 TEST_F(Resume, AFailedRunKeepsAndNamesItsLastCheckpoint) {
   try {
-    run("out", {"run.checkpoint_interval_s=0.01", "run.duration_s=2", "fluid.max_speed_m_s=0.25"});
-    FAIL() << "the step is far too long";
+    run("out", {"run.checkpoint_interval_s=0.01", "run.duration_s=2", "fluid.max_speed_m_s=0.45",
+                "fluid.region[0].lower_m=[0, 0, 0.5]"});
+    FAIL() << "the step is far too long for what falls half a metre";
   } catch (const NumericalFailure& e) {
     EXPECT_NE(std::string(e.what()).find("checkpoint.h5 of t = "), std::string::npos) << e.what();
   }

@@ -6,6 +6,7 @@
 #include "cases/runner/machine.h"
 #include "cases/runner/output_folder.h"
 #include "cases/runner/run.h"
+#include "cases/scene/writer.h"
 #include "core/parallel.h"
 #include "tests/cases/scene/scene_files.h"
 
@@ -67,6 +68,69 @@ TEST(RunToFolder, AFailureIsLoggedAndPassedOn) {
   EXPECT_FALSE(std::filesystem::exists(scratch.path() / "out/summary.json"));
   EXPECT_NE(scene::file_text(scratch.path() / "out/run.log").find("error: cell (1, 2, 3), step 17: not a number"),
             std::string::npos);
+}
+
+/// The end comes between two looks of the watchdog: after the first step.
+TEST(RunToFolder, NumbersThatWentWrongInTheLastStepsAreAFailure) {
+  scene::Scene too_fast = scene::load(scene::case_file("dam_break/scene.toml"),
+                                      {"fluid.cell_size_m=0.04", "run.duration_s=0.003", "gravity.magnitude_m_s2=0",
+                                       "fluid.max_speed_m_s=1", "fluid.region[0].velocity_m_s=[8, 0, 0]"});
+  scene::Scene not_finite = scene::load(scene::case_file("dam_break/scene.toml"), {"run.duration_s=0.3"});
+  not_finite.fluid.max_speed = 0.01;
+  for (scene::Scene scene : {too_fast, not_finite}) {
+    const scene::ScratchFolder scratch;
+    scene.run.checkpoint_wall = 0;
+    EXPECT_THROW(run_to_folder(scene, quiet_into(scratch.path() / "out"), run_scene), NumericalFailure);
+    EXPECT_FALSE(std::filesystem::exists(scratch.path() / "out/summary.json"));
+  }
+}
+
+TEST(RunToFolder, AGrainThatWentWrongInTheLastStepsIsAFailure) {
+  const scene::ScratchFolder scratch;
+  const scene::Scene scene = scene::load_text(
+      scene::small_scene, {"gravity.magnitude_m_s2=3.5e6", "run.duration_s=5e-5", "run.checkpoint_wall_s=0"});
+  EXPECT_THROW(run_to_folder(scene, quiet_into(scratch.path() / "out"), run_scene), NumericalFailure);
+}
+
+TEST(RunToFolder, OfTwoRunsInAFolderTheSecondIsRefused) {
+  const scene::ScratchFolder scratch;
+  const auto out = scratch.path() / "out";
+  const Runner none = [](const scene::Scene&, const RunOptions&, RunMonitor&) { return RunResult{}; };
+  int refused = 0;
+  const Runner runner = [&](const scene::Scene& scene, const RunOptions&, RunMonitor&) {
+    for (const bool resume : {false, true}) {
+      RunOptions second = quiet_into(out);
+      second.overwrite = !resume, second.resume = resume;
+      try {
+        run_to_folder(scene, second, none);
+      } catch (const InputError& e) {
+        EXPECT_NE(std::string(e.what()).find("a run is going on there"), std::string::npos) << e.what();
+        ++refused;
+      }
+    }
+    EXPECT_TRUE(holds_run(out));
+    return RunResult{};
+  };
+  run_to_folder(bouncing(), quiet_into(out), runner);
+  EXPECT_EQ(refused, 2);
+  RunOptions after = quiet_into(out);
+  after.overwrite = true;
+  run_to_folder(bouncing(), after, none);
+}
+
+/// The results of the run are whole all the same.
+TEST(RunToFolder, ALastCheckpointThatCannotBeWrittenIsAFailure) {
+  const scene::ScratchFolder scratch;
+  const auto out = scratch.path() / "out";
+  std::filesystem::create_directories(out / "checkpoint.h5.part/in_the_way");
+  std::ofstream(out / "scene.resolved.toml") << scene::resolved_mark << "\n";
+  RunOptions options = quiet_into(out);
+  options.overwrite = true;
+  const scene::Scene scene = scene::load_text(scene::small_scene, {"run.duration_s=0.01"});
+  EXPECT_THROW(run_to_folder(scene, options, run_scene), FileError);
+  const auto json = nlohmann::json::parse(scene::file_text(out / "summary.json"));
+  EXPECT_NEAR(json["simulated_seconds"].get<double>(), 0.01, 1e-3);
+  EXPECT_NE(scene::file_text(out / "run.log").find("error: " + (out / "checkpoint.h5").string()), std::string::npos);
 }
 
 TEST(RunToFolder, RefusesBeforeItRuns) {

@@ -79,5 +79,12 @@ TEST(ValidateOutcome, IsWrittenAsJson) {
   EXPECT_EQ(json["entries"][1]["pass"], false);
 }
 
+TEST(ValidateOutcome, IsKnownByItsJson) {
+  EXPECT_TRUE(is_outcomes_json(outcomes_json({run_entry(kSome[0], {})}, {})));
+  for (const char* other : {"", "[]", "thesis", "{\"entries\": []}", "{\"machine\": 1, \"commit\": 2, \"entries\": 3}",
+                            "{\"machine\": 1, \"commit\": 2, \"entries\": [{\"name\": 3}]}"})
+    EXPECT_FALSE(is_outcomes_json(other)) << other;
+}
+
 }  // namespace
 }  // namespace lahar::validate

@@ -81,6 +81,28 @@ TEST(WireDrag, GivesTheFluidWhatItTakes) {
   EXPECT_EQ(drag.wet_beads(), 21U);
 }
 
+/// A wire moves in cells that are a quarter full: their liquid gains what the wire loses.
+TEST(WireDrag, MomentumIsKeptAtTheSurface) {
+  lbm::FluidOptions options = tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4);
+  options.gravity = Vec3::Zero();
+  lbm::Fluid<double> fluid(options);
+  fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.165)}});
+  StraightWire wire(10, 0.006, Vec3(0.13, 0.16, 0.17), Vec3(1, 0, 0));
+  for (dem::ParticleIndex i = 0; i < wire.particles.size(); ++i) wire.particles.velocity.set(i, Vec3(0, 0.5, 0));
+  WireDrag<double> drag(wire.particles, wire.bonds);
+  SolidFields<double> fields;
+  fluid.step();
+  fields.open(fluid.grid());
+  drag.apply(fluid, wire.particles, fields);
+  fluid.step();
+  Vec3 of_water = Vec3::Zero(), on_wire = Vec3::Zero();
+  fluid.for_each_wet_cell([&](const lbm::WetCell& c) { of_water += 1000 * 8e-6 * c.fill_level * c.velocity; });
+  for (dem::ParticleIndex i = 0; i < wire.particles.size(); ++i)
+    on_wire += 2e-4 * Vec3(wire.particles.external_force[i]);
+  EXPECT_LT(on_wire.y(), 0);
+  EXPECT_LT((of_water + on_wire).norm(), 0.01 * on_wire.norm());
+}
+
 TEST(WireDrag, DryWireFeelsNothing) {
   lbm::Fluid<float> fluid(tank(Vec3(0.32, 0.32, 0.64), 0.02, 2e-4));
   fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.1)}});

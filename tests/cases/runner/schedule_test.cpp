@@ -1,0 +1,59 @@
+#include "cases/runner/schedule.h"
+
+#include <gtest/gtest.h>
+
+namespace lahar::cases {
+namespace {
+
+TEST(Schedule, IsDueAtEveryInterval) {
+  Schedule s(0.1);
+  EXPECT_TRUE(s.due(0));
+  s.note(0);
+  EXPECT_FALSE(s.due(0.09));
+  EXPECT_TRUE(s.due(0.1));
+  s.note(0.1);
+  EXPECT_FALSE(s.due(0.19));
+  s.note(0.55);  // those of 0.2 to 0.5 are left out
+  EXPECT_FALSE(s.due(0.59));
+  EXPECT_TRUE(s.due(0.6));
+  EXPECT_EQ(s.done(), 3);
+}
+
+TEST(Schedule, IsNeverDueWithoutAnInterval) {
+  Schedule s(0);
+  s.note(1);
+  EXPECT_FALSE(s.due(2));
+  EXPECT_FALSE(s.wants_last(2));
+}
+
+/// Steps that hit the intervals but for rounding: counted one by one, they are the same.
+TEST(Schedule, NoneIsMissedNorTwiceDueByRounding) {
+  for (const double interval : {0.1, 0.01, 1.0 / 3, 1e-3, 7e-5}) {
+    Schedule s(interval);
+    std::int64_t due = 0;
+    for (int step = 0; step <= 20000; ++step) {
+      const double time = 0.5 * interval * step;
+      EXPECT_EQ(s.due(time), step % 2 == 0) << interval << " at step " << step;
+      if (!s.due(time)) continue;
+      s.note(time);
+      ++due;
+      EXPECT_FALSE(s.due(time)) << interval << " at step " << step;
+    }
+    EXPECT_EQ(due, 10001);
+  }
+}
+
+/// Counting would take forever.
+TEST(Schedule, AnIntervalFarShorterThanAStep) {
+  for (const double interval : {1e-9, 1e-12, 1e-15, 1e-300}) {
+    Schedule s(interval);
+    for (const double time : {0.0, 0.3, 0.3001, 1e6}) {
+      EXPECT_TRUE(s.due(time)) << interval << " at " << time;
+      s.note(time);
+    }
+    EXPECT_EQ(s.done(), 4);
+  }
+}
+
+}  // namespace
+}  // namespace lahar::cases
