@@ -1,6 +1,7 @@
 // Cross checks of grains, barrier and of what refers to them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -348,6 +349,22 @@ void check_averaged(const Scene& scene, Findings& findings) {
                      "grains = \"averaged\", which cells hold as far as they are filled");
 }
 
+void check_holdych(const Scene& scene, Findings& findings) {
+  const auto& spheres = scene.grains.spheres;
+  const bool all_held = scene.grains.packings.empty() &&
+                        std::all_of(spheres.begin(), spheres.end(), [](const GrainSphere& s) { return s.fixed; });
+  if (lbm::by_wall_distance(scene.coupling.body_weighting))
+    findings.mistake(
+        "coupling.solid_operator",
+        "coupling.solid_operator = \"holdych\" turns the flow round by 2 B, which is stable for B up to 1, and "
+        "wall_distance and inertial have B up to 2; expected another body_weighting or another solid operator");
+  else if (!all_held)
+    findings.mistake(
+        "coupling.solid_operator",
+        "coupling.solid_operator = \"holdych\" lets the liquid in free grains swing undamped, expected fixed "
+        "grains or another solid operator");
+}
+
 void check_uses(const Scene& scene, Findings& findings) {
   if (scene.coupling.enabled && findings.sound({"coupling", "fluid", "grains", "barrier"})) {
     if (!scene.fluid.enabled)
@@ -365,11 +382,8 @@ void check_uses(const Scene& scene, Findings& findings) {
                      "coupling.solid_operator turns populations, which is for a constant viscosity alone, expected "
                      "fluid.smagorinsky = 0 and a Newtonian fluid, or another solid operator");
   if (scene.coupling.enabled && scene.coupling.solid_operator == SolidOperator::wall_velocity_bounce_back &&
-      lbm::by_wall_distance(scene.coupling.body_weighting) && findings.sound({"coupling"}))
-    findings.mistake(
-        "coupling.solid_operator",
-        "coupling.solid_operator = \"holdych\" turns the flow round by 2 B, which is stable for B up to 1, and "
-        "wall_distance and inertial have B up to 2; expected another body_weighting or another solid operator");
+      findings.sound({"coupling", "grains"}))
+    check_holdych(scene, findings);
   if (scene.coupling.enabled && scene.coupling.resolve_wires_from_cells &&
       scene.coupling.body_weighting == BodyWeighting::inertial && findings.sound({"coupling"}))
     findings.mistake("coupling.body_weighting",

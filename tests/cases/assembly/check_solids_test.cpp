@@ -80,6 +80,10 @@ INSTANTIATE_TEST_SUITE_P(
             {"coupling.solid_operator='holdych'", "coupling.body_weighting='wall_distance'", "fluid.smagorinsky=0"},
             "coupling.solid_operator",
             "another body_weighting"},
+        Rejection{
+            {"coupling.solid_operator='holdych'", "coupling.body_weighting='noble_torczynski'", "fluid.smagorinsky=0"},
+            "coupling.solid_operator",
+            "expected fixed grains"},
         Rejection{{"coupling.body_weighting='inertial'", "coupling.resolve_wires_from_cells=3"},
                   "coupling.body_weighting",
                   "lets too much through wires"},
