@@ -256,8 +256,8 @@ std::vector<Compared> make_quantities() {
   add(
       "barrier_sum_at_rest", "kN", "sum of bond forces in the barrier, mean of the last half second",
       [](const CaseRun& c) { return final_mean(c, "barrier_force_sum_N", 0.5) / 1000; }, not_given, "");
-  add("elongation", "m", "largest way of a bead along the flow, from the flat net; theirs: the largest of all flows",
-      metric("max_elongation_m"), of_one(0.263), "4.3");
+  add("elongation", "m", "largest way of a bead along the flow, from the flat net", metric("max_elongation_m"),
+      of_one(0.263), "4.3");
   add("ring_travel", "m", "way that edge rings slide, largest mean", metric("max_mean_ring_travel_m"), not_given, "");
   add("net_impulse_grains", "kNs", "impulse of grains on the net along the flow, in the second after they arrive",
       impulse_of("barrier_contact_force_x_N"), not_given, "");
@@ -268,11 +268,10 @@ std::vector<Compared> make_quantities() {
       impulse_of("grains_fluid_force_x_N"), not_given, "");
   add("water_share", "1", "share of the water in the impulse on the net along the flow", water_share, not_given, "");
   add(
-      "velocity_through_net", "m/s",
-      "of the water in the plane where the net was built, while more than a litre a second passes",
+      "velocity_through_net", "m/s", "velocity of the water in the plane where the net was built",
       [](const CaseRun& c) { return mean_ratio(c, "net_discharge_m3_s", "net_liquid_area_m2"); }, not_given, "");
   add(
-      "clogging", "1", "area of grains over that of grains and water in that plane, while water passes",
+      "clogging", "1", "area of grains over that of grains and water in the plane of the net",
       [](const CaseRun& c) { return 1 / (1 + 1 / mean_ratio(c, "net_grains_area_m2", "net_liquid_area_m2")); },
       not_given, "");
   add("water_left", "kg", "water that left the channel", metric("liquid_left_kg"), not_given, "");
