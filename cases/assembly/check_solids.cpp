@@ -76,11 +76,22 @@ void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
                      fmt::format("{} reaches {:.3g} m into a wall, expected it in free space", path, depth));
 }
 
-/// Upper corner of the part of a packing's box that its grains will fill, once they have settled.
+/// m
+double largest_diameter(const Packing& packing) {
+  double largest = 0;
+  for (const GrainSize& size : packing.sizes) largest = std::max(largest, size.diameter);
+  for (const LogNormalGrains& g : packing.log_normal) largest = std::max(largest, g.largest);
+  for (const SievedGrains& g : packing.sieved)
+    for (const SievePoint& p : g.passing) largest = std::max(largest, p.opening);
+  return largest;
+}
+
+/// Upper corner of the part of a packing's box that its grains will fill, once they have settled: their volume, and a
+/// grain on top.
 Vec3 upper_of_content(const Packing& packing) {
-  constexpr double loosest = 0.5;  // of random packings that settle without friction
+  constexpr double loosest = 0.5;  // solid fraction of random packings that settle without friction
   const Vec3 extent = packing.upper - packing.lower;
-  double height = solid_volume(packing) / (loosest * extent.x() * extent.y());
+  double height = largest_diameter(packing) + solid_volume(packing) / (loosest * extent.x() * extent.y());
   if (packing.target_height > 0) height = std::min(height, packing.target_height);
   return packing.lower + Vec3(extent.x(), extent.y(), std::min(height, extent.z()));
 }
@@ -295,13 +306,14 @@ void check_step_of_barrier(const Scene& scene, const dem::Particles& beads, cons
                            Findings& findings) {
   if (scene.solids.time_step > 0) return;  // asked for
   constexpr double agree = 1.02;           // the two limits do, for a net of rings of touching beads
+  constexpr double room = 0.8;             // below the limit, as by default
   const double step = cases::solids_time_step(scene), limit = dem::bond_time_step(bonds, beads);
   if (step <= agree * limit) return;
   const double safety = scene.solids.bond_safety;
   findings.mistake("solids.bond_safety",
                    fmt::format("solids.bond_safety is {:g}: the time step is {:.3g} s, and the barrier as built allows "
                                "{:.3g} s, expected at most {:.2g}, or solids.time_step_s",
-                               safety, step, limit, std::floor(80 * safety * limit / step) / 100));
+                               safety, step, limit, std::floor(100 * room * safety * limit / step) / 100));
 }
 
 }  // namespace

@@ -314,10 +314,6 @@ void capillary_densities(const FluidGrid<Real>& grid, BlockIndex b, Real surface
   }
 }
 
-}  // namespace
-
-namespace {
-
 /// Links by way of mirrors that end at gas, once `near` has been filled.
 template <class Real>
 void end_mirrors_at_gas(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SurfacePhysics<Real>& physics,

@@ -1,8 +1,8 @@
 #include "lbm/grid/block_geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
 
 #include "lbm/boundary/row_reflection.h"
 
@@ -48,22 +48,21 @@ WallHit wall_hit(const Domain& domain, const Wall& wall, const Vec3& from, int i
   return {static_cast<float>(share), static_cast<float>(c.dot(velocity))};
 }
 
-/// Lists the links of a cell into walls, wall by wall. A wall is looked at from where the cell stands beside it: beyond
-/// a periodic face that is another place.
+/// Lists the links of a cell into walls, wall by wall. A wall that is reached only beyond a periodic face is looked at
+/// from where the cell stands beside it there.
 void add_wall_links(WallLinks& block_links, const Domain& domain, double velocity_to_lu, int cell, const Vec3i& place,
                     const TypesAround& types) {
   const auto p = cell_position(cell);
   std::array<int, D3Q19::q> wall_of{};
-  std::vector<Vec3> seen_from(domain.walls().all().size(), domain.centre(place));
+  std::array<Vec3i, D3Q19::q> stands_at;  // as each link sees the cell
   for (int i = 1; i < D3Q19::q; ++i) {
     const auto* c = D3Q19::c[i];
     const bool solid =
         types[static_cast<std::size_t>(100 * (p[0] + 1 + c[0]) + 10 * (p[1] + 1 + c[1]) + p[2] + 1 + c[2])] ==
         CellType::wall;
     const Vec3i way(c[0], c[1], c[2]), beyond = image_of(domain, place + way);
-    const int wall = solid ? domain.walls().nearest(domain.centre(beyond)).wall : -1;
-    wall_of[static_cast<std::size_t>(i)] = wall;
-    if (wall >= 0) seen_from[static_cast<std::size_t>(wall)] = domain.centre(beyond - way);
+    wall_of[static_cast<std::size_t>(i)] = solid ? domain.walls().nearest(domain.centre(beyond)).wall : -1;
+    stands_at[static_cast<std::size_t>(i)] = beyond - way;
   }
   wall_of[0] = -1;
   give_corner_links(domain, place, wall_of);
@@ -71,7 +70,14 @@ void add_wall_links(WallLinks& block_links, const Domain& domain, double velocit
     const auto links = std::count(wall_of.begin(), wall_of.end(), wall);
     if (links == 0) continue;
     const Wall& w = domain.walls().all()[static_cast<std::size_t>(wall)];
-    const Vec3 centre = seen_from[static_cast<std::size_t>(wall)],
+    Vec3i seen_at = place;
+    bool reached_within = false;
+    for (std::size_t i = 1; i < D3Q19::q; ++i) {
+      if (wall_of[i] != wall) continue;
+      reached_within = reached_within || stands_at[i] == place;
+      seen_at = stands_at[i];
+    }
+    const Vec3 centre = domain.centre(reached_within ? place : seen_at),
                normal = domain.walls().gradient(static_cast<std::size_t>(wall), centre);
     const Vec3 velocity = w.surface_velocity(centre) * velocity_to_lu;
     WallCell entry{

@@ -130,6 +130,18 @@ TEST(CheckSolids, ASphereAboveAPackingIsFine) {
                   .empty());
 }
 
+/// A packing of one grain is as high as that grain.
+TEST(CheckSolids, ASphereInTheOnlyGrainOfAPackingIsAMistake) {
+  const auto mistakes =
+      mistakes_in(case_file("bouncing_sphere/scene.toml"),
+                  {"grains.sphere[0].position_m=[0, 0, 0.25]", "grains.packing[0].lower_m=[-0.4, -0.4, 0]",
+                   "grains.packing[0].upper_m=[0.4, 0.4, 0.6]", "grains.packing[0].sizes[0].diameter_m=0.3",
+                   "grains.packing[0].sizes[0].count=1", "grains.packing[0].sizes[0].density_kg_m3=2500",
+                   "grains.packing[0].sizes[0].material=steel"});
+  ASSERT_EQ(mistakes.size(), 1U) << (mistakes.empty() ? "" : mistakes[0]);
+  EXPECT_NE(mistakes[0].find("reaches into grains.packing[0]"), std::string::npos) << mistakes[0];
+}
+
 TEST(CheckSolids, TouchingSpheresAndFixedOnesInWallsAreFine) {
   EXPECT_TRUE(
       mistakes_in(case_file("bouncing_sphere/scene.toml"), {"grains.sphere[0].position_m=[0, 0, 0.05]"}).empty());
