@@ -65,6 +65,22 @@ std::size_t CoupledStep<Real>::wet_beads() const {
 }
 
 template <class Real>
+Vec3 CoupledStep<Real>::liquid_momentum() const {
+  require(fluid_.has_value(), "CoupledStep::liquid_momentum: there is no fluid");
+  const double rho = fluid_->options().density, cell = std::pow(fluid_->units().cell_size, 3);
+  const bool averaged = std::holds_alternative<AveragedGrains>(options_.grains);
+  std::vector<Vec3> blocks(fluid_->wet_block_count(), Vec3::Zero());
+  fluid_->for_each_wet_block([&](std::size_t k, std::span<const lbm::WetCell> cells) {
+    for (const lbm::WetCell& c : cells)
+      blocks[k] += rho * (averaged ? c.fill_level * cell : c.liquid_volume) * c.velocity;
+  });
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& block : blocks) sum += block;
+  if (averaged && grains_) sum -= rho * cell * grains_->wet_volume_flow(solids_->particles());
+  return sum;
+}
+
+template <class Real>
 void CoupledStep<Real>::fill(const std::vector<lbm::LiquidRegion>& regions) {
   require(fluid_.has_value(), "CoupledStep::fill: there is no fluid");
   fluid_->fill(regions);

@@ -48,6 +48,8 @@ class CoupledStep {
   [[nodiscard]] lbm::Fluid<Real>* fluid() { return fluid_ ? &*fluid_ : nullptr; }
   [[nodiscard]] dem::Solids* solids() { return solids_ ? &*solids_ : nullptr; }
   [[nodiscard]] const MomentumAudit& audit() const { return audit_; }
+  /// Momentum of the liquid, kg m/s: of what the cells hold less the part of averaged grains, which move in them.
+  [[nodiscard]] Vec3 liquid_momentum() const;
   /// Of rings and cables, by either way.
   [[nodiscard]] std::size_t wet_beads() const;
   [[nodiscard]] Timers& timers() { return timers_; }

@@ -35,6 +35,7 @@ class CoupledSimulation final : public Simulation {
   [[nodiscard]] dem::Solids* solids() override { return step_->solids(); }
   [[nodiscard]] const barrier::Net* net() const override { return net_ ? &*net_ : nullptr; }
   [[nodiscard]] const coupling::MomentumAudit& audit() const override { return step_->audit(); }
+  [[nodiscard]] Vec3 liquid_momentum() const override { return step_->liquid_momentum(); }
   [[nodiscard]] std::size_t wet_beads() const override { return step_->wet_beads(); }
 
   [[nodiscard]] std::map<std::string, double> seconds() override {

@@ -29,6 +29,8 @@ class Simulation {
   [[nodiscard]] virtual dem::Solids* solids() = 0;
   [[nodiscard]] virtual const barrier::Net* net() const = 0;
   [[nodiscard]] virtual const coupling::MomentumAudit& audit() const = 0;
+  /// Of the liquid, kg m/s (coupling/coupled_step.h). The scene must have a fluid. A sum over all cells.
+  [[nodiscard]] virtual Vec3 liquid_momentum() const = 0;
   /// Beads of rings and cables in the fluid.
   [[nodiscard]] virtual std::size_t wet_beads() const = 0;
 

@@ -186,6 +186,20 @@ Ours impulse_of(const char* column) {
   return [column](const CaseRun& c) { return impulse_after_arrival(c, column); };
 }
 
+/// kNs: what `fluid_momentum_gap_x_Ns` grows by in that second. No wall stands across the stream there, and bed and
+/// sides let the water slip.
+double momentum_made(const CaseRun& c) {
+  const std::vector<double>& time = c.series.time_s;
+  const double begin = c.metric("particle_arrival_s");
+  const auto* gap = c.series.find("fluid_momentum_gap_x_Ns");
+  if (!gap || !std::isfinite(begin) || time.empty() || time.back() < begin + 1) return kNone;
+  const auto at = [&](double t) {
+    const auto row = std::lower_bound(time.begin(), time.end(), t) - time.begin();
+    return gap->values[static_cast<std::size_t>(row)];
+  };
+  return (at(begin + 1) - at(begin)) / 1000;
+}
+
 double water_share(const CaseRun& c) {
   const double water = c.metric("barrier_fluid_impulse_Ns"), grains = c.metric("barrier_contact_impulse_Ns");
   return water / (water + grains);
@@ -266,6 +280,10 @@ std::vector<Compared> make_quantities() {
       impulse_of("barrier_fluid_force_x_N"), not_given, "");
   add("grains_impulse_water", "kNs", "impulse of water on all grains along the flow, in the second after they arrive",
       impulse_of("grains_fluid_force_x_N"), not_given, "");
+  add("water_momentum_made", "kNs",
+      "of what water gave grains and net in that second, what it never had: momentum that the cells at its surface "
+      "made",
+      momentum_made, not_given, "");
   add("water_share", "1", "share of the water in the impulse on the net along the flow", water_share, not_given, "");
   add(
       "velocity_through_net", "m/s", "velocity of the water in the plane where the net was built",

@@ -85,6 +85,14 @@ std::size_t GrainCoupling<Real>::written_blocks() const {
 }
 
 template <class Real>
+Vec3 GrainCoupling<Real>::wet_volume_flow(const dem::Particles& particles) const {
+  Vec3 sum = Vec3::Zero();
+  for (const MappedGrain& g : map_.grains())
+    sum += displaced_.wet_volume_of(g) * particles.velocity[particles.index(g.id)];
+  return sum;
+}
+
+template <class Real>
 void GrainCoupling<Real>::transfer(Archive& archive) {
   archive.part("map", map_);
   archive.part("displaced", displaced_);

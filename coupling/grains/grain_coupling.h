@@ -33,6 +33,8 @@ class GrainCoupling {
 
   /// Volume of the mapped grains inside wet cells, in cells (last update).
   [[nodiscard]] double wet_volume() const { return displaced_.wet_volume(); }
+  /// Momentum of liquid in the place of that volume, moving as the grains do: cells times m/s.
+  [[nodiscard]] Vec3 wet_volume_flow(const dem::Particles& particles) const;
   [[nodiscard]] const GrainMap<Real>& map() const { return map_; }
   /// Blocks whose fields the last update wrote.
   [[nodiscard]] std::size_t written_blocks() const;

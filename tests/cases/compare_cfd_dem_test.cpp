@@ -155,8 +155,10 @@ TEST(Comparison, IntegratesForcesOverTheSecondAfterGrainsArrive) {
   run.metrics = {{"front_arrival_s", 0.2}, {"particle_arrival_s", 0.75}};
   run.series.time_s = {0, 0.5, 0.75, 1.25, 1.75, 2};
   run.series.columns = {{"barrier_contact_force_x_N", "N", "", {0, 1000, 1500, 2500, 3500, 4000}},
-                        {"grains_fluid_force_x_N", "N", "", {300, 300, 300, 300, 300, 300}}};
+                        {"grains_fluid_force_x_N", "N", "", {300, 300, 300, 300, 300, 300}},
+                        {"fluid_momentum_gap_x_Ns", "Ns", "", {0, 10, 20, 60, 150, 170}}};
   EXPECT_NEAR(result_of(run).value("net_impulse_grains"), 2.5, 1e-12);
+  EXPECT_NEAR(result_of(run).value("water_momentum_made"), 0.13, 1e-12);
   run.metrics["particle_arrival_s"] = 0.9;
   EXPECT_NEAR(result_of(run).value("net_impulse_grains"), 2.8, 1e-12);
   EXPECT_NEAR(result_of(run).value("grains_impulse_water"), 0.3, 1e-12);

@@ -1,0 +1,64 @@
+#include "cases/observers/liquid_momentum.h"
+
+#include <cmath>
+
+namespace lahar::cases {
+
+LiquidMomentum::LiquidMomentum(const Observed& run) : Observer(run) {
+  column("fluid_momentum_x_Ns", "Ns", "momentum of the liquid along x", [this] { return now_; });
+  column(
+      "fluid_momentum_gap_x_Ns", "Ns",
+      "what that has grown by since the start, less what weight gave, plus what bodies got and what left took along: "
+      "of the walls, and made or lost at the surface",
+      [this] { return now_ - at_start_ - given_; });
+}
+
+void LiquidMomentum::after_step() {
+  const dem::Particles& p = run_.simulation.solids()->particles();
+  double force = 0;
+  for (dem::ParticleId id = 0; id < p.size(); ++id) {
+    const dem::ParticleIndex i = p.index(id);
+    if (p.state[i] != dem::ParticleState::removed) force += p.external_force[i].x();
+  }
+  impulse_ += run_.simulation.time_step() * force;
+}
+
+/// Mean speed of the liquid that goes through the last cells before the domain's end, m/s.
+double LiquidMomentum::exit_speed() const {
+  const FluidView& fluid = *run_.simulation.fluid();
+  const double last = run_.scene.domain.upper.x() - 1.5 * fluid.units().cell_size;
+  std::vector<std::pair<double, double>> flux(fluid.wet_block_count());  // of mass and momentum, over density and area
+  fluid.for_each_wet_block([&](std::size_t k, std::span<const lbm::WetCell> cells) {
+    for (const lbm::WetCell& c : cells) {
+      if (c.centre.x() < last || c.velocity.x() <= 0) continue;
+      const double flow = c.liquid_volume * c.velocity.x();
+      flux[k].first += flow, flux[k].second += flow * c.velocity.x();
+    }
+  });
+  double mass = 0, momentum = 0;
+  for (const auto& [m, p] : flux) mass += m, momentum += p;
+  return mass > 0 ? momentum / mass : 0;
+}
+
+void LiquidMomentum::sample(double interval) {
+  const FluidView& fluid = *run_.simulation.fluid();
+  const double mass = fluid.liquid_mass(), left = fluid.transfers().left;
+  now_ = run_.simulation.liquid_momentum().x();
+  if (std::isnan(at_start_)) {
+    at_start_ = now_;
+  } else {
+    given_ += 0.5 * (mass + mass_) * fluid.options().gravity.x() * interval - impulse_;
+    if (left > left_) given_ -= (left - left_) * exit_speed();
+  }
+  mass_ = mass, left_ = left, impulse_ = 0;
+}
+
+void LiquidMomentum::transfer(Archive& archive) {
+  archive.value("at_start", at_start_);
+  archive.value("given", given_);
+  archive.value("impulse", impulse_);
+  archive.value("mass", mass_);
+  archive.value("left", left_);
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,29 @@
+#pragma once
+// The ledger of the liquid's momentum along x, down the slope.
+#include "cases/observers/observer.h"
+
+namespace lahar::cases {
+
+/// Liquid has the momentum that its weight gave it, less what bodies got and what left took along. The rest is of the
+/// walls; and of the surface: cells at it move as if they were full (docs/decisions/0072). Where the bed slips and no
+/// wall stands across the stream it is the error of the method.
+class LiquidMomentum final : public Observer {
+ public:
+  explicit LiquidMomentum(const Observed& run);
+  static bool applies(const Observed& run) { return run.simulation.fluid() && run.simulation.solids(); }
+  [[nodiscard]] std::string_view name() const override { return "liquid_momentum"; }
+  void after_step() override;
+  void sample(double interval) override;
+  void transfer(Archive& archive) override;
+
+ private:
+  [[nodiscard]] double exit_speed() const;
+
+  double now_ = 0;              ///< Ns, at the last row
+  double at_start_ = kUnknown;  ///< Ns, at the first row
+  double given_ = 0;            ///< Ns, by weight less what bodies got and what left took along, since the first row
+  double impulse_ = 0;          ///< Ns, of the liquid on bodies since the last row
+  double mass_ = 0, left_ = 0;  ///< kg, at the last row
+};
+
+}  // namespace lahar::cases

@@ -1,0 +1,131 @@
+// The ledger of the liquid's momentum: exact for water that slides, walls and all.
+#include "cases/observers/liquid_momentum.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/files/series_reader.h"
+#include "cases/observers/observer_list.h"
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::cases {
+namespace {
+
+/// Water and two stones that slide down a chute.
+const std::string chute = R"([scene]
+name = "chute"
+[run]
+duration_s = 1.0
+precision = "double"
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [1.2, 0.16, 0.32]
+slip = "free_slip"
+open_faces = ["x+", "z+"]
+[gravity]
+slope_deg = 30
+[fluid]
+enabled = true
+cell_size_m = 0.02
+max_speed_m_s = 4.0
+kinematic_viscosity_m2_s = 1e-5
+[[fluid.region]]
+lower_m = [0.2, 0, 0]
+upper_m = [0.6, 0.16, 0.16]
+velocity_m_s = [1.0, 0, 0]
+[materials.rock]
+youngs_modulus_Pa = 1e8
+poisson_ratio = 0.3
+[[contact]]
+materials = ["rock", "rock"]
+restitution = 0.3
+friction = 0.3
+[[grains.sphere]]
+position_m = [0.3, 0.08, 0.06]
+diameter_m = 0.08
+density_kg_m3 = 2600
+material = "rock"
+velocity_m_s = [1.0, 0, 0]
+[[grains.sphere]]
+position_m = [0.45, 0.08, 0.06]
+diameter_m = 0.08
+density_kg_m3 = 2600
+material = "rock"
+velocity_m_s = [1.0, 0, 0]
+[coupling]
+enabled = true
+body_weighting = "inertial"
+radius_shift_cells = -0.2
+)";
+
+struct Ledger {
+  double start = 0, momentum = 0, gap = 0;  ///< Ns
+  double left = 0;                          ///< kg
+  double walls = 0;                         ///< Ns, what the walls got
+  double time = 0;                          ///< s
+};
+
+Ledger after(int rows, const std::vector<std::string>& set) {
+  const scene::Scene scene = scene::load_text(chute, set);
+  const auto simulation = build_simulation(scene);
+  simulation->fluid()->measure_walls();
+  ObserverList observers(scene, *simulation);
+  const scene::ScratchFolder scratch;
+  Ledger ledger;
+  {
+    SeriesWriter writer(scratch.path() / "series.h5");
+    observers.declare(writer);
+    observers.sample(writer);
+    for (int row = 0; row < rows; ++row) {
+      for (int step = 0; step < 5; ++step) {
+        simulation->advance();
+        observers.after_step();
+      }
+      observers.sample(writer);
+    }
+  }
+  const Series series = read_series(scratch.path() / "series.h5");
+  ledger.start = series.find("fluid_momentum_x_Ns")->values.front();
+  ledger.momentum = series.find("fluid_momentum_x_Ns")->values.back();
+  ledger.gap = series.find("fluid_momentum_gap_x_Ns")->values.back();
+  ledger.left = simulation->fluid()->transfers().left;
+  for (const lbm::WallLoad& load : simulation->fluid()->wall_loads()) ledger.walls += load.impulse.x();
+  ledger.time = simulation->time();
+  return ledger;
+}
+
+const double kPull = 9.81 * 0.5;  // m/s^2, along the chute
+
+/// 40 x 16 x 16 cm of water less two stones, at 1 m/s.
+const double kWater = 1000 * (0.4 * 0.16 * 0.16 - 2 * M_PI / 6 * 0.08 * 0.08 * 0.08);
+
+class SlidingWater : public testing::TestWithParam<const char*> {};
+
+TEST_P(SlidingWater, HasWhatWeightGaveIt) {
+  const Ledger ledger = after(12, {GetParam(), "domain.upper_m=[2.4, 0.16, 0.32]"});
+  EXPECT_NEAR(ledger.start, kWater * 1.0, 0.01 * kWater);
+  EXPECT_EQ(ledger.left, 0);
+  EXPECT_NEAR(ledger.momentum, kWater * (1.0 + kPull * ledger.time), 0.03 * ledger.momentum);
+  EXPECT_LT(std::abs(ledger.gap), 0.01 * ledger.momentum);
+}
+
+TEST_P(SlidingWater, TakesAlongWhatLeaves) {
+  const Ledger ledger = after(60, {GetParam(), "domain.upper_m=[0.62, 0.16, 0.32]"});
+  EXPECT_GT(ledger.left, 0.3 * kWater);
+  EXPECT_LT(std::abs(ledger.gap), 0.04 * kWater * (1.0 + kPull * ledger.time));
+}
+
+INSTANTIATE_TEST_SUITE_P(EitherWay, SlidingWater,
+                         testing::Values("coupling.grains=\"resolved\"", "coupling.grains=\"averaged\""));
+
+/// Water that leans against the closed end: what is missing is what the walls say that they got.
+TEST(LiquidMomentum, LeavesWhatWallsGive) {
+  const Ledger ledger =
+      after(12, {"domain.open_faces=[\"z+\"]", "domain.upper_m=[0.6, 0.16, 0.32]", "gravity.slope_deg=10",
+                 "fluid.region[0].velocity_m_s=[0, 0, 0]", "grains.sphere[0].velocity_m_s=[0, 0, 0]",
+                 "grains.sphere[1].velocity_m_s=[0, 0, 0]"});
+  EXPECT_LT(ledger.gap, -0.1) << "the end holds the water up";
+  EXPECT_NEAR(ledger.gap, -ledger.walls, 0.02 * ledger.walls);
+}
+
+}  // namespace
+}  // namespace lahar::cases
