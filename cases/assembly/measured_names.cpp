@@ -36,6 +36,8 @@ std::vector<std::string> own_names() {
                                  "e_out_liquid_kinetic_kJ",
                                  "e_out_liquid_potential_kJ",
                                  "fluid_kinetic_J",
+                                 "fluid_momentum_gap_x_Ns",
+                                 "fluid_momentum_x_Ns",
                                  "fluid_potential_J",
                                  "fluid_steps",
                                  "fluid_time_step_changes",
