@@ -10,6 +10,8 @@ class LiquidMass final : public Observer {
   static bool applies(const Observed& run) { return run.simulation.fluid() != nullptr; }
   [[nodiscard]] std::string_view name() const override { return "liquid_mass"; }
   void sample(double) override { now_ = run_.simulation.fluid()->liquid_mass(); }
+  /// kg in the domain, at the last row.
+  [[nodiscard]] double now() const { return now_; }
   [[nodiscard]] std::vector<ResultCheck> checks(const Metrics& metrics) const override;
 
  private:

@@ -4,7 +4,8 @@
 
 namespace lahar::cases {
 
-LiquidMomentum::LiquidMomentum(const Observed& run) : Observer(run) {
+LiquidMomentum::LiquidMomentum(const Observed& run, const ObserverList& before)
+    : Observer(run), in_domain_(*before.find<LiquidMass>()) {
   column("fluid_momentum_x_Ns", "Ns", "momentum of the liquid along x", [this] { return now_; });
   column(
       "fluid_momentum_gap_x_Ns", "Ns",
@@ -42,7 +43,7 @@ double LiquidMomentum::exit_speed() const {
 
 void LiquidMomentum::sample(double interval) {
   const FluidView& fluid = *run_.simulation.fluid();
-  const double mass = fluid.liquid_mass(), left = fluid.transfers().left;
+  const double mass = in_domain_.now(), left = fluid.transfers().left;
   now_ = run_.simulation.liquid_momentum().x();
   if (std::isnan(at_start_)) {
     at_start_ = now_;

@@ -1,6 +1,7 @@
 #pragma once
 // The ledger of the liquid's momentum along x, down the slope.
-#include "cases/observers/observer.h"
+#include "cases/observers/liquid_mass.h"
+#include "cases/observers/observer_list.h"
 
 namespace lahar::cases {
 
@@ -9,7 +10,7 @@ namespace lahar::cases {
 /// wall stands across the stream it is the error of the method.
 class LiquidMomentum final : public Observer {
  public:
-  explicit LiquidMomentum(const Observed& run);
+  LiquidMomentum(const Observed& run, const ObserverList& before);
   static bool applies(const Observed& run) { return run.simulation.fluid() && run.simulation.solids(); }
   [[nodiscard]] std::string_view name() const override { return "liquid_momentum"; }
   void after_step() override;
@@ -19,6 +20,7 @@ class LiquidMomentum final : public Observer {
  private:
   [[nodiscard]] double exit_speed() const;
 
+  const LiquidMass& in_domain_;
   double now_ = 0;              ///< Ns, at the last row
   double at_start_ = kUnknown;  ///< Ns, at the first row
   double given_ = 0;            ///< Ns, by weight less what bodies got and what left took along, since the first row
