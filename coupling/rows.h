@@ -34,6 +34,17 @@ Row<Real> water_in(const lbm::Block<Real>& block, int row) {
   return select(wet, min(Row<Real>(1), max(Row<Real>(0), level)), Row<Real>(0));
 }
 
+/// Momentum that the bodies of a row of cells got in the last step along an axis, lu
+/// (lbm/free_surface/lacking_liquid.h).
+template <class Real>
+[[gnu::always_inline]] inline Row<Real> given_row(const lbm::BodyFields<Real>& f, int first, int axis) {
+  const Real* const exchange[3] = {f.momentum_exchange_x, f.momentum_exchange_y, f.momentum_exchange_z};
+  const auto given = load_aligned<Row<Real>>(exchange[axis] + first);
+  if (!f.lacks) return given;
+  const Real* const lacking[3] = {f.lacking_x, f.lacking_y, f.lacking_z};
+  return given - load_aligned<Row<Real>>(lacking[axis] + first);
+}
+
 /// 1 for the cells of a block for which `holds`, 0 for the others.
 template <class Real>
 struct CellMask {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/parallel.h"
+#include "coupling/rows.h"
 #include "lbm/grid/fluid_grid.h"
 
 namespace lahar::coupling {
@@ -105,11 +106,12 @@ Vec3 momentum_given_to_bodies(const lbm::FluidGrid<Real>& grid) {
       [&](std::size_t k) {
         const lbm::BodyFields<Real>* f = grid.block(active[k]).body;
         if (!f) return Vec3(Vec3::Zero());
-        const Real* const given[3] = {f->momentum_exchange_x, f->momentum_exchange_y, f->momentum_exchange_z};
         double sums[3][lbm::kBlockWidth]{};  // by place in a row
         for (int n = 0; n < lbm::kBlockCells; n += lbm::kBlockWidth)
-          for (int a = 0; a < 3; ++a)
-            for (int c = 0; c < lbm::kBlockWidth; ++c) sums[a][c] += static_cast<double>(given[a][n + c]);
+          for (int a = 0; a < 3; ++a) {
+            const Row<Real> given = given_row(*f, n, a);
+            for (std::size_t c = 0; c < lbm::kBlockWidth; ++c) sums[a][c] += static_cast<double>(given[c]);
+          }
         Vec3 sum = Vec3::Zero();
         for (int a = 0; a < 3; ++a)
           for (const double x : sums[a]) sum[a] += x;

@@ -192,7 +192,7 @@ void AveragedExchange<Real>::find_wet_grains(const lbm::Fluid<Real>& fluid, cons
     }
     const Vec3 place =
         (particles.position[particles.index(g.id)] - fluid.grid().domain().origin()) / fluid.units().cell_size;
-    grains_.push_back({.id = g.id, .place = place, .wet = wet, .in_cells = true});
+    grains_.push_back({.id = g.id, .place = place, .wet = wet, .in_cells = true, .handed = displaced.handed_by(g)});
   }
 }
 
@@ -330,9 +330,12 @@ void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, WetGrain& gra
                                                .viscosity = fluid.options().kinematic_viscosity});
   const double liquid = rho * volume * (1 - around.solid_fraction) / std::max(around.solid_fraction, 1e-6);
   const double mass = 1 / (particles.inverse_mass[i] + 1 / liquid);  // that a change of the slip moves
-  Vec3 change = Vec3::Zero();                                        // of the grain's velocity
+  const double wet = grain.wet * cell;
+  // Of the momentum in the grain's place: its wet volume has grown by what was handed out for it.
+  const Vec3 before = state.known ? state.velocity : velocity;
+  const double to_kg = units.mass();
+  const Vec3 change = rho * wet * (velocity - before) + to_kg * grain.handed.mass * before;
   if (state.known) {
-    change = velocity - state.velocity;
     const Vec3 driven = slip - (state.liquid - state.velocity) + state.dragged;
     state.driven += kDriveShare * (driven - state.driven);
     state.acceleration += ((liquid_velocity - state.liquid) / dt - state.acceleration) / smoothing_;
@@ -344,9 +347,9 @@ void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, WetGrain& gra
   state.dragged = dragged, state.known = true;
 
   const Vec3 accelerated = rho * volume * dt * state.acceleration;
-  const Vec3 weight = rho * grain.wet * cell * dt * fluid.options().gravity;  // of the liquid in its place
+  const Vec3 weight = rho * wet * dt * fluid.options().gravity;  // of the liquid in its place
   particles.external_force.add(i, (drag + accelerated - weight) / dt);
-  const Vec3 own = grain.in_cells ? Vec3(rho * volume * change) : weight;
+  const Vec3 own = grain.in_cells ? Vec3(change - to_kg * units.velocity_to_si(1.0) * grain.handed.momentum) : weight;
   grain.impulse = (own - drag - accelerated) * (units.force_to_lu(1.0) / dt);
 }
 

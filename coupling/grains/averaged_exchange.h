@@ -56,10 +56,11 @@ class AveragedExchange final : public GrainExchange<Real> {
   /// A wet grain, or a wet bead that feels the law of grains.
   struct WetGrain {
     dem::ParticleId id;
-    Vec3 place;                   ///< cells from the corner of cell (0, 0, 0)
-    double wet = 0;               ///< of its volume, cells
-    bool in_cells;                ///< the cells hold its volume: not of beads
-    Vec3 impulse = Vec3::Zero();  ///< on the cells, lu
+    Vec3 place;                                          ///< cells from the corner of cell (0, 0, 0)
+    double wet = 0;                                      ///< of its volume, cells
+    bool in_cells;                                       ///< the cells hold its volume: not of beads
+    typename DisplacedVolume<Real>::Handed handed = {};  ///< for it to interface cells
+    Vec3 impulse = Vec3::Zero();                         ///< on the cells, lu
     std::array<AveragingGrid::Share, 8> shares{};
   };
   /// What is kept of a grain from step to step.

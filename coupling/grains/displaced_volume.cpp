@@ -7,6 +7,7 @@
 #include "coupling/grains/sphere_rows.h"
 #include "lbm/free_surface/covered_cells.h"
 #include "lbm/grid/row_types.h"
+#include "lbm/step/row_moments.h"
 
 namespace lahar::coupling {
 
@@ -59,6 +60,20 @@ struct SurfaceLiquid {
       store_aligned(surface + n, select(open, one, none));
       store_aligned(room + n, select(open, max(none, one + density - mass), none));
       store_aligned(liquid + n, select(open, max(none, mass - solid), none));
+    }
+  }
+};
+
+/// Velocity of the interface cells of a block, lu.
+template <class Real>
+struct SurfaceVelocity {
+  alignas(64) Real u[3][lbm::kBlockCells];
+
+  SurfaceVelocity(const lbm::Fluid<Real>& fluid, BlockIndex b) {
+    for (std::uint64_t rows = fluid.grid().block(b).surface->rows; rows != 0; rows &= rows - 1) {
+      const int n = kBlockWidth * std::countr_zero(rows);
+      const auto moments = lbm::outgoing_moments_of_row(fluid.grid().around(b), n, fluid.parity());
+      for (int a = 0; a < 3; ++a) store_aligned(u[a] + n, moments.u[a]);
     }
   }
 };
@@ -168,6 +183,14 @@ double DisplacedVolume<Real>::wet_volume_of(const MappedGrain& grain) const {
   return sum;
 }
 
+template <class Real>
+auto DisplacedVolume<Real>::handed_by(const MappedGrain& grain) const -> Handed {
+  Handed sum;
+  for (std::size_t p = grain.first_pair; p < grain.first_pair + grain.pairs; ++p)
+    sum.mass += shares_[p].handed.mass, sum.momentum += shares_[p].handed.momentum;
+  return sum;
+}
+
 /// Interface cells that a grain covers hold what they are whole; what they gained or lost goes to the grain's others.
 template <class Real>
 void DisplacedVolume<Real>::settle_covered(const Block<Real>& block, const GridSphere<Real>& sphere,
@@ -222,7 +245,7 @@ void DisplacedVolume<Real>::book(lbm::Fluid<Real>& fluid, const GrainMap<Real>& 
 }
 
 template <class Real>
-void DisplacedVolume<Real>::hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t index) const {
+void DisplacedVolume<Real>::hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t index) {
   Block<Real>& block = fluid.grid().block(static_cast<BlockIndex>(index));
   if (!block.surface) return;
   const auto pairs = map.by_block().in(index);
@@ -231,6 +254,8 @@ void DisplacedVolume<Real>::hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Rea
     return;
   const SurfaceLiquid<Real> cells(block);  // each grain looks at what the cells had before
   if (!cells.any_open) return;
+  std::optional<SurfaceVelocity<Real>> velocity;
+  if (fills_with_level_) velocity.emplace(fluid, static_cast<BlockIndex>(index));
   alignas(64) std::array<Real, lbm::kBlockCells> gain{};  // of all grains: rounded once where it is added
   for (const std::uint32_t k : pairs) {
     const GrainInBlock& pair = map.pairs()[k];
@@ -238,10 +263,20 @@ void DisplacedVolume<Real>::hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Rea
     if (handout.per_able == 0) continue;
     const Row<Real> per_able(static_cast<Real>(handout.per_able));
     const Real* const able = handout.alike ? cells.surface : handout.per_able > 0 ? cells.room : cells.liquid;
+    Row<Real> mass(0), momentum[3]{Row<Real>(0), Row<Real>(0), Row<Real>(0)};
     for_covered_rows(
         map.sphere(pair.grain), pair.lowest, [&](int row, const Row<Real>& eps) __attribute__((always_inline)) {
-          add_to_row(gain.data() + row, per_able * (eps * load_aligned<Row<Real>>(able + row)));
+          const Row<Real> part = per_able * (eps * load_aligned<Row<Real>>(able + row));
+          add_to_row(gain.data() + row, part);
+          if (!velocity || !(block.surface->rows >> (row / kBlockWidth) & 1)) return;
+          mass += part;
+          const auto some = part != Row<Real>(0);
+          for (int a = 0; a < 3; ++a)
+            momentum[a] += select(some, part * load_aligned<Row<Real>>(velocity->u[a] + row), Row<Real>(0));
         });
+    if (velocity)
+      shares_[k].handed = {sum_in_double(mass),
+                           {sum_in_double(momentum[0]), sum_in_double(momentum[1]), sum_in_double(momentum[2])}};
   }
   for (std::size_t n = 0; n < gain.size(); n += kBlockWidth)
     add_to_row(block.surface->mass + n, load_aligned<Row<Real>>(gain.data() + n));

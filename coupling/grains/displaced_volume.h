@@ -45,6 +45,13 @@ class DisplacedVolume {
   [[nodiscard]] double wet_volume() const { return wet_volume_; }
   /// The same of one grain.
   [[nodiscard]] double wet_volume_of(const MappedGrain& grain) const;
+  /// What the last mapping gave to interface cells for a grain that fills with the level, lu; below 0 where it took.
+  /// Mass has the velocity of the cell that gets it: that momentum comes from nowhere (docs/decisions/0074).
+  struct Handed {
+    double mass = 0;
+    Vec3 momentum = Vec3::Zero();
+  };
+  [[nodiscard]] Handed handed_by(const MappedGrain& grain) const;
 
   /// State of a checkpoint.
   void transfer(Archive& archive);
@@ -56,6 +63,7 @@ class DisplacedVolume {
     double wet = 0;  ///< over wet cells
     double surface = 0, room = 0, liquid = 0;
     double drift = 0;  ///< mass that covered interface cells gained in the last step
+    Handed handed = {};
   };
   /// What a grain hands to its interface cells.
   struct Handout {
@@ -67,7 +75,7 @@ class DisplacedVolume {
   void measure_again(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map);
   static void settle_covered(const lbm::Block<Real>& block, const GridSphere<Real>& sphere, const Vec3i& lowest,
                              Share& share);
-  void hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const;
+  void hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block);
 
   bool fills_with_level_;
   std::vector<Share> shares_;       // by pair

@@ -1,14 +1,39 @@
 #include "coupling/grains/resolved_exchange.h"
 
+#include <optional>
+
 #include "coupling/grains/sphere_rows.h"
 #include "coupling/transfer_vectors.h"
 #include "coupling/under_relaxed_force.h"
+#include "lbm/step/cell_moments.h"
 
 namespace lahar::coupling {
 
 using lbm::kBlockWidth;
 
 namespace {
+
+/// Cells of a block that bodies reach and that have turned wet after the sweep: their momentum past the bodies, lu.
+template <class Real>
+struct NewSlip {
+  alignas(64) Real past[3][lbm::kBlockCells]{};
+  bool any = false;
+
+  NewSlip(const lbm::Fluid<Real>& fluid, lbm::BlockIndex b) {
+    auto& grid = const_cast<lbm::FluidGrid<Real>&>(fluid.grid());  // which is read alone
+    const lbm::Block<Real>& block = grid.block(b);
+    const lbm::BodyFields<Real>& f = *block.body;
+    if (!block.surface) return;
+    for (int k = 0; k < block.surface->count; ++k) {
+      const int n = block.surface->cells[static_cast<std::size_t>(k)];
+      if (f.coverage_weight[n] != 0 || f.exchange_weight[n] <= 0) continue;
+      any = true;
+      const auto m = lbm::outgoing_moments(grid, {b, n}, fluid.parity());
+      const Real body[3] = {f.weighted_velocity_x[n], f.weighted_velocity_y[n], f.weighted_velocity_z[n]};
+      for (int a = 0; a < 3; ++a) past[a][n] = (Real(1) + m.drho) * (m.u[a] - body[a] / f.exchange_weight[n]);
+    }
+  }
+};
 
 /// Sums over the rows of a block, one for each of the 8 places in a row; arms from the body's centre.
 template <class Real>
@@ -20,12 +45,11 @@ struct RowSums {
   Row<Real> brought{0};                          ///< entrained, of covered cells all: what it brings along in the end
   Row<Real> held{0};                             ///< interior that is brought along, of cells that are its alone
   Row<Real> slip[3]{Row<Real>(0), Row<Real>(0), Row<Real>(0)};  ///< momentum of the interior past the body
-  Row<Real> kept[3]{Row<Real>(0), Row<Real>(0), Row<Real>(0)};  ///< the same, of cells that have stayed wet
+  Row<Real> kept[3]{Row<Real>(0), Row<Real>(0), Row<Real>(0)};  ///< the same, of cells that are wet now
 
   [[gnu::always_inline]] void add(const Row<Real>& share, const lbm::BodyFields<Real>& f, int row, Real ry, Real rz) {
-    const Row<Real> fx = share * load_aligned<Row<Real>>(f.momentum_exchange_x + row);
-    const Row<Real> fy = share * load_aligned<Row<Real>>(f.momentum_exchange_y + row);
-    const Row<Real> fz = share * load_aligned<Row<Real>>(f.momentum_exchange_z + row);
+    const Row<Real> fx = share * given_row(f, row, 0), fy = share * given_row(f, row, 1),
+                    fz = share * given_row(f, row, 2);
     force[0] += fx, force[1] += fy, force[2] += fz;
     y_fx += ry * fx, z_fx += rz * fx, z_fy += rz * fy, y_fz += ry * fz;
   }
@@ -37,16 +61,20 @@ struct RowSums {
     entrained += moved, entrained_arm += square * moved;
     brought += along, held += select(share > Row<Real>(all), min(in_place, along), Row<Real>(0));
   }
-  /// A cell with the weight B gave B of its momentum past the bodies; 1 - B is left. `swept` and `in_place`: interior
-  /// of the cells that were wet in the step and of those that still are.
-  [[gnu::always_inline]] void add_slip(const Row<Real>& swept, const Row<Real>& in_place, const Row<Real>& weight,
+  /// A cell with the weight B gave B of its momentum past the bodies; 1 - B is left; it gave nothing where it was dry.
+  /// `fraction`: what the body fills of the cells; `in_place`: of those that are wet now.
+  [[gnu::always_inline]] void add_slip(const Row<Real>& fraction, const Row<Real>& in_place, const Row<Real>& weight,
                                        const lbm::BodyFields<Real>& f, int row) {
     const Row<Real> left = (Row<Real>(1) - weight) / max(weight, Row<Real>(Real(1e-9)));
     const Real* const exchange[3] = {f.momentum_exchange_x, f.momentum_exchange_y, f.momentum_exchange_z};
     for (int a = 0; a < 3; ++a) {
       const Row<Real> past = left * load_aligned<Row<Real>>(exchange[a] + row);
-      slip[a] += swept * past, kept[a] += in_place * past;
+      slip[a] += fraction * past, kept[a] += in_place * past;
     }
+  }
+  /// Of cells that have turned wet since.
+  [[gnu::always_inline]] void add_new_slip(const Row<Real>& in_place, const NewSlip<Real>& opened, int row) {
+    for (int a = 0; a < 3; ++a) kept[a] += in_place * load_aligned<Row<Real>>(opened.past[a] + row);
   }
 
   /// `rx`: arms along x. Sets force, torque, interior and entrained, and these times 2/3 of the squared arm.
@@ -67,7 +95,8 @@ struct RowSums {
 template <class Real>
 struct BlockCover {
   const lbm::BodyFields<Real>& fields;
-  const Real* wet;  ///< 1 or 0 for each cell; null where all of the block is wet
+  const Real* wet;                        ///< 1 or 0 for each cell; null where all of the block is wet
+  const NewSlip<Real>* opened = nullptr;  ///< where some have turned wet
 };
 
 /// Sums of a sphere over a block. With `kByDistance` eps of the liquid stands in its place, else what a step brings to
@@ -91,14 +120,15 @@ template <class Real, bool kByDistance, bool kSlips, bool kMixed, class Load>
           interior = cover.fraction;
           brought = select(cover.weight >= Row<Real>(Real(kCoveredDrag)), share, entrained);
         }
-        Row<Real> swept = interior;
         if constexpr (kMixed) {
           const Row<Real> liquid = load_aligned<Row<Real>>(block.wet + row);
           entrained *= liquid, interior *= liquid, brought *= liquid;
-          if constexpr (kSlips) swept = select(cover.weight >= Row<Real>(Real(kCoveredDrag)), swept, interior);
         }
         sums.add_liquid(interior, entrained, brought, share, ry, rz);
-        if constexpr (kSlips) sums.add_slip(swept, interior, weight, block.fields, row);
+        if constexpr (kSlips) {
+          sums.add_slip(cover.fraction, interior, weight, block.fields, row);
+          if (block.opened) sums.add_new_slip(interior, *block.opened, row);
+        }
       });
   sums.reduce(static_cast<Real>(lowest.x()) + lane_index<Row<Real>>() + Real(0.5) - s.centre[0], load);
 }
@@ -145,11 +175,15 @@ void ResolvedExchange<Real>::gather_block(const lbm::Fluid<Real>& fluid, const G
     for (const std::uint32_t k : pairs) loads_[k] = {};
     return;
   }
-  const lbm::Block<Real>& block = fluid.grid().block(static_cast<lbm::BlockIndex>(index));
+  const auto b = static_cast<lbm::BlockIndex>(index);
+  const lbm::Block<Real>& block = fluid.grid().block(b);
   alignas(64) Real mask[lbm::kBlockCells];
   const Real* const wet = block.wet_cells < lbm::kBlockCells ? mask : nullptr;
   for (std::size_t n = 0; wet && n < lbm::kBlockCells; ++n) mask[n] = lbm::is_wet(block.type[n]) ? Real(1) : Real(0);
-  const BlockCover<Real> cover{*block.body, wet};
+  BlockCover<Real> cover{*block.body, wet};
+  std::optional<NewSlip<Real>> opened;
+  if (weighting_ == lbm::BodyWeighting::inertial && wet && block.surface) opened.emplace(fluid, b);
+  if (opened && opened->any) cover.opened = &*opened;
   for (const std::uint32_t k : pairs) {
     const GrainInBlock& pair = map.pairs()[k];
     const GridSphere<Real>& s = map.sphere(pair.grain);
@@ -213,8 +247,9 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
     spin_up = (particles.angular_velocity[i] - state.spin) / time_step_;
     if (!state.acceleration.isZero()) state.calm = calm_after(state.calm, acceleration, state.acceleration);
     state.acceleration = acceleration;
-    // Covered cells turn wet without slip (lbm/free_surface/refilling.h); what they have won when they turn dry, the
-    // liquid around them has lost: the grain gets it. Other cells turn wet with their neighbours' slip.
+    // Of the cells that the sweep saw, from what they had before it: what they have won when they turn dry, the liquid
+    // around them has lost, and the grain gets it. The slip that a cell turns wet with nobody has lost
+    // (docs/decisions/0073).
     if (slips) slip_change = sum.slip - state.slip / to_momentum;
   }
   state.slip = to_momentum * sum.kept;

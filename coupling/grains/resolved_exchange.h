@@ -34,7 +34,7 @@ class ResolvedExchange final : public GrainExchange<Real> {
     double brought = 0;           ///< entrained, of covered cells all: what the grain brings along in the end
     double held = 0;              ///< interior that is brought along, of cells that the grain covers alone
     Vec3 slip = Vec3::Zero();     ///< momentum of the interior past the grain, after the step's collision
-    Vec3 kept = Vec3::Zero();     ///< the same, of cells that have stayed wet
+    Vec3 kept = Vec3::Zero();     ///< the same, of cells that are wet now
     double interior_inertia = 0;  ///< the same times 2/3 of the squared distance from the grain's centre
     double entrained_inertia = 0;
     Load& operator+=(const Load& o);

@@ -64,9 +64,8 @@ template <bool kByDistance, class Real, class Load>
       piece, lowest, reach_of(piece), [&](int row, const CylinderRow<Real>& cover, int y, int z) {
         if (all(cover.weight <= R(0))) return;
         const R part = cover.weight / max(load_aligned<R>(f.exchange_weight + row), R(Real(1e-30)));
-        const MotionRow<Real> exchange{part * load_aligned<R>(f.momentum_exchange_x + row),
-                                       part * load_aligned<R>(f.momentum_exchange_y + row),
-                                       part * load_aligned<R>(f.momentum_exchange_z + row)};
+        const MotionRow<Real> exchange{part * given_row(f, row, 0), part * given_row(f, row, 1),
+                                       part * given_row(f, row, 2)};
         taken[0] += exchange.x, taken[1] += exchange.y, taken[2] += exchange.z;
         const R liquid = around.wet ? around.wet->row(row) : R(1);
         const R weight = load_aligned<R>(f.coverage_weight + row);

@@ -10,6 +10,7 @@ namespace lahar::lbm {
 
 /// What a missing block holds.
 alignas(64) inline constexpr CellType kNoCells[kBlockCells] = {};
+inline constexpr std::uint8_t kNoneCovered[kBlockCells / kBlockWidth] = {};
 
 template <class Real>
 class LookAround {
@@ -32,6 +33,7 @@ class LookAround {
   /// A block that is looked into.
   struct View {
     const CellType* type = kNoCells;  ///< gas where there is no block
+    const std::uint8_t* covered = kNoneCovered;
     const Real *fill_level = kRest<Real>, *density = kRest<Real>;
     BlockIndex plain = kNoBlock;  ///< the block where it keeps no density
     std::uint64_t wet_rows = 0;   ///< of a plain block whose density is asked for
@@ -69,6 +71,7 @@ class LookAround {
     View v;
     if (!block) return v;
     v.type = block->type.data();
+    if (block->body) v.covered = block->body->covered.data();
     if (block->surface) {
       v.fill_level = block->surface->fill_level;
       v.density = block->surface->density;
@@ -88,6 +91,8 @@ class LookAround {
     const Sixteen zero(0), one(1), half(Real(0.5));
     const unsigned wet = seen.wet(), interface = seen.interface();
     s.wet.set_row(y, z, wet), s.interface.set_row(y, z, interface), s.empty.set_row(y, z, seen.empty());
+    const auto covered = [&](std::size_t k) { return unsigned{views[k].covered[first / kBlockWidth]}; };
+    s.covered.set_row(y, z, covered(0) >> 6 | covered(1) << 2 | (covered(2) & 3U) << 10);
     if (wet == 0) return store(s.full + place, zero);
     alignas(64) Real buffer[3][kBlockWidth];
     store(s.density + place, row_and_sides(densities(views[0], first, buffer[0]), densities(views[1], first, buffer[1]),

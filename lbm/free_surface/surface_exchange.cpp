@@ -10,6 +10,7 @@
 #include "lbm/collision/stress_limit.h"
 #include "lbm/free_surface/curvature.h"
 #include "lbm/free_surface/face_sums.h"
+#include "lbm/free_surface/lacking_liquid.h"
 #include "lbm/free_surface/look_around.h"
 #include "lbm/free_surface/surface_gradient.h"
 #include "lbm/free_surface/surface_plane.h"
@@ -73,8 +74,11 @@ class RowExchange {
     });
     note(row, interface, gain, empty, fullest);
     const auto open = interface && empty > V(0);
+    const auto held = interface && at_bodies(row, sight);
+    if (none(open || held)) return;
+    const SurfacePressure pressure = surface_pressure(row, sight, open || held);
+    if (any(held)) note_lacking(row, sight, held, open, pressure);
     if (none(open)) return;
-    const SurfacePressure pressure = surface_pressure(row, sight, open);
     rebuild_from_gas(row, sight, open, pressure);
     if constexpr (kRows == 1)
       if (shear) add_shear(row, sight, open && empty < V(kExposedSides), pressure, *shear);
@@ -250,11 +254,43 @@ class RowExchange {
     const V size = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]), largest(largest_gradient_);
     const V share = largest / max(size, largest);
     for (V& component : a) component *= share;
-    // The level of now: that of the last conversion is a step old, and a pressure that lags feeds waves.
+    return {depths_of_centres(a, fill_of_now(row), open), a[0], a[1], a[2]};
+  }
+
+  /// The level of now: that of the last conversion is a step old, and a pressure that lags feeds waves.
+  [[gnu::always_inline]] V fill_of_now(int row) const {
     const SurfaceFields<Real>& surface = *block_.surface;
     const V mass = load<V>(surface.mass + 8 * row), density = load<V>(surface.density + 8 * row);
-    const V fill = min(max(V(mass / (V(1) + density)), V(0)), V(1));
-    return {depths_of_centres(a, fill, open), a[0], a[1], a[2]};
+    return min(max(V(mass / (V(1) + density)), V(0)), V(1));
+  }
+
+  /// The cells that bodies reach and do not cover, where some are (lacking_liquid.h).
+  [[gnu::always_inline]] typename V::mask_type at_bodies(int row, const Sight<V>& sight) const {
+    if (!block_.body || !block_.body->lacks) return V::mask_type::all(false);
+    return load<V>(block_.body->exchange_weight + 8 * row) > V(0) && !sight.template covered<0, 0, 0>();
+  }
+
+  /// What links to covered cells carry of liquid that the cells `held` lack.
+  template <class Mask>
+  void note_lacking(int row, const Sight<V>& sight, const Mask& held, const Mask& open, const SurfacePressure& s) {
+    const V depth = select(open, s.depth, V(Real(1.0 / 3.0)) * (sight.template density<0, 0, 0>() - gas_drho_));
+    BodyFields<Real>& body = *block_.body;
+    const V inverse = V(1) / max(load<V>(body.exchange_weight + 8 * row), V(Real(1e-12)));
+    BodyLinks<V> links(order_, {V(load<V>(body.weighted_velocity_x + 8 * row) * inverse),
+                                V(load<V>(body.weighted_velocity_y + 8 * row) * inverse),
+                                V(load<V>(body.weighted_velocity_z + 8 * row) * inverse)});
+    for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+      const auto ahead = held && sight.template covered<CX, CY, CZ>() && sight.template wet<CX, CY, CZ>();
+      const auto behind = held && sight.template covered<-CX, -CY, -CZ>() && sight.template wet<-CX, -CY, -CZ>();
+      const V half_way = V(Real(0.5)) * (V(Real(CX)) * s.x + V(Real(CY)) * s.y + V(Real(CZ)) * s.z);
+      constexpr int i = D3Q19::forward(P);
+      if (any(ahead)) links.add(i, ahead, outgoing_a_[P], incoming_b_[P], V(gas_drho_ + V(3) * (depth + half_way)));
+      if (any(behind))
+        links.add(i + 1, behind, outgoing_b_[P], incoming_a_[P], V(gas_drho_ + V(3) * (depth - half_way)));
+    });
+    const V lacks = V(1) - fill_of_now(row);
+    Real* const lacking[3] = {body.lacking_x, body.lacking_y, body.lacking_z};
+    for (int a = 0; a < 3; ++a) store(lacking[a] + 8 * row, select(held, lacks * links.momentum(a), V(0)));
   }
 
   /// Velocity that the cells had after their last collision.
@@ -342,6 +378,7 @@ void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
   if (!block.surface) return;
   SurfaceFields<Real>& surface = *block.surface;
   surface.exposed = 0;
+  if (block.body) begin_lacking(block);
   Surroundings<Real> near;
   Real capillary[kBlockCells];
   const bool tense = physics.surface_tension > 0;

@@ -39,6 +39,7 @@ struct Surroundings {
   alignas(64) Real full[size];
   alignas(64) Real density[size];   ///< rho - 1 in wet cells; not to be used in others
   SeenCells interface, wet, empty;  ///< empty: gas and sinks
+  SeenCells covered;                ///< by bodies (covered_cells.h)
 
   /// Place of cell (x, y, z), each -2..9.
   static constexpr int at(int x, int y, int z) { return (x + rim) + pitch_y * (y + rim) + pitch_z * (z + rim); }
@@ -77,6 +78,15 @@ class Sight {
   template <int CX, int CY, int CZ>
   [[nodiscard]] [[gnu::always_inline]] Mask empty() const {
     return cells<CX, CY, CZ>(near_.empty);
+  }
+  template <int CX, int CY, int CZ>
+  [[nodiscard]] [[gnu::always_inline]] Mask covered() const {
+    return cells<CX, CY, CZ>(near_.covered);
+  }
+  /// Wet, and no body covers it.
+  template <int CX, int CY, int CZ>
+  [[nodiscard]] [[gnu::always_inline]] Mask open() const {
+    return wet<CX, CY, CZ>() && !covered<CX, CY, CZ>();
   }
 
  private:

@@ -43,6 +43,10 @@ struct BodyFields {
   alignas(64) Real momentum_exchange_x[kBlockCells];
   alignas(64) Real momentum_exchange_y[kBlockCells];
   alignas(64) Real momentum_exchange_z[kBlockCells];
+  /// What of it is of liquid that interface cells lack: the bodies do not get it (free_surface/lacking_liquid.h).
+  alignas(64) Real lacking_x[kBlockCells];
+  alignas(64) Real lacking_y[kBlockCells];
+  alignas(64) Real lacking_z[kBlockCells];
   alignas(64) Real coverage_weight[kBlockCells];  ///< B of the last step; 0 in dry cells
   /// Velocity after the last collision, lu, in wet cells (SweepParameters::keep_velocity).
   alignas(64) Real velocity_x[kBlockCells];
@@ -53,6 +57,7 @@ struct BodyFields {
   /// Bodies end where the water ends: their fraction here is in proportion to the fill level, and a cell that empties
   /// gives them up with its water. Else a wet cell holds all of them that is in its place.
   bool fills_with_level;
+  bool lacks;  ///< lacking_x to _z are set; else they count as 0
 };
 
 /// The sweep leaves out dry rows: to be called before it where there are some.

@@ -132,6 +132,8 @@ void rescale_velocities(Block<Real>& block, double ratio) {
   for (Real* field : {body.weighted_velocity_x, body.weighted_velocity_y, body.weighted_velocity_z, body.velocity_x,
                       body.velocity_y, body.velocity_z})
     scale(field);
+  if (body.lacks)
+    for (Real* field : {body.lacking_x, body.lacking_y, body.lacking_z}) scale(field);
 }
 
 }  // namespace

@@ -35,7 +35,10 @@ void SurfacePass<Real>::run(FluidLevel<Real>& level, double surface_tension) {
     if (grid.has_surface(owned[k])) sum_over_faces(grid, owned[k], level.parity());
   });
   parallel_for(0, owned.size(), kBlocksPerTask, [&](std::size_t k) {
-    if (!grid.has_surface(owned[k])) return;
+    if (!grid.has_surface(owned[k])) {
+      if (grid.block(owned[k]).body) grid.block(owned[k]).body->lacks = false;
+      return;
+    }
     exchange_over_mirrors(grid, owned[k], level.parity());
     exchange_surface(grid, owned[k], level.parity(), physics, viscous ? shear_[k].data() : nullptr);
   });

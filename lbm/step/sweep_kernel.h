@@ -8,6 +8,7 @@
 #include "lbm/collision/central_moments_at_bodies.h"
 #include "lbm/collision/smagorinsky.h"
 #include "lbm/collision/stress_limit.h"
+#include "lbm/free_surface/lacking_liquid.h"
 #include "lbm/rheology/herschel_bulkley.h"
 #include "lbm/step/gather.h"
 #include "lbm/step/sweep.h"
@@ -229,6 +230,24 @@ class BlockKernel {
       store_aligned(out[a] + n, weight * loss);
       if (uniform.keep_velocity) store_aligned(velocity[a] + n, velocity_a);
     }
+    if constexpr (kMixed)
+      if (body.lacks) add_lacking(block, n, m);
+  }
+
+  /// Of the exchange within interface cells (free_surface/lacking_liquid.h).
+  [[gnu::always_inline]] static void add_lacking(Block<Real>& block, int n, const Moments<V>& m) {
+    constexpr int rows = width / kBlockWidth;
+    unsigned cells = 0;
+    for (int r = 0; r < rows; ++r) cells |= open_interface_cells(block, n / kBlockWidth + r) << (kBlockWidth * r);
+    if (cells == 0) return;
+    const auto open = V::mask_type::from_bits(cells);
+    const V fill = min(max(V(load_aligned<V>(block.surface->mass + n) * m.inverse_density), V(0)), V(1));
+    const V share = select(open, V(1) - fill, V(0));
+    BodyFields<Real>& body = *block.body;
+    const Real* const exchange[3] = {body.momentum_exchange_x, body.momentum_exchange_y, body.momentum_exchange_z};
+    Real* const lacking[3] = {body.lacking_x, body.lacking_y, body.lacking_z};
+    for (int a = 0; a < 3; ++a)
+      store_aligned(lacking[a] + n, load_aligned<V>(lacking[a] + n) + share * load_aligned<V>(exchange[a] + n));
   }
 };
 

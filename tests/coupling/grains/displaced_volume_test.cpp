@@ -11,11 +11,13 @@
 namespace lahar::coupling {
 namespace {
 
-/// A tank half full of water at rest, cells of 2 cm, and one grain; nothing flows.
+/// A tank half full of water, cells of 2 cm, and one grain; no step is made.
 class DisplacedVolumeTest : public testing::Test {
  protected:
-  DisplacedVolumeTest() : fluid_(tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4)) {
-    fluid_.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.165)}});
+  explicit DisplacedVolumeTest(const Vec3& velocity = Vec3::Zero()) : fluid_(tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4)) {
+    lbm::LiquidRegion water{Vec3::Zero(), Vec3(0.32, 0.32, 0.165)};
+    water.velocity = velocity;
+    fluid_.fill({water});
     particles_.add(grain(Vec3(0.15, 0.16, 0.25), kRadius, 2500));
   }
   void map() {
@@ -74,6 +76,27 @@ TEST_F(DisplacedVolumeTest, EndsAtTheSurfaceWhereGrainsFillWithTheLevel) {
     ASSERT_NEAR(surface_mass() + fluid_.account().pool - displaced_.wet_volume(), 16 * 16 * 0.25, 1e-9);
   }
   EXPECT_NEAR(wet / places, 0.5, 0.01);
+}
+
+class DisplacedVolumeInAStream : public DisplacedVolumeTest {
+ protected:
+  DisplacedVolumeInAStream() : DisplacedVolumeTest(Vec3(0.3, -0.2, 0)) {}
+};
+
+/// A grain comes into the water and starts to leave it again.
+TEST_F(DisplacedVolumeInAStream, WhatIsHandedOutHasTheVelocityOfItsCells) {
+  const Vec3 u = Vec3(0.3, -0.2, 0) * fluid_.units().velocity_to_lu(1.0);
+  displaced_ = DisplacedVolume<double>(true);
+  double wet = 0;
+  for (const double z : {0.22, 0.2, 0.19, 0.191}) {
+    particles_.position.set(0, Vec3(0.15, 0.16, z));
+    map();
+    const auto handed = displaced_.handed_by(map_.grains()[0]);
+    EXPECT_NEAR(handed.mass, displaced_.wet_volume() - wet, 1e-9) << z;
+    for (const int a : {0, 1}) EXPECT_NEAR(handed.momentum[a], handed.mass * u[a], 1e-9) << z;
+    wet = displaced_.wet_volume();
+  }
+  EXPECT_GT(wet, 0);
 }
 
 TEST_F(DisplacedVolumeTest, ARemovedGrainLeavesAVoid) {
