@@ -16,7 +16,7 @@ namespace {
 /// Cells of a block that bodies reach and that have turned wet after the sweep: their momentum past the bodies, lu.
 template <class Real>
 struct NewSlip {
-  alignas(64) Real past[3][lbm::kBlockCells]{};
+  alignas(64) Real past[3][lbm::kBlockCells];  ///< set where there are any
   bool any = false;
 
   NewSlip(const lbm::Fluid<Real>& fluid, lbm::BlockIndex b) {
@@ -27,6 +27,8 @@ struct NewSlip {
     for (int k = 0; k < block.surface->count; ++k) {
       const int n = block.surface->cells[static_cast<std::size_t>(k)];
       if (f.coverage_weight[n] != 0 || f.exchange_weight[n] <= 0) continue;
+      if (!any)
+        for (Real(&along)[lbm::kBlockCells] : past) std::fill_n(along, lbm::kBlockCells, Real(0));
       any = true;
       const auto m = lbm::outgoing_moments(grid, {b, n}, fluid.parity());
       const Real body[3] = {f.weighted_velocity_x[n], f.weighted_velocity_y[n], f.weighted_velocity_z[n]};
@@ -182,7 +184,7 @@ void ResolvedExchange<Real>::gather_block(const lbm::Fluid<Real>& fluid, const G
   for (std::size_t n = 0; wet && n < lbm::kBlockCells; ++n) mask[n] = lbm::is_wet(block.type[n]) ? Real(1) : Real(0);
   BlockCover<Real> cover{*block.body, wet};
   std::optional<NewSlip<Real>> opened;
-  if (weighting_ == lbm::BodyWeighting::inertial && wet && block.surface) opened.emplace(fluid, b);
+  if (weighting_ == lbm::BodyWeighting::inertial && block.surface) opened.emplace(fluid, b);
   if (opened && opened->any) cover.opened = &*opened;
   for (const std::uint32_t k : pairs) {
     const GrainInBlock& pair = map.pairs()[k];

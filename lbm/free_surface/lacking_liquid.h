@@ -6,7 +6,7 @@
 // not there (docs/decisions/0073). J is
 //   in a cell that bodies reach but do not cover, the exchange of its collision (step/sweep_kernel.h);
 //   over a link to a covered cell (covered_cells.h), what crosses it: in the body's frame, u its velocity,
-//     (c - u) f_i - (-c - u) f_opposite,   i from the cell to the body (Wen et al. 2014, J. Comput. Phys. 266),
+//     (c - u) f_i - (-c - u) f_opposite,   i from the cell to the body (Wen, Zhang, Tu, Wang & Fang 2014),
 //   less the same of the equilibrium at u and at the pressure that the surface sets at the link's middle
 //   (surface_exchange.h): that pressure acts on the body wherever the surface lies in the cell, as the water beneath it
 //   bears on the bed of a film. It is what keeps the populations that are not liquid in balance: the gas, at the same

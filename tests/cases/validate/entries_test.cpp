@@ -126,7 +126,8 @@ INSTANTIATE_TEST_SUITE_P(GrainsInFluid, QuickEntry,
                                          "grains_in_fluid.archimedes", "grains_in_fluid.sphere_across_blocks",
                                          "grains_in_fluid.water_entry_cavity", "grains_in_fluid.bouncing_sphere",
                                          "grains_in_fluid.momentum_audit", "grains_in_fluid.bed_permeability",
-                                         "grains_in_fluid.wet_column_collapse", "grains_in_fluid.wet_rebound"),
+                                         "grains_in_fluid.wet_column_collapse", "grains_in_fluid.wet_rebound",
+                                         "grains_in_fluid.stream_into_bed", "grains_in_fluid.seepage_with_surface"),
                          name_of);
 
 INSTANTIATE_TEST_SUITE_P(AveragedGrains, QuickEntry,
