@@ -270,7 +270,8 @@ class RowExchange {
     return load<V>(block_.body->exchange_weight + 8 * row) > V(0) && !sight.template covered<0, 0, 0>();
   }
 
-  /// What links to covered cells carry of liquid that the cells `held` lack.
+  /// What links to covered cells carry of liquid that the cells `held` lack. The gas sets the pressure in the cells
+  /// `open` to it, the liquid around in the others.
   template <class Mask>
   void note_lacking(int row, const Sight<V>& sight, const Mask& held, const Mask& open, const SurfacePressure& s) {
     const V depth = select(open, s.depth, V(Real(1.0 / 3.0)) * (sight.template density<0, 0, 0>() - gas_drho_));

@@ -83,11 +83,6 @@ class Sight {
   [[nodiscard]] [[gnu::always_inline]] Mask covered() const {
     return cells<CX, CY, CZ>(near_.covered);
   }
-  /// Wet, and no body covers it.
-  template <int CX, int CY, int CZ>
-  [[nodiscard]] [[gnu::always_inline]] Mask open() const {
-    return wet<CX, CY, CZ>() && !covered<CX, CY, CZ>();
-  }
 
  private:
   static constexpr bool kTwo = V::size() == 2 * kRow;

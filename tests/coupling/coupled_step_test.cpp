@@ -88,7 +88,7 @@ TEST(CoupledStep, LightSpheresThatTouchStayCalm) {
     }
 }
 
-/// Water falls off a heap of fixed spheres; what clings to them in the end bears on them with half to all of its own
+/// Water falls off a heap of fixed spheres; what clings to them in the end bears on them with 0.4 to 0.8 of its own
 /// weight, which is a fourth to a fifth of what its cells would weigh if full. Covered cells that turned wet at their
 /// neighbours' velocity brought momentum from nowhere, every other step: six times a full cell's. With a soft exchange
 /// they win momentum while they are wet; where that was lost as they turned dry, the spheres were lifted by as much.

@@ -60,7 +60,7 @@ inline dem::Solids bed(const BedInChute& b) {
 /// Impulses along the chute, Ns.
 class ChuteLedger {
  public:
-  explicit ChuteLedger(const BedInChute& b, const lbm::LiquidRegion& water)
+  ChuteLedger(const BedInChute& b, const lbm::LiquidRegion& water)
       : step_(chute(b), bed(b), {.grains = b.grains, .thin_wires = coupling::ThinWires::uncoupled}) {
     step_.fill({water});
     open();

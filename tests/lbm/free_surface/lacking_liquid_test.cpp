@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <memory>
+
 #include "core/simd.h"
-#include "lbm/grid/pool.h"
 
 namespace lahar::lbm {
 namespace {
