@@ -128,6 +128,13 @@ lbm::LiquidRegion up_to_walls(const scene::Scene& scene, const Walls& walls, lbm
   return box;
 }
 
+/// Number of particle steps in a fluid step, or 1 without fluid.
+int substeps_of(const scene::Scene& scene) {
+  return scene.fluid.enabled && scene.has_solids()
+             ? static_cast<int>(substeps(fluid_time_step(scene), solids_time_step(scene)))
+             : 1;
+}
+
 }  // namespace
 
 std::vector<lbm::LiquidRegion> liquid_regions(const scene::Scene& scene) {
@@ -185,12 +192,6 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   return {dem::Solids(std::move(particles), std::move(bonds), scene::make_materials(scene), scene::make_walls(scene),
                       options),
           std::move(net)};
-}
-
-int substeps_of(const scene::Scene& scene) {
-  return scene.fluid.enabled && scene.has_solids()
-             ? static_cast<int>(substeps(fluid_time_step(scene), solids_time_step(scene)))
-             : 1;
 }
 
 }  // namespace lahar::cases

@@ -32,7 +32,4 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains = GrainSta
 /// How fluid and solids act on each other.
 coupling::CouplingOptions coupling_options(const scene::Scene& scene);
 
-/// Number of particle steps in a fluid step, or 1 without fluid.
-int substeps_of(const scene::Scene& scene);
-
 }  // namespace lahar::cases

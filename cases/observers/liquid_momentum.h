@@ -12,7 +12,10 @@ namespace lahar::cases {
 class LiquidMomentum final : public Observer {
  public:
   LiquidMomentum(const Observed& run, const ObserverList& before);
-  static bool applies(const Observed& run) { return run.simulation.fluid() && run.simulation.solids(); }
+  /// Not with inflows: what they bring is not booked.
+  static bool applies(const Observed& run) {
+    return run.simulation.fluid() && run.simulation.solids() && run.scene.fluid.inflows.empty();
+  }
   [[nodiscard]] std::string_view name() const override { return "liquid_momentum"; }
   void after_step() override;
   void sample(double interval) override;

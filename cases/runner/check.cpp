@@ -117,14 +117,15 @@ SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<Flui
   return s;
 }
 
-/// Bytes of a checkpoint: 19 populations and the type of every cell, three numbers of the surface, ten of the bodies;
-/// what is known of a particle with its neighbours and contacts, of a bond, and of a grain's mapping into the fluid.
+/// Bytes of a checkpoint: 19 populations and the type of every cell, three numbers of the surface, twelve of the
+/// bodies; what is known of a particle with its neighbours and contacts, of a bond, and of a grain's mapping into the
+/// fluid.
 double checkpoint_bytes(const scene::Scene& scene, const CheckReport& report, double blocks) {
   constexpr double small_parts = 1e5, particle = 500, bond = 150, mapping = 250;
   double bytes = small_parts;
   if (report.fluid) {
     const double number = scene.run.precision == scene::Precision::float32 ? sizeof(float) : sizeof(double);
-    bytes += blocks * 512 * ((19 + 3 + (report.solids && scene.coupling.enabled ? 10 : 0)) * number + 1);
+    bytes += blocks * 512 * ((19 + 3 + (report.solids && scene.coupling.enabled ? 12 : 0)) * number + 1);
   }
   if (report.solids) {
     bytes += particle * static_cast<double>(report.solids->grains + report.solids->beads);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -118,8 +119,10 @@ class SceneRun {
     series_.emplace(open_series(options.out / "series.h5", from, monitor));
     observers_->declare(*series_);
     const dem::Solids* solids = simulation_->solids();
+    const double step = simulation_->time_step();
     monitor.log.info("{} particles, fluid step {:.4g} s, {} particle steps in it",
-                     solids ? solids->particles().size() : 0, simulation_->time_step(), substeps_of(scene));
+                     solids ? solids->particles().size() : 0, step,
+                     solids ? std::llround(step / solids->options().time_step) : 0);
   }
 
   RunResult run() {

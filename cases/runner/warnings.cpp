@@ -106,7 +106,7 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
       s.coupling.body_weighting == scene::BodyWeighting::wall_distance)
     list.push_back(
         "coupling.body_weighting is \"wall_distance\": grains that run through the cells much faster than the liquid "
-        "runs past them drag it up to ten times too much; \"inertial\" twice at most");
+        "runs past them drag it up to 13 times too much at 30 times that speed; \"inertial\" twice");
   if (f.cells_per_wire && !s.coupling.wire_drag &&
       *f.cells_per_wire < s.coupling.resolve_wires_from_cells.value_or(*f.cells_per_wire + 1))
     list.push_back(fmt::format(

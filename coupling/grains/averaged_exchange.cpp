@@ -169,7 +169,8 @@ ExchangedMomentum AveragedExchange<Real>::give_impulses(lbm::Fluid<Real>& fluid,
   choose_nodes(fluid);
   average_fluid(fluid);
   average_grains(fluid, particles);
-  parallel_for(0, grains_.size(), 64, [&](std::size_t k) { act_on(fluid, grains_[k], particles); });
+  const double stretch = fluid.plan_time_step() / fluid.units().time_step;
+  parallel_for(0, grains_.size(), 64, [&](std::size_t k) { act_on(fluid, stretch, grains_[k], particles); });
   ExchangedMomentum sum;
   for (const WetGrain& grain : grains_) {
     for (const AveragingGrid::Share& s : grain.shares) nodes_[s.node].impulse += s.weight * grain.impulse;
@@ -312,7 +313,8 @@ Vec3 drag_of_step(double x, const Vec3& slip, const Vec3& driven) {
 }  // namespace
 
 template <class Real>
-void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, WetGrain& grain, dem::Particles& particles) {
+void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, double stretch, WetGrain& grain,
+                                    dem::Particles& particles) {
   const auto& units = fluid.units();
   const dem::ParticleIndex i = particles.index(grain.id);
   const Surroundings around = look_around(fluid, grain);
@@ -349,7 +351,9 @@ void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, WetGrain& gra
   const Vec3 accelerated = rho * volume * dt * state.acceleration;
   const Vec3 weight = rho * wet * dt * fluid.options().gravity;  // of the liquid in its place
   particles.external_force.add(i, (drag + accelerated - weight) / dt);
-  const Vec3 own = grain.in_cells ? Vec3(change - to_kg * units.velocity_to_si(1.0) * grain.handed.momentum) : weight;
+  // Forces act over the coming step, and the fluid stretches what cells get to it; what has changed has changed.
+  const Vec3 own =
+      grain.in_cells ? Vec3((change - to_kg * units.velocity_to_si(1.0) * grain.handed.momentum) / stretch) : weight;
   grain.impulse = (own - drag - accelerated) * (units.force_to_lu(1.0) / dt);
 }
 

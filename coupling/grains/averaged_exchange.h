@@ -87,7 +87,8 @@ class AveragedExchange final : public GrainExchange<Real> {
   void average_fluid(const lbm::Fluid<Real>& fluid);
   void average_grains(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   [[nodiscard]] Surroundings look_around(const lbm::Fluid<Real>& fluid, const WetGrain& grain) const;
-  void act_on(const lbm::Fluid<Real>& fluid, WetGrain& grain, dem::Particles& particles);
+  /// `stretch`: the coming step of the fluid over the last.
+  void act_on(const lbm::Fluid<Real>& fluid, double stretch, WetGrain& grain, dem::Particles& particles);
   Vec3 push_cells(lbm::Fluid<Real>& fluid, SolidFields<Real>& fields);
 
   AveragedGrains options_;
