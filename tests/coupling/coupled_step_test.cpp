@@ -164,6 +164,35 @@ TEST(CoupledStep, AFilmBearsWithItsOwnWeight) {
   }
 }
 
+/// A porous body stands in the interface cells of a stream and covers none: it gets what their liquid loses in a step.
+TEST(CoupledStep, ABodyInInterfaceCellsGetsWhatTheirLiquidLoses) {
+  constexpr double u = 0.02, drag = 50;
+  constexpr int depth = 8;
+  for (const double level : {0.25, 0.75}) {
+    auto fluid = by_distance(tank(Vec3(8, 8, 24), 1, 1));
+    for (const std::size_t side : {0, 1, 2, 3}) fluid.domain.faces[side] = lbm::FaceKind::periodic;
+    fluid.gravity = Vec3::Zero();
+    fluid.kinematic_viscosity = 0.01;
+    CoupledStep<double> step(fluid, grains(fluid, {}), {.thin_wires = ThinWires::uncoupled});
+    step.fill({{Vec3::Zero(), Vec3(8, 8, depth + level), Vec3(u, 0, 0)}});
+    step.set_field_writer([&](lbm::Fluid<double>& f, SolidFields<double>& owner) {
+      for (const lbm::BlockIndex b : f.grid().owned()) {
+        auto& fields = owner.write_over(f.grid(), b);
+        for (int n = 0; n < lbm::kBlockCells; ++n)
+          fields.exchange_weight[n] = fields.drag[n] = f.grid().centre(b, n).z() > depth ? drag : 0;
+      }
+    });
+    step.advance();
+    double momentum = 0;
+    step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) {
+      if (c.centre.z() > depth) momentum += c.fill_level * c.velocity.x();
+    });
+    const double lost = 64 * level * u - momentum;
+    EXPECT_GT(lost, 0.1 * 64 * level * u);
+    EXPECT_NEAR(momentum_given_to_bodies(step.fluid()->grid()).x(), lost, 1e-3 * lost) << level;
+  }
+}
+
 /// A heavy sphere in water starts with (rho_s - rho) / (rho_s + rho/2) g: buoyancy and added mass. At 8 cells a
 /// diameter and B = eps it is some 30 % too slow (docs/coupling.md); without buoyancy it would be 1.7 times too fast.
 TEST(CoupledStep, SphereStartsWithAddedMass) {
