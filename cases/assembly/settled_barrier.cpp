@@ -10,15 +10,6 @@ namespace {
 
 constexpr int kSteps = 25;  // between two looks at the kinetic energy
 
-dem::Solids barrier_alone(scene::Scene scene) {
-  scene.grains = {};
-  scene.fluid.enabled = scene.coupling.enabled = false;
-  scene.barrier.settle_time = 0;
-  scene.solids.time_step = 0;             // that of the run may be too long without slow beads
-  scene.barrier.net.bead_mass_scale = 1;  // of no account for how it hangs; slow beads would take longer
-  return std::move(build_solids(scene).solids);
-}
-
 double kinetic_energy(const dem::Particles& p) {
   return ordered_sum<double>(
       p.size(),
@@ -36,8 +27,17 @@ void stop(dem::Particles& p) {
 
 }  // namespace
 
+scene::Scene barrier_alone(scene::Scene scene) {
+  scene.grains = {};
+  scene.fluid.enabled = scene.coupling.enabled = false;
+  scene.barrier.settle_time = 0;
+  scene.solids.time_step = 0;             // that of the run may be too long without slow beads
+  scene.barrier.net.bead_mass_scale = 1;  // of no account for how it hangs; slow beads would take longer
+  return scene;
+}
+
 void settle_barrier(const scene::Scene& scene, const barrier::Net& net, dem::Particles& particles, dem::Bonds& bonds) {
-  dem::Solids alone = barrier_alone(scene);
+  dem::Solids alone = build_solids(barrier_alone(scene)).solids;
   dem::Particles& beads = alone.particles();
   double before = 0;
   while (alone.time() < scene.barrier.settle_time) {

@@ -7,6 +7,9 @@
 
 namespace lahar::cases {
 
+/// The scene in which the barrier settles: without grains and fluid, with the beads' own mass.
+scene::Scene barrier_alone(scene::Scene scene);
+
 /// Moves the beads of a barrier that was just built, and loads its bonds, as they hang under gravity after
 /// scene.barrier.settle_time: without grains and water, at rest. Whenever the kinetic energy of the barrier passes a
 /// peak all motion is stopped, which ends near equilibrium without a drag to be chosen (kinetic damping; Barnes 1999,

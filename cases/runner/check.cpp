@@ -6,6 +6,7 @@
 
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/memory.h"
+#include "cases/assembly/settled_barrier.h"
 #include "cases/runner/warnings.h"
 #include "core/units.h"
 
@@ -142,7 +143,9 @@ double run_time(const scene::Scene& scene, const CheckReport& report) {
   if (!report.solids) return seconds;
   const SolidsFigures& s = *report.solids;
   seconds += s.steps * static_cast<double>(s.grains + s.beads) / particles_per_second;
-  seconds += scene.barrier.settle_time / s.time_step * static_cast<double>(s.beads) / particles_per_second;
+  if (scene.barrier.settle_time > 0)
+    seconds += scene.barrier.settle_time / solids_time_step(barrier_alone(scene)) * static_cast<double>(s.beads) /
+               particles_per_second;
   if (!report.fluid || !scene.coupling.enabled) return seconds;
   seconds += report.fluid->steps * static_cast<double>(s.beads) / wet_beads_per_second;
   if (averages_grains(scene))

@@ -140,6 +140,19 @@ TEST(Check, MoreThreadsAreFaster) {
   EXPECT_GT(check_scene(hanging, 1).run_time, check_scene(as_built, 1).run_time);
 }
 
+/// The net settles with its own mass: what that takes does not shrink with the steps of slow beads.
+TEST(Check, HangingTakesAsLongWithSlowBeads) {
+  const auto hanging = [](double mass_scale) {
+    scene::Scene with = scene::debris_flow();
+    with.barrier.net.bead_mass_scale = mass_scale;
+    scene::Scene without = with;
+    without.barrier.settle_time = 0;
+    return check_scene(with).run_time - check_scene(without).run_time;
+  };
+  EXPECT_GT(hanging(1), 1);
+  EXPECT_NEAR(hanging(10) / hanging(1), 1, 1e-6);
+}
+
 TEST(Warnings, Fluid) {
   const auto report = [](std::vector<std::string> set) {
     return check_scene(load(case_file("dam_break/scene.toml"), set));
