@@ -1,5 +1,6 @@
 #include "lbm/step/dry_blocks.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "lbm/grid/cell_set.h"
@@ -22,6 +23,13 @@ std::uint32_t slots_reached(const Block<Real>& block) {
                         {(rows & first_z) != 0, true, (rows & first_z << 56) != 0}}});
 }
 
+/// Whether cells of a block gave bodies momentum in the last step, which is still to be gathered.
+template <class Real>
+bool gave_to_bodies(const Block<Real>& block) {
+  return block.body && std::any_of(std::begin(block.body->coverage_weight), std::end(block.body->coverage_weight),
+                                   [](Real weight) { return weight != 0; });
+}
+
 }  // namespace
 
 template <class Real>
@@ -36,7 +44,7 @@ void release_dry_blocks(FluidGrid<Real>& grid) {
   }
   std::vector<BlockIndex> gone;
   for (const BlockIndex b : grid.owned())
-    if (!needed[static_cast<std::size_t>(b)]) gone.push_back(b);
+    if (!needed[static_cast<std::size_t>(b)] && !gave_to_bodies(grid.block(b))) gone.push_back(b);
   for (const BlockIndex b : gone) grid.release(b);
 }
 

@@ -4,7 +4,7 @@
 
 namespace lahar::lbm {
 
-/// Gives back blocks that hold no wet cell and no neighbour of one.
+/// Gives back blocks that hold no wet cell and no neighbour of one, and did not give bodies momentum in the last step.
 template <class Real>
 void release_dry_blocks(FluidGrid<Real>& grid);
 

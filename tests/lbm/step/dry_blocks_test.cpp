@@ -90,6 +90,19 @@ TEST(DryBlocks, NoCellTakesABlockFromAnother) {
   EXPECT_LT(kept.size(), static_cast<std::size_t>(kBlocks * kBlocks * kBlocks));
 }
 
+/// The last cells of a block may dry in the step in which they gave to a body: it has not been gathered yet.
+TEST(DryBlocks, WhatBodiesGotStaysUntilItIsGathered) {
+  DryGrid grid;
+  const BlockIndex b = grid.require_block(Vec3i(2, 2, 2));
+  BodyFields<double>& body = grid.require_body(b);
+  body.coverage_weight[100] = 0.5;
+  release_dry_blocks(grid);
+  ASSERT_EQ(grid.owned().size(), 1U);
+  clear_momentum_exchange(body);
+  release_dry_blocks(grid);
+  EXPECT_TRUE(grid.owned().empty());
+}
+
 TEST(DryBlocks, NothingIsLeftOfADryGrid) {
   DryGrid grid;
   release_dry_blocks(grid);
