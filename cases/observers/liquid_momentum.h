@@ -5,17 +5,15 @@
 
 namespace lahar::cases {
 
-/// Liquid has the momentum that its weight gave it, less what bodies got and what left took along. The rest is of the
+/// Liquid has the momentum that its weight gave it and that inflows brought, less what bodies got and what left took
+/// along. The rest is of the
 /// walls; and of the surface: cells at it move as if they were full (docs/decisions/0072). Where the bed slips and no
 /// wall stands across the stream it is the error of the method. What left is taken to have been as fast as what runs
 /// through the last cells along x.
 class LiquidMomentum final : public Observer {
  public:
   LiquidMomentum(const Observed& run, const ObserverList& before);
-  /// Not with inflows: what they bring is not booked.
-  static bool applies(const Observed& run) {
-    return run.simulation.fluid() && run.simulation.solids() && run.scene.fluid.inflows.empty();
-  }
+  static bool applies(const Observed& run) { return run.simulation.fluid() && run.simulation.solids(); }
   [[nodiscard]] std::string_view name() const override { return "liquid_momentum"; }
   void after_step() override;
   void sample(double interval) override;
@@ -23,13 +21,14 @@ class LiquidMomentum final : public Observer {
 
  private:
   [[nodiscard]] double exit_speed() const;
+  [[nodiscard]] double entry_speed(double interval) const;
 
   const LiquidMass& in_domain_;
   double now_ = 0;              ///< Ns, at the last row
   double at_start_ = kUnknown;  ///< Ns, at the first row
-  double given_ = 0;            ///< Ns, by weight less what bodies got and what left took along, since the first row
+  double given_ = 0;            ///< Ns, by weight and inflows less to bodies and what left, since the first row
   double impulse_ = 0;          ///< Ns, of the liquid on bodies since the last row
-  double mass_ = 0, left_ = 0;  ///< kg, at the last row
+  double mass_ = 0, left_ = 0, came_in_ = 0;  ///< kg, at the last row
 };
 
 }  // namespace lahar::cases

@@ -114,6 +114,18 @@ TEST_P(SlidingWater, TakesAlongWhatLeaves) {
   EXPECT_LT(std::abs(ledger.gap), 0.04 * kWater * (1.0 + kPull * ledger.time));
 }
 
+/// Water that comes through a box, at the chute's speed, into what slides there.
+TEST_P(SlidingWater, BringsWhatItCameInWith) {
+  const Ledger ledger =
+      after(12, {GetParam(), "domain.upper_m=[2.4, 0.16, 0.32]", "gravity.slope_deg=0",
+                 "fluid.inflow=[{name = \"above\", lower_m = [0.3, 0, 0], upper_m = [0.5, 0.16, 0.2], "
+                 "velocity_m_s = [1.5, 0, 0], discharge_m3_s = [[0, 0.02], [1, 0.02]]}]"});
+  const double brought = 1000 * 0.02 * ledger.time * 1.5;
+  EXPECT_GT(brought, 0.05 * kWater);
+  EXPECT_NEAR(ledger.momentum - ledger.start, brought, 0.5 * brought);  // bodies take some
+  EXPECT_LT(std::abs(ledger.gap), 0.05 * brought + 0.01 * kWater);
+}
+
 INSTANTIATE_TEST_SUITE_P(EitherWay, SlidingWater,
                          testing::Values("coupling.grains=\"resolved\"", "coupling.grains=\"averaged\""));
 
