@@ -88,7 +88,8 @@ Theirs of_ends(double first, double last) {
 }
 std::optional<double> not_given(double) { return std::nullopt; }
 
-constexpr double kGravity = 9.81, kLowerDatum = 0.746;  // m/s^2; m, the bed 1.30 m downstream of the net lies lower
+constexpr double kGravity = 9.81, kSin35 = 0.573576, kCos35 = 0.819152;  // m/s^2; of the slope
+constexpr double kLowerDatum = 0.746;                                    // m: the bed 1.30 m downstream of the net
 
 double e_in(const CaseRun& c) { return c.metric("e_in_kJ"); }
 double e_out(const CaseRun& c) { return c.metric("e_out_kJ"); }
@@ -125,8 +126,7 @@ double front_speed(const CaseRun& c) {
   return 0.5 / (end - start);
 }
 double front_froude(const CaseRun& c) {
-  constexpr double cos35 = 0.819152;
-  return front_speed(c) / std::sqrt(kGravity * c.metric("depth_at_inflow_m") * cos35);
+  return front_speed(c) / std::sqrt(kGravity * c.metric("depth_at_inflow_m") * kCos35);
 }
 
 /// Mean of a column over the last `seconds` of the run.
@@ -179,8 +179,8 @@ double water_loss(const CaseRun& c) {
   return (until_arrival(c, "fluid_potential_J") + kept) / won;
 }
 
-/// kNs: the integral of a force (N) over the second after the grains' arrival; NaN if the run ends before.
-double impulse_after_arrival(const CaseRun& c, const char* column) {
+/// Integral of a column over the second after the grains' arrival; NaN if the run ends before.
+double integral_after_arrival(const CaseRun& c, const char* column) {
   const std::vector<double>& time = c.series.time_s;
   const double begin = grains_arrival(c), end = begin + 1;
   const auto* values = c.series.find(column);
@@ -192,24 +192,36 @@ double impulse_after_arrival(const CaseRun& c, const char* column) {
     const double middle = (0.5 * (from + to) - time[k - 1]) / (time[k] - time[k - 1]);
     sum += (to - from) * std::lerp(values->values[k - 1], values->values[k], middle);
   }
-  return sum / 1000;
+  return sum;
 }
+/// kNs, of a force in N.
 Ours impulse_of(const char* column) {
-  return [column](const CaseRun& c) { return impulse_after_arrival(c, column); };
+  return [column](const CaseRun& c) { return integral_after_arrival(c, column) / 1000; };
 }
 
-/// kNs: what `fluid_momentum_gap_x_Ns` grows by in that second. No wall stands across the stream there, and bed and
-/// sides let the water slip.
-double momentum_made(const CaseRun& c) {
+/// A column `later` seconds after the grains' arrival; NaN if the run ends before.
+double after_arrival(const CaseRun& c, const char* column, double later) {
   const std::vector<double>& time = c.series.time_s;
-  const double begin = grains_arrival(c);
-  const auto* gap = c.series.find("fluid_momentum_gap_x_Ns");
-  if (!gap || !std::isfinite(begin) || time.empty() || time.back() < begin + 1) return kNone;
-  const auto at = [&](double t) {
-    const auto row = std::lower_bound(time.begin(), time.end(), t) - time.begin();
-    return gap->values[static_cast<std::size_t>(row)];
-  };
-  return (at(begin + 1) - at(begin)) / 1000;
+  const double t = grains_arrival(c) + later;
+  const auto* values = c.series.find(column);
+  if (!values || !std::isfinite(t) || time.empty() || time.back() < t) return kNone;
+  return values->values[static_cast<std::size_t>(std::lower_bound(time.begin(), time.end(), t) - time.begin())];
+}
+
+// The water's momentum along the flow in that second, kNs. No wall stands across the stream there, and bed and sides
+// let the water slip.
+double momentum_at_arrival(const CaseRun& c) { return after_arrival(c, "fluid_momentum_x_Ns", 0) / 1000; }
+double momentum_kept(const CaseRun& c) { return after_arrival(c, "fluid_momentum_x_Ns", 1) / 1000; }
+double momentum_of_weight(const CaseRun& c) {
+  return kGravity * kSin35 * integral_after_arrival(c, "liquid_mass_kg") / 1000;
+}
+double momentum_made(const CaseRun& c) {
+  return (after_arrival(c, "fluid_momentum_gap_x_Ns", 1) - after_arrival(c, "fluid_momentum_gap_x_Ns", 0)) / 1000;
+}
+double momentum_taken_out(const CaseRun& c) {
+  return momentum_at_arrival(c) + momentum_of_weight(c) + momentum_made(c) - momentum_kept(c) -
+         (integral_after_arrival(c, "grains_fluid_force_x_N") + integral_after_arrival(c, "barrier_fluid_force_x_N")) /
+             1000;
 }
 
 double water_share(const CaseRun& c) {
@@ -294,6 +306,13 @@ std::vector<Compared> make_quantities() {
       impulse_of("barrier_fluid_force_x_N"), not_given, "");
   add("grains_impulse_water", "kNs", "impulse of water on all grains along the flow, in the second after they arrive",
       impulse_of("grains_fluid_force_x_N"), not_given, "");
+  add("water_momentum", "kNs", "momentum of the water along the flow when grains arrive", momentum_at_arrival,
+      not_given, "");
+  add("water_momentum_weight", "kNs", "momentum that its weight gives the water in the second after",
+      momentum_of_weight, not_given, "");
+  add("water_momentum_kept", "kNs", "momentum of the water after that second", momentum_kept, not_given, "");
+  add("water_momentum_out", "kNs", "momentum that water takes out of the domain in it", momentum_taken_out, not_given,
+      "");
   add("water_momentum_made", "kNs",
       "of what water gave grains and net in that second, what it never had: momentum that the cells at its surface "
       "made",

@@ -158,13 +158,22 @@ TEST(Comparison, IntegratesForcesOverTheSecondAfterGrainsArrive) {
   run.series.columns = {{"barrier_contact_force_x_N", "N", "", {0, 1000, 1500, 2500, 3500, 4000}},
                         {"grains_fluid_force_x_N", "N", "", {300, 300, 300, 300, 300, 300}},
                         {"fluid_momentum_gap_x_Ns", "Ns", "", {0, 10, 20, 60, 150, 170}},
+                        {"fluid_momentum_x_Ns", "Ns", "", {0, 900, 1000, 800, 500, 400}},
+                        {"liquid_mass_kg", "kg", "", {400, 400, 400, 400, 400, 400}},
                         {"net_grains_kg_s", "kg/s", "", {0, 0.4, 40, 60, 0, 0}}};
   EXPECT_EQ(result_of(run).value("grains_arrival"), 0.75);
   EXPECT_EQ(result_of(run).value("first_grain"), 0.5);
   EXPECT_NEAR(result_of(run).value("net_impulse_grains"), 2.5, 1e-12);
   EXPECT_NEAR(result_of(run).value("water_momentum_made"), 0.13, 1e-12);
   EXPECT_NEAR(result_of(run).value("grains_impulse_water"), 0.3, 1e-12);
+  EXPECT_NEAR(result_of(run).value("water_momentum"), 1, 1e-12);
+  EXPECT_NEAR(result_of(run).value("water_momentum_kept"), 0.5, 1e-12);
+  const double weight = 400 * 9.81 * std::sin(35 * M_PI / 180) / 1000;
+  EXPECT_NEAR(result_of(run).value("water_momentum_weight"), weight, 1e-5);
   EXPECT_TRUE(std::isnan(result_of(run).value("net_impulse_water"))) << "no such column";
+  EXPECT_TRUE(std::isnan(result_of(run).value("water_momentum_out"))) << "of all that it is made of";
+  run.series.columns.insert(run.series.columns.begin(), {"barrier_fluid_force_x_N", "N", "", {0, 0, 100, 100, 100, 0}});
+  EXPECT_NEAR(result_of(run).value("water_momentum_out"), 1 + weight + 0.13 - 0.5 - 0.3 - 0.1, 1e-5);
   std::vector<double>& crossing = run.series.columns.back().values;
   crossing = {0, 40, 0, 0, 0, 0};
   EXPECT_NEAR(result_of(run).value("net_impulse_grains"), 2, 1e-12) << "it ends between two rows";
