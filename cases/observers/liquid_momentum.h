@@ -6,10 +6,9 @@
 namespace lahar::cases {
 
 /// Liquid has the momentum that its weight gave it and that inflows brought, less what bodies got and what left took
-/// along. The rest is of the
-/// walls; and of the surface: cells at it move as if they were full (docs/decisions/0072). Where the bed slips and no
-/// wall stands across the stream it is the error of the method. What left is taken to have been as fast as what runs
-/// through the last cells along x.
+/// along. The rest is of the walls; and of the surface: cells at it move as if they were full (docs/decisions/0072).
+/// Where the bed slips and no wall stands across the stream it is the error of the method. What left is taken to have
+/// been as fast as what runs through the last cells along x.
 class LiquidMomentum final : public Observer {
  public:
   LiquidMomentum(const Observed& run, const ObserverList& before);
