@@ -1,10 +1,12 @@
 #include "coupling/wires/wire_crowding.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
 #include "core/parallel.h"
+#include "core/simd_math.h"
 
 namespace lahar::coupling {
 
@@ -12,10 +14,11 @@ namespace {
 
 constexpr double kLargestSolidity = 0.7;
 
-/// Pieces sorted into boxes at least as wide as the longest reach, or as the period where that is less.
+/// Pieces sorted into boxes at least as wide as the longest reach, or as the period where that is less; by number, so
+/// that those of a box are looked at eight at a time.
 class Boxes {
  public:
-  Boxes(const std::vector<WireSegment>& pieces, const Vec3& period, double reach) : pieces_(pieces), period_(period) {
+  Boxes(const std::vector<WireSegment>& pieces, const Vec3& period, double reach) : period_(period) {
     Vec3 low = pieces.front().place, high = low;
     for (const WireSegment& p : pieces) low = low.cwiseMin(p.place), high = high.cwiseMax(p.place);
     low_ = low;
@@ -29,19 +32,26 @@ class Boxes {
     std::vector<std::size_t> box(pieces.size());
     for (std::size_t k = 0; k < pieces.size(); ++k) ++start_[(box[k] = index(place_of(pieces[k].place))) + 1];
     for (std::size_t b = 1; b < start_.size(); ++b) start_[b] += start_[b - 1];
-    sorted_.resize(pieces.size());
+    for (std::vector<double>& n : numbers_) n.assign(pieces.size() + kRow, 0.0);  // rows may run over the end
     std::vector<std::size_t> next(start_.begin(), start_.end() - 1);
-    for (std::size_t k = 0; k < pieces.size(); ++k) sorted_[next[box[k]]++] = k;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      const WireSegment& p = pieces[k];
+      const Vec3 place = p.place - shift_of(p.place);
+      const std::array<double, kNumbers> of{
+          place.x(), place.y(), place.z(), p.along.x(), p.along.y(), p.along.z(), p.diameter * p.length};
+      const std::size_t at = next[box[k]]++;
+      for (std::size_t n = 0; n < kNumbers; ++n) numbers_[n][at] = of[n];
+    }
   }
 
-  /// Calls visit(piece, vector to it) for all pieces, and their periodic images, in the boxes around a point.
-  template <class Visit>
-  void for_near(const Vec3& from, const Visit& visit) const {
-    const Vec3i here = place_of(from);
-    const Vec3 wrapped = from - shift_of(from);
-    for (int x = -steps_.x(); x <= steps_.x(); ++x)
+  /// Area of the pieces and periodic images around one, weighted by 1 - r^2/reach^2: along it, across it.
+  [[nodiscard]] std::array<double, 2> areas_around(const WireSegment& piece, double reach) const {
+    Sums sums;
+    const Vec3i here = place_of(piece.place);
+    const Vec3 wrapped = piece.place - shift_of(piece.place);
+    for (int z = -steps_.z(); z <= steps_.z(); ++z)
       for (int y = -steps_.y(); y <= steps_.y(); ++y)
-        for (int z = -steps_.z(); z <= steps_.z(); ++z) {
+        for (int x = -steps_.x(); x <= steps_.x(); ++x) {
           Vec3i box = here + Vec3i(x, y, z);
           Vec3 shift = Vec3::Zero();
           bool inside = true;
@@ -54,16 +64,31 @@ class Boxes {
               inside = inside && turns == 0;
             }
           }
-          if (!inside) continue;
-          const std::size_t b = index(box);
-          for (std::size_t k = start_[b]; k < start_[b + 1]; ++k) {
-            const WireSegment& p = pieces_[sorted_[k]];
-            visit(p, Vec3(p.place - shift_of(p.place) + shift - wrapped));
-          }
+          if (inside) add_box(index(box), Vec3(wrapped - shift), piece.along, 1 / (reach * reach), sums);
         }
+    return {sum_of_lanes(sums.along), sum_of_lanes(sums.across)};
   }
 
  private:
+  using Lanes = Row<double>;
+  static constexpr std::size_t kNumbers = 7;  // place, direction, area
+  struct Sums {
+    Lanes along{}, across{};
+  };
+
+  void add_box(std::size_t b, const Vec3& from, const Vec3& along, double per_reach2, Sums& sums) const {
+    const auto& [x, y, z, ax, ay, az, area] = numbers_;
+    for (std::size_t k = start_[b]; k < start_[b + 1]; k += kRow) {
+      const auto read = [&](const std::vector<double>& of) { return load<Lanes>(&of[k]); };
+      const Lanes dx = read(x) - Lanes(from.x()), dy = read(y) - Lanes(from.y()), dz = read(z) - Lanes(from.z());
+      const Lanes near = Lanes(1) - Lanes(per_reach2) * (dx * dx + dy * dy + dz * dz);
+      const Lanes cosine = Lanes(along.x()) * read(ax) + Lanes(along.y()) * read(ay) + Lanes(along.z()) * read(az);
+      const auto of_box = lane_index<Lanes>() < Lanes(static_cast<double>(start_[b + 1] - k));
+      const Lanes weighted = select(of_box, read(area) * max(near, Lanes(0)), Lanes(0)), parallel = cosine * cosine;
+      sums.along += weighted * parallel;
+      sums.across += weighted * (Lanes(1) - parallel);
+    }
+  }
   /// Whole periods between a point and the first box.
   [[nodiscard]] Vec3 shift_of(const Vec3& p) const {
     Vec3 shift = Vec3::Zero();
@@ -81,10 +106,10 @@ class Boxes {
     return static_cast<std::size_t>((box.z() * count_.y() + box.y()) * count_.x() + box.x());
   }
 
-  const std::vector<WireSegment>& pieces_;
   Vec3 period_, low_, width_;
   Vec3i count_, steps_;
-  std::vector<std::size_t> start_, sorted_;
+  std::vector<std::size_t> start_;
+  std::array<std::vector<double>, kNumbers> numbers_;  // box by box
 };
 
 }  // namespace
@@ -97,15 +122,8 @@ std::vector<Crowding> wire_crowding(const std::vector<WireSegment>& pieces, cons
   const Boxes boxes(pieces, period, kCrowdingReach * thickest);
   constexpr double own = 8 / (3 * std::numbers::pi * kCrowdingReach);
   parallel_for(0, pieces.size(), 64, [&](std::size_t k) {
-    const double reach = kCrowdingReach * pieces[k].diameter, reach2 = reach * reach;
-    double along = 0, across = 0;
-    boxes.for_near(pieces[k].place, [&](const WireSegment& p, const Vec3& arm) {
-      const double r2 = arm.squaredNorm();
-      if (r2 >= reach2) return;
-      const double area = p.diameter * p.length * (1 - r2 / reach2), cosine = p.along.dot(pieces[k].along);
-      along += area * cosine * cosine, across += area * (1 - cosine * cosine);
-    });
-    const double disc = std::numbers::pi / 2 * reach2;
+    const double reach = kCrowdingReach * pieces[k].diameter, disc = std::numbers::pi / 2 * reach * reach;
+    auto [along, across] = boxes.areas_around(pieces[k], reach);
     along = std::max(0.0, along / disc - own), across /= disc;
     along += std::min(own, along + across);
     const double solidity = 1 - (1 - std::min(1.0, along)) * (1 - std::min(1.0, across));
