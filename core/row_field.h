@@ -24,6 +24,7 @@ struct AlignedAllocator {
 class RowField {
  public:
   void resize(std::size_t rows) { numbers_.resize(rows * kRow); }
+  void assign(std::size_t rows, double number) { numbers_.assign(rows * kRow, number); }
   [[nodiscard]] std::size_t size() const { return numbers_.size() / kRow; }
   [[nodiscard]] double* operator[](std::size_t row) { return numbers_.data() + row * kRow; }
   [[nodiscard]] const double* operator[](std::size_t row) const { return numbers_.data() + row * kRow; }

@@ -93,15 +93,12 @@ void ContactSlots::transfer(Archive& archive, std::size_t particles, std::size_t
   std::vector<std::size_t> used;
   for (std::size_t k = 0; k < size(); ++k)
     if (touching[k]) used.push_back(k);
-  const auto numbers = history.all();
-  archive.pieces<double>("history", used.size(), numbers.size(), [&](std::size_t k, double* stored) {
-    for (std::size_t a = 0; a < numbers.size(); ++a) {
-      double& own = (*numbers[a])[used[k]];
-      if (archive.loading())
-        own = stored[a];
-      else
-        stored[a] = own;
-    }
+  archive.pieces<double>("history", used.size(), SlotHistories::kNumbers, [&](std::size_t k, double* stored) {
+    double* own = history.row(used[k]);
+    if (archive.loading())
+      std::copy_n(stored, SlotHistories::kNumbers, own);
+    else
+      std::copy_n(own, SlotHistories::kNumbers, stored);
   });
   if (!rolls) return;
   archive.pieces<double>("rolling", used.size(), 3, [&](std::size_t k, double* stored) {

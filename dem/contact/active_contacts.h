@@ -25,12 +25,19 @@ class ActiveContacts {
   [[nodiscard]] std::span<const std::uint32_t> slots(std::size_t chunk) const {
     return of(chunk, slots_, &Chunk::slots);
   }
+  /// Active slots are numbered: those of a chunk one after the other, from `first_number` on. Numbers stay below that
+  /// of all slots.
+  [[nodiscard]] std::size_t first_number(std::size_t chunk) const { return chunks_[chunk].slots.first; }
+  [[nodiscard]] std::uint32_t slot(std::size_t number) const { return slots_[number]; }
   /// Places (ContactParties) of a chunk's particles in any active slot.
   [[nodiscard]] std::span<const std::uint32_t> places(std::size_t chunk) const {
     return of(chunk, places_, &Chunk::places);
   }
+  struct Partner {
+    std::uint32_t number, place;  ///< of the slot; of its partner
+  };
   /// Active slots whose partner is of a chunk, in the order of ContactParties::as_partner.
-  [[nodiscard]] std::span<const ContactParties::Partner> as_partner(std::size_t chunk) const {
+  [[nodiscard]] std::span<const Partner> as_partner(std::size_t chunk) const {
     return of(chunk, as_partner_, &Chunk::as_partner);
   }
 
@@ -49,8 +56,8 @@ class ActiveContacts {
 
   std::vector<Chunk> chunks_;
   std::vector<std::uint32_t> slots_, places_;  // of all chunks, each with room for all that it could have
-  std::vector<ContactParties::Partner> as_partner_;
-  std::vector<std::uint8_t> active_;  // per slot
+  std::vector<Partner> as_partner_;
+  std::vector<std::uint32_t> number_;  // per slot: its number and one, 0 where it is not active
 };
 
 }  // namespace lahar::dem

@@ -52,13 +52,20 @@ void store(const ContactSlots& slots, const Numbering& numbering, bool with_wall
 
 }  // namespace
 
+void SlotHistories::reorder(const std::vector<std::uint32_t>& from) {
+  RowField moved;
+  moved.resize(from.size());
+  for (std::size_t k = 0; k < from.size(); ++k) std::copy_n(rows_[from[k]], kRow, moved[k]);
+  std::swap(rows_, moved);
+}
+
 std::vector<std::uint32_t> ContactSlots::renumber(const Renumbering& change, bool with_walls) {
   std::vector<std::uint32_t> from = change.move_rows(offset);
   for (std::vector<std::uint32_t>* v : {&owner, &partner}) reorder(*v, from);
   for (std::uint32_t& i : owner) i = change.to(i);
   if (!with_walls)
     for (std::uint32_t& j : partner) j = change.to(j);
-  for (auto* v : history.all()) reorder(*v, from);
+  history.reorder(from);
   reorder(touching, from);
   reorder(rolling, from);
   return from;

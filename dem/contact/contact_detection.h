@@ -1,35 +1,38 @@
 #pragma once
 // Which contacts may exist and what they remember: slots for sphere-sphere and sphere-wall pairs, and the geometry of a
 // contact.
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "core/geometry.h"
+#include "core/row_field.h"
 #include "dem/contact/contact_state.h"
 #include "dem/contact/neighbours.h"
 #include "dem/particles.h"
 
 namespace lahar::dem {
 
-/// What the contacts of all slots remember, one array per number, so that eight slots are read and written at once.
-struct SlotHistories {
-  std::vector<double> x, y, z;  ///< m, tangential displacement
-  std::vector<double> stiffness, normal_force, damping_force;
+/// What the contacts of all slots remember: a row of numbers per slot, as active ones lie apart.
+class SlotHistories {
+ public:
+  /// In a row, and two more that are spare: tangential displacement (m), stiffness, normal force, damping force.
+  static constexpr std::size_t kNumbers = 6;
 
-  void clear(std::size_t slots) {
-    for (auto* a : all()) a->assign(slots, 0.0);
-  }
+  void clear(std::size_t slots) { rows_.assign(slots, 0.0); }
+  [[nodiscard]] double* row(std::size_t k) { return rows_[k]; }
   [[nodiscard]] ContactHistory operator[](std::size_t k) const {
-    return {{x[k], y[k], z[k]}, stiffness[k], normal_force[k], damping_force[k]};
+    const double* h = rows_[k];
+    return {{h[0], h[1], h[2]}, h[3], h[4], h[5]};
   }
   void set(std::size_t k, const ContactHistory& h) {
-    x[k] = h.tangential_displacement.x, y[k] = h.tangential_displacement.y, z[k] = h.tangential_displacement.z;
-    stiffness[k] = h.tangential_stiffness, normal_force[k] = h.normal_force, damping_force[k] = h.damping_force;
+    const Triple& u = h.tangential_displacement;
+    store_aligned(rows_[k], Row<double>{u.x, u.y, u.z, h.tangential_stiffness, h.normal_force, h.damping_force, 0, 0});
   }
-  [[nodiscard]] std::array<std::vector<double>*, 6> all() {
-    return {&x, &y, &z, &stiffness, &normal_force, &damping_force};
-  }
+  /// Row k becomes what row from[k] was.
+  void reorder(const std::vector<std::uint32_t>& from);
+
+ private:
+  RowField rows_;
 };
 
 /// Possible contacts in CSR form: row i holds partners, particles in the order of their ids or walls in that of their

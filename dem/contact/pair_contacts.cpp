@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -10,37 +11,70 @@
 
 namespace lahar::dem {
 
-/// Eight active slots, and the numbers of all.
-struct PairContacts::Eight {
+namespace {
+
+/// Rows of eight numbers of several contacts, turned: one pack per number. row(l, first): from number `first` on, those
+/// of lane l.
+template <class RowOf>
+[[gnu::always_inline]] inline std::array<Lanes, kRow> turned(const RowOf& row) {
+  std::array<Lanes, kRow> numbers;
+  for (std::size_t first = 0; first < kRow; first += kContactLanes) {
+    std::array<Lanes, kContactLanes> part;
+    for (std::size_t l = 0; l < kContactLanes; ++l) part[l] = row(l, first);
+    transpose(part);
+    std::copy(part.begin(), part.end(), numbers.begin() + first);
+  }
+  return numbers;
+}
+
+/// And back: put(l, first, numbers from `first` on of the row of lane l).
+template <class Put>
+[[gnu::always_inline]] inline void turn_back(const std::array<Lanes, kRow>& numbers, const Put& put) {
+  for (std::size_t first = 0; first < kRow; first += kContactLanes) {
+    std::array<Lanes, kContactLanes> part;
+    std::copy_n(numbers.begin() + first, kContactLanes, part.begin());
+    transpose(part);
+    for (std::size_t l = 0; l < kContactLanes; ++l) put(l, first, part[l]);
+  }
+}
+
+}  // namespace
+
+/// The active slots in the lanes, and the numbers of all.
+struct PairContacts::Batch {
   const std::uint32_t* slot;
   const std::uint32_t *owner, *partner;  // where their rows begin
   const std::uint16_t* material;
-  double *x, *y, *z, *stiffness, *normal_force, *damping_force;  // history
+  double* history;  // rows
   std::uint8_t* touching;
   Triple* rolling;           // nullptr unless remembered
-  double* on_partner;        // rows
+  double* on_partner;        // rows of these slots
   ContactTally* of_rolling;  // nullptr where indices are ids, or nothing rolls
 };
 
 /// From the centres to where the forces act, m: the radii less half the overlap.
 struct PairContacts::Arms {
-  Row<double> i, j;
+  Lanes i, j;
 };
 
-/// The last active slots of a chunk, less than eight, in a place of their own, filled up with what never touches.
+/// The last active slots of a chunk, fewer than there are lanes, in a place of their own, filled up with what never
+/// touches.
 struct PairContacts::Tail {
   template <class T>
-  using Numbers = std::array<T, kRow>;
-  static constexpr Numbers<std::uint32_t> kSlot{0, 1, 2, 3, 4, 5, 6, 7};
+  using Numbers = std::array<T, kContactLanes>;
+  static constexpr Numbers<std::uint32_t> kSlot = [] {
+    Numbers<std::uint32_t> slot;
+    std::iota(slot.begin(), slot.end(), 0U);
+    return slot;
+  }();
   Numbers<std::uint32_t> owner, partner;
   Numbers<std::uint16_t> material;
-  Numbers<double> x{}, y{}, z{}, stiffness{}, normal_force{}, damping_force{};
   Numbers<std::uint8_t> touching{};
   Numbers<Triple> rolling{};
   Numbers<ContactTally> of_rolling{};
-  alignas(64) std::array<double, kRow * kRow> on_partner;
+  alignas(64) std::array<double, kContactLanes * kRow> history{}, on_partner;
 
-  Tail(const Eight& at, std::size_t count, std::uint32_t nobody) {
+  Tail(const Batch& at, std::size_t count, std::uint32_t nobody) {
     owner.fill(nobody), partner.fill(nobody), material.fill(at.material[at.slot[0]]);
     copy(at, count, true);
     for (std::size_t l = 0; l < count; ++l) {
@@ -48,34 +82,27 @@ struct PairContacts::Tail {
       owner[l] = at.owner[k], partner[l] = at.partner[k], material[l] = at.material[k];
     }
   }
-  [[nodiscard]] Eight eight(const Eight& at) {
+  [[nodiscard]] Batch batch(const Batch& at) {
     return {kSlot.data(),
             owner.data(),
             partner.data(),
             material.data(),
-            x.data(),
-            y.data(),
-            z.data(),
-            stiffness.data(),
-            normal_force.data(),
-            damping_force.data(),
+            history.data(),
             touching.data(),
             at.rolling != nullptr ? rolling.data() : nullptr,
             on_partner.data(),
             at.of_rolling != nullptr ? of_rolling.data() : nullptr};
   }
-  void copy(const Eight& at, std::size_t count, bool in) {
+  void copy(const Batch& at, std::size_t count, bool in) {
     for (std::size_t l = 0; l < count; ++l) {
       const std::uint32_t k = at.slot[l];
       const auto move = [&](auto& theirs, auto& ours) { in ? ours = theirs : theirs = ours; };
-      move(at.x[k], x[l]), move(at.y[k], y[l]), move(at.z[k], z[l]);
-      move(at.stiffness[k], stiffness[l]), move(at.normal_force[k], normal_force[l]);
-      move(at.damping_force[k], damping_force[l]);
+      for (std::size_t n = 0; n < kRow; ++n) move(at.history[kRow * k + n], history[kRow * l + n]);
       move(at.touching[k], touching[l]);
       if (at.rolling != nullptr) move(at.rolling[k], rolling[l]);
       if (in) continue;
       if (at.of_rolling != nullptr) at.of_rolling[k] = of_rolling[l];
-      std::copy_n(on_partner.data() + kRow * l, kRow, at.on_partner + kRow * k);
+      std::copy_n(on_partner.data() + kRow * l, kRow, at.on_partner + kRow * l);
     }
   }
 };
@@ -117,24 +144,22 @@ void PairContacts::pack(const Particles& p, const ContactDetection& contacts, co
   });
 }
 
-/// Differences or sums of the rows of eight pairs of spheres, turned: one row per number.
-[[gnu::always_inline]] inline std::array<Row<double>, kRow> PairContacts::together(const double* rows, const Eight& at,
-                                                                                   const Row<double>& sign) {
-  std::array<Row<double>, kRow> a;
-  for (std::size_t l = 0; l < kRow; ++l)
-    a[l] = load_aligned<Row<double>>(rows + at.owner[at.slot[l]]) +
-           sign * load_aligned<Row<double>>(rows + at.partner[at.slot[l]]);
-  transpose(a);
-  return a;
-}
-
-/// Fetches what eight contacts need of their spheres.
-[[gnu::always_inline]] inline void PairContacts::gather(EightContacts& c, Arms& arms, const Eight& at,
+/// Fetches what contacts need of their spheres.
+[[gnu::always_inline]] inline void PairContacts::gather(ContactLanes& c, Arms& arms, const Batch& at,
                                                         const ContactMaterials& materials) const {
-  const double* rows = bodies_.data();
-  const auto a = together(rows, at, Row<double>(-1));
-  const auto b = together(rows + kRow, at, Row<double>{-1, 1, 1, 1, 1, 1, 1, 1});
-  const auto d = together(rows + 2 * kRow, at, Row<double>{1, 1, 1, 1, 1, 1, 1, -1});
+  // Differences or sums, by the signs, of the rows of two spheres.
+  using Signs = std::array<double, kRow>;
+  const auto together = [&](std::size_t row, const Signs& sign) __attribute__((always_inline)) {
+    return turned([&](std::size_t l, std::size_t first) __attribute__((always_inline)) {
+      const double* rows = bodies_.data() + row * kRow + first;
+      const std::uint32_t k = at.slot[l];
+      return Lanes(load_aligned<Lanes>(rows + at.owner[k]) +
+                   load<Lanes>(&sign[first]) * load_aligned<Lanes>(rows + at.partner[k]));
+    });
+  };
+  const auto a = together(0, {-1, -1, -1, -1, -1, -1, -1, -1});
+  const auto b = together(1, {-1, 1, 1, 1, 1, 1, 1, 1});
+  const auto d = together(2, {1, 1, 1, 1, 1, 1, 1, -1});
   c.slip = {a[3], a[4], a[5]};
   c.slip_end = {a[6], a[7], b[0]};
   c.spin = {b[1], b[2], b[3]};
@@ -142,29 +167,28 @@ void PairContacts::pack(const Particles& p, const ContactDetection& contacts, co
   c.rim = {d[0], d[1], d[2]};
   c.rim_end = {d[3], d[4], d[5]};
   c.inverse_mass = d[6];
-  const Row<double> radius_i = 0.5 * (b[7] + d[7]), radius_j = 0.5 * (b[7] - d[7]);
+  const Lanes radius_i = 0.5 * (b[7] + d[7]), radius_j = 0.5 * (b[7] - d[7]);
   c.effective_radius = radius_i * radius_j / b[7];
   c.set_spheres({a[0], a[1], a[2]}, b[7]);
   arms = {radius_i - 0.5 * c.overlap, radius_j - 0.5 * c.overlap};
 
   if (one_material_) {
     const double* m = materials[at.material[at.slot[0]]];
-    c.modulus = Row<double>(m[0]), c.shear_modulus = Row<double>(m[1]);
-    c.friction = Row<double>(m[2]), c.damping_ratio = Row<double>(m[3]);
+    c.modulus = Lanes(m[0]), c.shear_modulus = Lanes(m[1]);
+    c.friction = Lanes(m[2]), c.damping_ratio = Lanes(m[3]);
     return;
   }
-  std::array<Row<double>, kRow> m;
-  for (std::size_t l = 0; l < kRow; ++l) m[l] = load_aligned<Row<double>>(materials[at.material[at.slot[l]]]);
-  transpose(m);
+  const auto m = turned([&](std::size_t l, std::size_t first) __attribute__((always_inline)) {
+    return load_aligned<Lanes>(materials[at.material[at.slot[l]]] + first);
+  });
   c.modulus = m[0], c.shear_modulus = m[1], c.friction = m[2], c.damping_ratio = m[3];
 }
 
-/// Rolling resistance, after the law.
-void PairContacts::roll(const EightContacts& c, const ContactHistoryOf<Row<double>>& history,
-                        const Row<double>& stiffness_before, const Eight& at, const ContactMaterials& materials,
-                        double dt, std::array<Row<double>, kRow>& on_owner, std::array<Row<double>, kRow>& on_partner,
-                        ContactTally& tally) const {
-  for (std::size_t l = 0; l < kRow; ++l) {
+/// Rolling resistance, after the law: the torque on the owners.
+Lanes3 PairContacts::roll(const ContactLanes& c, const ContactHistoryOf<Lanes>& history, const Lanes& stiffness_before,
+                          const Batch& at, const ContactMaterials& materials, double dt, ContactTally& tally) const {
+  Lanes3 torques{};
+  for (std::size_t l = 0; l < kContactLanes; ++l) {
     const std::uint32_t k = at.slot[l];
     RollingState state;
     state.rolling_friction = materials[at.material[k]][ContactMaterials::kRollingFriction];
@@ -182,61 +206,60 @@ void PairContacts::roll(const EightContacts& c, const ContactHistoryOf<Row<doubl
     const Triple torque = roll_lane(c, history, l, state, stiffness_before[l], dt, at.rolling[k], booked);
     tally += booked;
     if (at.of_rolling != nullptr) at.of_rolling[k] = booked;
-    const Row<double> row{0, 0, 0, torque.x, torque.y, torque.z, 0, 0};
-    on_owner[l] += row;
-    on_partner[l] -= row;
+    torques.x.set(l, torque.x), torques.y.set(l, torque.y), torques.z.set(l, torque.z);
   }
+  return torques;
 }
 
-// Flattened: the numbers of eight contacts stay in registers, or next to them on the stack.
+// Flattened: the numbers of the lanes stay in registers, or next to them on the stack.
 template <ContactLaw L>
-[[gnu::flatten, gnu::noinline]] void PairContacts::evaluate_eight(const L& law, const Eight& at,
+[[gnu::flatten, gnu::noinline]] void PairContacts::evaluate_batch(const L& law, const Batch& at,
                                                                   const ContactMaterials& materials, double dt,
                                                                   ContactTally& tally) {
-  EightContacts c;
+  ContactLanes c;
   Arms arms;
   gather(c, arms, at, materials);
-  const auto read = [&](const double* of) __attribute__((always_inline)) {
-    return lahar::gather<Row<double>>(of, at.slot);
-  };
-  const Row<double> stiffness_before = read(at.stiffness);
-  ContactHistoryOf<Row<double>> h{
-      {read(at.x), read(at.y), read(at.z)}, stiffness_before, read(at.normal_force), read(at.damping_force)};
-  const EightAnswers f = dem::evaluate(c, h, law, dt);
-  const auto write = [&](double* of, const Row<double>& numbers) __attribute__((always_inline)) {
-    for (std::size_t l = 0; l < kRow; ++l) of[at.slot[l]] = numbers[l];
-  };
-  write(at.x, h.tangential_displacement.x);
-  write(at.y, h.tangential_displacement.y);
-  write(at.z, h.tangential_displacement.z);
-  write(at.stiffness, h.tangential_stiffness);
-  write(at.normal_force, h.normal_force);
-  write(at.damping_force, h.damping_force);
+  const auto remembered = turned([&](std::size_t l, std::size_t first) __attribute__((always_inline)) {
+    return load_aligned<Lanes>(at.history + kRow * at.slot[l] + first);
+  });
+  const Lanes stiffness_before = remembered[3];
+  ContactHistoryOf<Lanes> h{
+      {remembered[0], remembered[1], remembered[2]}, stiffness_before, remembered[4], remembered[5]};
+  const AnswerLanes f = dem::evaluate(c, h, law, dt);
+  const Lanes3& u = h.tangential_displacement;
+  turn_back(
+      {u.x, u.y, u.z, h.tangential_stiffness, h.normal_force, h.damping_force, Lanes{}, Lanes{}},
+      [&](std::size_t l, std::size_t first, const Lanes& numbers)
+          __attribute__((always_inline)) { store_aligned(at.history + kRow * at.slot[l] + first, numbers); });
 
-  const Rows3 torque_i = arms.i * f.twist, torque_j = arms.j * f.twist;
-  std::array<Row<double>, kRow> on_owner{f.force.x,  f.force.y,  f.force.z,      torque_i.x,
-                                         torque_i.y, torque_i.z, f.damping_work, f.damper};
-  std::array<Row<double>, kRow> on_partner{-f.force.x, -f.force.y, -f.force.z,      torque_j.x,
-                                           torque_j.y, torque_j.z, f.friction_work, f.damper};
-  transpose(on_owner);
-  transpose(on_partner);
-  if (at.rolling != nullptr) roll(c, h, stiffness_before, at, materials, dt, on_owner, on_partner, tally);
-  const unsigned touches = c.touches.bits();
-  double* sums = bodies_.sums();
-  for (std::size_t l = 0; l < kRow; ++l) {
-    const std::uint32_t k = at.slot[l];
-    at.touching[k] = static_cast<std::uint8_t>(touches >> l & 1U);
-    double* sum = sums + at.owner[k];
-    store_aligned(sum, load_aligned<Row<double>>(sum) + on_owner[l]);
-    store_aligned(at.on_partner + kRow * k, on_partner[l]);
+  Lanes3 torque_i = arms.i * f.twist, torque_j = arms.j * f.twist;
+  if (at.rolling != nullptr) {
+    const Lanes3 rolled = roll(c, h, stiffness_before, at, materials, dt, tally);
+    torque_i = torque_i + rolled, torque_j = torque_j - rolled;
   }
+  double* sums = bodies_.sums();
+  turn_back(
+      {f.force.x, f.force.y, f.force.z, torque_i.x, torque_i.y, torque_i.z, f.damping_work, f.damper},
+      [&](std::size_t l, std::size_t first, const Lanes& numbers) __attribute__((always_inline)) {
+        double* sum = sums + at.owner[at.slot[l]] + first;
+        store_aligned(sum, load_aligned<Lanes>(sum) + numbers);
+      });
+  turn_back(
+      {-f.force.x, -f.force.y, -f.force.z, torque_j.x, torque_j.y, torque_j.z, f.friction_work, f.damper},
+      [&](std::size_t l, std::size_t first, const Lanes& numbers)
+          __attribute__((always_inline)) { store_aligned(at.on_partner + kRow * l + first, numbers); });
+  const unsigned touches = c.touches.bits();
+  for (std::size_t l = 0; l < kContactLanes; ++l)
+    at.touching[at.slot[l]] = static_cast<std::uint8_t>(touches >> l & 1U);
 }
 
-/// Prefetches the rows of the partners in eight slots, which lie apart, while others are evaluated.
-[[gnu::always_inline]] inline void PairContacts::prefetch_partners(const std::uint32_t* slot) const {
-  for (std::size_t l = 0; l < kRow; ++l) {
-    const double* const rows = bodies_.data() + partner_at_[slot[l]];
-    for (std::size_t row = 0; row < 3; ++row) __builtin_prefetch(rows + row * kRow);
+/// Prefetches what lies apart of slots, their histories and the rows of their spheres, while others are
+/// evaluated.
+[[gnu::always_inline]] inline void PairContacts::prefetch(const std::uint32_t* slot, const double* history) const {
+  for (std::size_t l = 0; l < kContactLanes; ++l) {
+    __builtin_prefetch(history + kRow * slot[l], 1);
+    for (const std::uint32_t at : {owner_at_[slot[l]], partner_at_[slot[l]]})
+      for (std::size_t row = 0; row < 3; ++row) __builtin_prefetch(bodies_.data() + at + row * kRow);
   }
 }
 
@@ -244,37 +267,32 @@ template <ContactLaw L>
 void PairContacts::evaluate_with(const L& law, ContactDetection& contacts, const ContactMaterials& materials, double dt,
                                  std::size_t chunk, ContactTally& tally) {
   ContactSlots& slots = contacts.pairs();
-  SlotHistories& h = slots.history;
   for (const std::uint32_t p : active_.places(chunk)) store_aligned(bodies_.sum(p), Row<double>{});
   if (!of_rolling_.empty()) {
     const std::size_t first = chunk * kContactChunk, last = std::min(first + kContactChunk, slots.offset.size() - 1);
     std::fill(&of_rolling_[slots.offset[first]], of_rolling_.data() + slots.offset[last], ContactTally{});
   }
-  Eight at{nullptr,
+  Batch at{nullptr,
            owner_at_.data(),
            partner_at_.data(),
            material_.data(),
-           h.x.data(),
-           h.y.data(),
-           h.z.data(),
-           h.stiffness.data(),
-           h.normal_force.data(),
-           h.damping_force.data(),
+           slots.history.row(0),
            slots.touching.data(),
            slots.rolls ? slots.rolling.data() : nullptr,
-           on_partner_[0],
+           on_partner_[active_.first_number(chunk)],
            of_rolling_.empty() ? nullptr : of_rolling_.data()};
   const std::span<const std::uint32_t> active = active_.slots(chunk);
-  for (std::size_t n = 0; n < active.size(); n += kRow) {
+  constexpr std::size_t kAhead = 16;  // slots
+  for (std::size_t n = 0; n < active.size(); n += kContactLanes, at.on_partner += kContactLanes * kRow) {
     at.slot = &active[n];
-    if (n + 3 * kRow <= active.size()) prefetch_partners(&active[n + 2 * kRow]);
-    if (n + kRow <= active.size()) {
-      evaluate_eight(law, at, materials, dt, tally);
+    if (n + kAhead + kContactLanes <= active.size()) prefetch(&active[n + kAhead], at.history);
+    if (n + kContactLanes <= active.size()) {
+      evaluate_batch(law, at, materials, dt, tally);
       continue;
     }
     Tail tail(at, active.size() - n,
               static_cast<std::uint32_t>(ContactBodies::kStride * contacts.parties().particle.size()));
-    evaluate_eight(law, tail.eight(at), materials, dt, tally);
+    evaluate_batch(law, tail.batch(at), materials, dt, tally);
     tail.copy(at, active.size() - n, false);
   }
   double damping = 0;  // partners bring the work of friction in the same place
@@ -297,9 +315,12 @@ void PairContacts::evaluate(const ContactLawChoice& law, ContactDetection& conta
 
 void PairContacts::add_partners(Particles& particles, std::vector<double>& damping, const ContactDetection& contacts,
                                 std::size_t chunk, ContactTally& tally) {
-  for (const ContactParties::Partner& n : active_.as_partner(chunk)) {
-    double* sum = bodies_.sum(n.place);
-    store_aligned(sum, load_aligned<Row<double>>(sum) + load_aligned<Row<double>>(on_partner_[n.slot]));
+  for (const std::uint32_t p : active_.places(chunk)) __builtin_prefetch(bodies_.sum(p), 1);
+  const std::span<const ActiveContacts::Partner> as_partner = active_.as_partner(chunk);
+  for (std::size_t n = 0; n < as_partner.size(); ++n) {
+    if (n + kRow < as_partner.size()) __builtin_prefetch(on_partner_[as_partner[n + kRow].number]);
+    double* sum = bodies_.sum(as_partner[n].place);
+    store_aligned(sum, load_aligned<Row<double>>(sum) + load_aligned<Row<double>>(on_partner_[as_partner[n].number]));
   }
   double friction = 0;
   const auto each = [&](const auto& add) {

@@ -1,5 +1,5 @@
 #pragma once
-// Contacts between spheres: eight slots at a time, then summed per particle in a fixed order.
+// Contacts between spheres: as many slots at a time as there are lanes, then summed per particle in a fixed order.
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -41,7 +41,7 @@ class PairContacts {
   void tally_friction(std::size_t chunk, ContactTally& tally) const;
 
  private:
-  struct Eight;  // where the numbers of eight slots lie
+  struct Batch;  // where the numbers of the slots in the lanes lie
   struct Tail;
   struct Arms;
 
@@ -49,19 +49,17 @@ class PairContacts {
   void evaluate_with(const L& law, ContactDetection& contacts, const ContactMaterials& materials, double dt,
                      std::size_t chunk, ContactTally& tally);
   template <ContactLaw L>
-  void evaluate_eight(const L& law, const Eight& at, const ContactMaterials& materials, double dt, ContactTally& tally);
-  static std::array<Row<double>, kRow> together(const double* rows, const Eight& at, const Row<double>& sign);
-  void gather(EightContacts& contacts, Arms& arms, const Eight& at, const ContactMaterials& materials) const;
-  void prefetch_partners(const std::uint32_t* slot) const;
-  void roll(const EightContacts& contacts, const ContactHistoryOf<Row<double>>& history,
-            const Row<double>& stiffness_before, const Eight& at, const ContactMaterials& materials, double dt,
-            std::array<Row<double>, kRow>& on_owner, std::array<Row<double>, kRow>& on_partner,
-            ContactTally& tally) const;
+  void evaluate_batch(const L& law, const Batch& at, const ContactMaterials& materials, double dt, ContactTally& tally);
+  void gather(ContactLanes& contacts, Arms& arms, const Batch& at, const ContactMaterials& materials) const;
+  void prefetch(const std::uint32_t* slot, const double* history) const;
+  [[nodiscard]] Lanes3 roll(const ContactLanes& contacts, const ContactHistoryOf<Lanes>& history,
+                            const Lanes& stiffness_before, const Batch& at, const ContactMaterials& materials,
+                            double dt, ContactTally& tally) const;
 
   ActiveContacts active_;
   ContactBodies bodies_;
   std::vector<std::uint16_t> material_;               // per slot, into ContactMaterials
-  RowField on_partner_;                               // per slot: force, torque, friction work, damper
+  RowField on_partner_;                               // per active slot: force, torque, friction work, damper
   std::vector<std::uint32_t> owner_at_, partner_at_;  // per slot: where the rows of its two particles begin
   bool one_material_ = false;                         // the same in all slots
   // Only where indices are not ids:

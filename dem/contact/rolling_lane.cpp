@@ -2,7 +2,7 @@
 
 namespace lahar::dem {
 
-Triple roll_lane(const EightContacts& contacts, const ContactHistoryOf<Row<double>>& history, std::size_t lane,
+Triple roll_lane(const ContactLanes& contacts, const ContactHistoryOf<Lanes>& history, std::size_t lane,
                  RollingState state, double stiffness_before, double dt, Triple& angle, ContactTally& tally) {
   state.effective_radius = contacts.effective_radius[lane];
   state.last_shear_stiffness = stiffness_before;
@@ -11,7 +11,7 @@ Triple roll_lane(const EightContacts& contacts, const ContactHistoryOf<Row<doubl
     angle = Triple{};
     return Triple{};
   }
-  const Rows3 &n = contacts.normal, &spin = contacts.spin;
+  const Lanes3 &n = contacts.normal, &spin = contacts.spin;
   state.normal_ij = {n.x[lane], n.y[lane], n.z[lane]};
   state.twist_rate = 0.5 * dot(Triple{spin.x[lane], spin.y[lane], spin.z[lane]}, state.normal_ij);
   state.normal_force = history.normal_force[lane];

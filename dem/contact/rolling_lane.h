@@ -1,5 +1,5 @@
 #pragma once
-// Rolling resistance of one of eight contacts, after the law, whose normal force and stiffness it needs.
+// Rolling resistance of one of the contacts side by side, after the law, whose normal force and stiffness it needs.
 #include "dem/contact/contact_energy_sums.h"
 #include "dem/contact/contact_lanes.h"
 #include "dem/contact/rolling.h"
@@ -14,8 +14,8 @@ inline double inverse_rolling_inertia(double inverse_mass, double radius) {
 /// The torque on i, N m. `history`: after the law; `stiffness_before` is that of the tangential spring in the step
 /// before. `state` brings the spins, the inertia and the coefficient. Advances `angle` (rad) and books what rolling
 /// holds and loses.
-[[nodiscard]] Triple roll_lane(const EightContacts& contacts, const ContactHistoryOf<Row<double>>& history,
-                               std::size_t lane, RollingState state, double stiffness_before, double dt, Triple& angle,
+[[nodiscard]] Triple roll_lane(const ContactLanes& contacts, const ContactHistoryOf<Lanes>& history, std::size_t lane,
+                               RollingState state, double stiffness_before, double dt, Triple& angle,
                                ContactTally& tally);
 
 }  // namespace lahar::dem

@@ -12,8 +12,8 @@ namespace {
 Triple triple(const Vec3Field& f, std::size_t i) { return {f.x[i], f.y[i], f.z[i]}; }
 Triple triple(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 Vec3 vec(const Triple& t) { return {t.x, t.y, t.z}; }
-Triple lane_of(const Rows3& t, std::size_t lane) { return {t.x[lane], t.y[lane], t.z[lane]}; }
-void set(Rows3& to, std::size_t lane, const Triple& t) {
+Triple lane_of(const Lanes3& t, std::size_t lane) { return {t.x[lane], t.y[lane], t.z[lane]}; }
+void set(Lanes3& to, std::size_t lane, const Triple& t) {
   to.x.set(lane, t.x), to.y.set(lane, t.y), to.z.set(lane, t.z);
 }
 
@@ -48,17 +48,17 @@ struct WallContacts::Work {
   const MeanMotion* mean;
 };
 
-/// Up to eight contacts. Idle lanes hold what was there before, which is harmless: they do not touch.
+/// Contacts side by side. Idle lanes hold what was there before, which is harmless: they do not touch.
 struct WallContacts::Batch {
-  EightContacts contacts;
-  ContactHistoryOf<Row<double>> history;
+  ContactLanes contacts;
+  ContactHistoryOf<Lanes> history;
   std::size_t count = 0;
-  std::array<std::uint32_t, kRow> slot{};
-  std::array<std::uint16_t, kRow> material{};
+  std::array<std::uint32_t, kContactLanes> slot{};
+  std::array<std::uint16_t, kContactLanes> material{};
 
   Batch() {  // harmless numbers in lanes that were never used
-    contacts.normal.x = contacts.inverse_mass = contacts.effective_radius = Row<double>(1);
-    contacts.modulus = contacts.shear_modulus = Row<double>(1);
+    contacts.normal.x = contacts.inverse_mass = contacts.effective_radius = Lanes(1);
+    contacts.modulus = contacts.shear_modulus = Lanes(1);
   }
   void add(const Work& work, std::uint32_t k, double distance);
 };
@@ -76,7 +76,7 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
   const Triple v_end = triple(p.velocity, i) + (0.5 * work.dt * inverse_mass) * triple(p.force, i);
   const Triple spin_end = triple(p.angular_velocity, i) + (0.5 * work.dt * p.inverse_inertia(i)) * triple(p.torque, i);
   const Triple wall_velocity = triple(wall.velocity);
-  EightContacts& c = contacts;
+  ContactLanes& c = contacts;
   c.touches.set(lane, distance < r);
   c.overlap.set(lane, std::max(0.0, r - distance));
   set(c.normal, lane, -1.0 * triple(gradient_of(work.walls, w, p.position[i])));
@@ -100,15 +100,15 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
 
 template <ContactLaw L>
 [[gnu::flatten]] void WallContacts::evaluate_batch(const L& law, const Work& work, Batch& batch, ContactTally& tally) {
-  const Row<double> stiffness_before = batch.history.tangential_stiffness;
-  for (std::size_t l = batch.count; l < kRow; ++l) batch.contacts.touches.set(l, false);
-  const EightAnswers f = dem::evaluate(batch.contacts, batch.history, law, work.dt);
+  const Lanes stiffness_before = batch.history.tangential_stiffness;
+  for (std::size_t l = batch.count; l < kContactLanes; ++l) batch.contacts.touches.set(l, false);
+  const AnswerLanes f = dem::evaluate(batch.contacts, batch.history, law, work.dt);
   for (std::size_t l = 0; l < batch.count; ++l) {
     const std::uint32_t k = batch.slot[l], i = work.slots.owner[k];
     tally.damping += f.damping_work[l];
     tally.friction += f.friction_work[l];
     ContactTally rolled;
-    const ContactHistoryOf<Row<double>>& h = batch.history;
+    const ContactHistoryOf<Lanes>& h = batch.history;
     work.slots.history.set(
         k, {lane_of(h.tangential_displacement, l), h.tangential_stiffness[l], h.normal_force[l], h.damping_force[l]});
     Answer& answer = answers_[k];
@@ -155,7 +155,7 @@ void WallContacts::evaluate_with(const L& law, const Work& work, std::size_t chu
         listed ? distance_to(work.walls, work.slots.partner[k], work.particles.position[i]) : radius;
     if (distance >= radius && work.slots.touching[k] == 0) continue;
     batch.add(work, k, distance);
-    if (batch.count == kRow) evaluate_batch(law, work, batch, tally);
+    if (batch.count == kContactLanes) evaluate_batch(law, work, batch, tally);
   }
   if (batch.count > 0) evaluate_batch(law, work, batch, tally);
   for (std::uint32_t k = first; k < last; ++k)

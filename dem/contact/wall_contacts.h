@@ -1,5 +1,5 @@
 #pragma once
-// Contacts of spheres with walls: those that touch are gathered eight at a time.
+// Contacts of spheres with walls: those that touch are gathered into lanes.
 #include <cstdint>
 #include <vector>
 

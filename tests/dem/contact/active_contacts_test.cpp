@@ -66,9 +66,10 @@ TEST(ActiveContacts, AreFoundAmongManySlots) {
       EXPECT_EQ(slots.owner[k] / kContactChunk, c);
       of_owners.push_back(k), places.insert(t.owner[k]);
     }
-    for (const ContactParties::Partner& n : active.as_partner(c)) {
-      EXPECT_EQ(slots.partner[n.slot] / kContactChunk, c);
-      of_partners.push_back(n.slot), places.insert(n.place);
+    for (const ActiveContacts::Partner& n : active.as_partner(c)) {
+      const std::uint32_t k = active.slot(n.number);
+      EXPECT_EQ(slots.partner[k] / kContactChunk, c);
+      of_partners.push_back(k), places.insert(n.place);
     }
     EXPECT_TRUE(std::ranges::equal(active.places(c), places));
   }
