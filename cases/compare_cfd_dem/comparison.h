@@ -71,7 +71,9 @@ struct ShownColumn {
 const std::vector<ShownColumn>& shown_columns();
 
 /// quantity,unit,case,theirs,ours,difference,spread: the difference over theirs; the spread is half the range of ours
-/// over the seeds, variants and presets that the study has of the same flow and coupling, over their mean.
+/// over the seeds, presets, time steps and stiffnesses that the study has of the same flow and coupling, over their
+/// mean
+/// (`counts_in_spread`).
 std::string comparison_csv(const std::vector<CaseResult>& results);
 
 /// Whether a quantity goes the paper's way: from every flow to every faster one, in most pairs of flows, or not.

@@ -51,7 +51,7 @@ const std::vector<Choice>& couplings() {
 
 const std::vector<Choice>& variants() {
   static const std::vector<Choice> all{
-      {"study", "the lower cable held along the bed, the net hanging before the run"},
+      {"study", "the lower cable held along the bed, the net hanging before the run", {}, "", true},
       {"cable_fixed", "every bead of the lower cable fixed", {"barrier.anchors.bottom_cable=fixed"}},
       {"cable_at_ends", "the lower cable held at its ends alone", {"barrier.anchors.bottom_cable=at_places"}},
       {"as_built", "the net begins as built, free of stress", {"barrier.settle_time_s=0"}},
@@ -66,9 +66,9 @@ const std::vector<Choice>& variants() {
        "averages over 0.08 m, the diameter of the large grains",
        {"coupling.averaging_length_m=0.08"},
        "averaged"},
-      {"half_speed", "half the time step of the fluid", {"fluid.max_speed_m_s=14"}},
-      {"stiff_rock", "rock as stiff as Table 4 says", {"materials.rock.youngs_modulus_Pa=70e9"}},
-      {"light_beads", "beads without added inertia", {"barrier.net.bead_mass_scale=1"}},
+      {"half_speed", "half the time step of the fluid", {"fluid.max_speed_m_s=14"}, "", true},
+      {"stiff_rock", "rock as stiff as Table 4 says", {"materials.rock.youngs_modulus_Pa=70e9"}, "", true},
+      {"light_beads", "beads without added inertia", {"barrier.net.bead_mass_scale=1"}, "", true},
       {"soft_bonds", "bonds of a fifth of the stiffness", {"solids.bond_stiffness_scale=0.2"}}};
   return all;
 }
@@ -94,6 +94,8 @@ std::string StudyCase::name() const {
 std::filesystem::path StudyCase::scene_file() const {
   return validate::case_file("compare_cfd_dem/" + sweep + ".toml");
 }
+
+bool counts_in_spread(const StudyCase& c) { return find(variants(), c.variant).same_flow; }
 
 std::vector<std::string> StudyCase::changes() const {
   constexpr double channel_below_net = 1.5;  // m

@@ -13,6 +13,7 @@ struct Choice {
   std::string name, meaning;
   std::vector<std::string> changes{};
   std::string coupling{};  ///< how the names of the couplings begin in which it says something; empty: in all
+  bool same_flow = false;  ///< of a variant: the same flow by other numerics, so that it counts in the spread
 };
 
 /// The scene files as_printed.toml and matched.toml.
@@ -42,6 +43,10 @@ struct StudyCase {
 
 /// The case whose name() this is; none where there is no such case.
 std::optional<StudyCase> case_named(const std::string& name, const std::vector<std::string>& further);
+
+/// Whether the case is one of the study's own flows, perhaps by other numerics: not a net, a law or averages read
+/// otherwise.
+bool counts_in_spread(const StudyCase& c);
 
 /// The order of tables: by flow, then preset, coupling, variant, seed, each as in its list.
 bool comes_before(const StudyCase& a, const StudyCase& b);

@@ -189,6 +189,12 @@ TEST(Comparison, HoldsTheirsAndOurs) {
   EXPECT_NE(csv.find("zeta,1,matched-L4.10-coarse-resolved-seed1,0.067,0.025,"), std::string::npos);
   results.push_back(made_up(4.1, 60, 10, 2));
   EXPECT_NE(comparison_csv(results).find("seed1,54.361,50,-0.080223,0.0909091"), std::string::npos);
+  results.push_back(made_up(4.1, 90, 10, 1));  // another reading of the net is no spread
+  results.back().study_case.variant = "rockfall_dissipators";
+  EXPECT_NE(comparison_csv(results).find("seed1,54.361,50,-0.080223,0.0909091"), std::string::npos);
+  EXPECT_NE(comparison_csv(results).find("seed1-rockfall_dissipators,54.361,90,0.655599,\n"), std::string::npos)
+      << comparison_csv(results);
+  results.pop_back();
   std::size_t agree = 0;
   const std::vector<Trend> found = trends(results);
   for (const Trend& t : found) agree += t.agrees == Agreement::yes;
