@@ -72,8 +72,7 @@ const std::vector<ShownColumn>& shown_columns();
 
 /// quantity,unit,case,theirs,ours,difference,spread: the difference over theirs; the spread is half the range of ours
 /// over the seeds, presets, time steps and stiffnesses that the study has of the same flow and coupling, over their
-/// mean
-/// (`counts_in_spread`).
+/// mean (`counts_in_spread`).
 std::string comparison_csv(const std::vector<CaseResult>& results);
 
 /// Whether a quantity goes the paper's way: from every flow to every faster one, in most pairs of flows, or not.

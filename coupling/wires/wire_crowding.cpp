@@ -89,6 +89,7 @@ class Boxes {
       sums.across += weighted * (Lanes(1) - parallel);
     }
   }
+
   /// Whole periods between a point and the first box.
   [[nodiscard]] Vec3 shift_of(const Vec3& p) const {
     Vec3 shift = Vec3::Zero();

@@ -8,7 +8,7 @@
 
 namespace lahar::dem {
 
-/// As many as the processor's vectors hold, four at least: more would leave their numbers on the stack (0040, 0069).
+/// As many as the processor's vectors hold, four at least: more would leave their numbers on the stack (0040, 0075).
 inline constexpr std::size_t kContactLanes = std::clamp<std::size_t>(kNativeLanes<double>, 4, kRow);
 using Lanes = Pack<double, kContactLanes>;
 using Lanes3 = TripleOf<Lanes>;

@@ -1,6 +1,6 @@
 #pragma once
 // What a contact law sees and what it answers. Geometry and loops live elsewhere: a law is a pure function of these.
-// Everything is a template over the number type: a double, or a row of eight of them (core/simd.h).
+// Everything is a template over the number type: a double, or a pack of them (core/simd.h).
 #include <concepts>
 #include <string_view>
 
@@ -64,7 +64,7 @@ concept ContactLawOf = requires(const L& law, const ContactStateOf<V>& state, Co
   { law(state, history, dt) } -> std::same_as<ContactForceOf<V>>;
 };
 
-/// A contact law: of one contact, and of eight side by side. A scene calls it by `name`, its reference page quotes
+/// A contact law: of one contact, and of several side by side. A scene calls it by `name`, its reference page quotes
 /// `meaning`, and steps are a share of `time_limit` (s): the least of all particles of a radius (m), a density (kg/m^3)
 /// and a material.
 template <class L>

@@ -253,8 +253,8 @@ template <ContactLaw L>
     at.touching[at.slot[l]] = static_cast<std::uint8_t>(touches >> l & 1U);
 }
 
-/// Prefetches what lies apart of slots, their histories and the rows of their spheres, while others are
-/// evaluated.
+/// Prefetches what lies apart of slots, their histories and the rows of their spheres, while
+/// others are evaluated.
 [[gnu::always_inline]] inline void PairContacts::prefetch(const std::uint32_t* slot, const double* history) const {
   for (std::size_t l = 0; l < kContactLanes; ++l) {
     __builtin_prefetch(history + kRow * slot[l], 1);
