@@ -24,6 +24,9 @@ bool is_along_axis(float component);
 /// Axis of a wall's normal, -1 if it does not lie along one.
 int normal_axis(const WallCell& wall);
 
+/// Whether a wall stands at an angle to the lattice, which cuts it into steps.
+inline bool is_in_steps(const WallCell& wall) { return normal_axis(wall) < 0; }
+
 /// Whether a wall cell's links are mirrored.
 bool is_mirror(const WallCell& wall);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lbm/boundary/slip_wall.h"
 #include "lbm/boundary/wall_model.h"
 #include "lbm/boundary/wall_reflection.h"
 #include "lbm/step/cell_moments.h"
@@ -31,6 +32,52 @@ struct OutgoingStress {
   }
 };
 
+/// Gradient of the density around a cell, drho its own. Along each axis from the wet neighbours on it, else, in a
+/// corner of steps, from those beside it: they differ by that and by the gradient along the other axis of the two.
+template <class Real>
+Vec3 density_gradient(FluidGrid<Real>& grid, CellPlace place, Parity parity, double drho) {
+  Vec3 gradient = Vec3::Zero();
+  std::array<bool, 3> known{};
+  const auto take = [&](int axis, int first,
+                        int last) {  // from velocities first to last - 1 with a part along the axis
+    double sum = 0;
+    int wet = 0;
+    for (int i = first; i < last; ++i) {
+      const Vec3i c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+      const CellPlace next = grid.neighbour(place, i);
+      if (c[axis] == 0 || !is_wet(grid.type(next))) continue;
+      double more = static_cast<double>(outgoing_moments(grid, next, parity).drho) - drho;
+      bool usable = true;
+      for (int k = 0; k < 3; ++k) {
+        if (k == axis || c[k] == 0) continue;
+        usable = known[static_cast<std::size_t>(k)];
+        more -= c[k] * gradient[k];
+      }
+      if (!usable) continue;
+      sum += c[axis] * more;
+      ++wet;
+    }
+    if (wet == 0) return false;
+    gradient[axis] = sum / wet;
+    return true;
+  };
+  for (int axis = 0; axis < 3; ++axis) known[static_cast<std::size_t>(axis)] = take(axis, 1, 7);
+  const std::array<bool, 3> along_axes = known;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!along_axes[static_cast<std::size_t>(axis)]) known[static_cast<std::size_t>(axis)] = take(axis, 7, D3Q19::q);
+  return gradient;
+}
+
+/// A cell's velocity half a step after the one whose moments are given, but for viscosity. Outgoing populations have
+/// half of the body force in them; what the pressure does in that half is not in them. In free fall the two are the
+/// same, at hydrostatic rest this is zero.
+template <class Real>
+Vec3 velocity_half_a_step_on(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m) {
+  const Vec3 u(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]));
+  const double drho = static_cast<double>(m.drho);
+  return u - density_gradient(grid, place, parity, drho) / (6 * (1 + drho));  // p = rho/3
+}
+
 /// Share of the stress of its links that a slipping wall in steps takes back.
 inline constexpr double kTakenBack = 0.8;
 
@@ -44,7 +91,8 @@ std::array<Real, 3> free_slip_velocity(FluidGrid<Real>& grid, CellPlace place, c
                                        const CellMoments<Real>& m) {
   const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
   const Vec3 u(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]));
-  const Vec3 slip = u - u.dot(n) * n, t = n.unitOrthogonal(), b = n.cross(t);
+  const Vec3 on = velocity_half_a_step_on(grid, place, parity, m);
+  const Vec3 slip = on - on.dot(n) * n, t = n.unitOrthogonal(), b = n.cross(t);
   OutgoingStress<Real> stress(grid, place, parity, static_cast<double>(m.drho));
   for (int k = 0; k < 3; ++k)
     for (int l = 0; l < 3; ++l) stress.pi[k][l] -= (1 + static_cast<double>(m.drho)) * u[k] * u[l];
@@ -145,9 +193,11 @@ std::array<Real, 3> braking_velocity(FluidGrid<Real>& grid, CellPlace place, con
                                      const CellMoments<Real>& m, const Vec3& t, double speed, double stress) {
   const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
   const LinkTraction links(OutgoingStress<Real>(grid, place, parity, static_cast<double>(m.drho)), n, t);
-  const double wanted =
-      slip_of(wall, m).dot(t) + (links.carried / (1 + static_cast<double>(m.drho)) - stress) / links.mobility;
-  const double bounded = std::clamp(wanted, -2 * speed, 2 * speed);  // where the cells are too coarse for any profile
+  const Vec3 moving(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
+  const double on = (velocity_half_a_step_on(grid, place, parity, m) - moving).dot(t);
+  const double wanted = on + (links.carried / (1 + static_cast<double>(m.drho)) - stress) / links.mobility;
+  // Where the cells are too coarse for any profile, and in steps no wall that pushes.
+  const double bounded = std::clamp(wanted, -2 * speed, is_in_steps(wall) ? std::min(on, 2 * speed) : 2 * speed);
   std::array<Real, 3> v;
   for (int k = 0; k < 3; ++k) {
     const auto at = static_cast<std::size_t>(k);

@@ -3,9 +3,11 @@
 // a cell fills up. A drop smaller than a cell, or a sheet thinner than one, would hang in the air for ever while
 // gravity went on to accelerate it, until it was faster than sound. Such a cell moves on as a whole instead, with its
 // mass and velocity, one cell at a time.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
+#include "lbm/boundary/slip_wall.h"
 #include "lbm/grid/fluid_grid.h"
 #include "lbm/step/cell_moments.h"
 
@@ -44,13 +46,22 @@ int drop_direction(const Real (&u)[3], std::uint64_t round) {
   return 0;
 }
 
+/// Whether a cell stands at a wall in steps.
+template <class Real>
+bool on_steps(const Block<Real>& block, std::uint16_t cell) {
+  return std::ranges::any_of(block.walls.cells, [&](const WallCell& w) { return w.cell == cell && is_in_steps(w); });
+}
+
 /// Whether mass of an interface cell can only go along axis velocity i by moving the cell: no liquid around it, nothing
-/// wet ahead (none of the five cells that mass would flow to), and no flow or wall from behind.
+/// wet ahead (none of the five cells that mass would flow to), and no flow or wall from behind. A step behind does not
+/// hold the cell: down a slope of 45 degrees one is behind it wherever it stands.
 template <class Real>
 bool is_free_to_move(const FluidGrid<Real>& grid, CellPlace place, int i) {
   const auto is_empty = [](CellType t) { return t == CellType::gas || t == CellType::sink; };
   if (!is_empty(grid.type(grid.neighbour(place, i)))) return false;
-  if (!is_empty(grid.type(grid.neighbour(place, D3Q19::opposite(i))))) return false;
+  const CellType behind = grid.type(grid.neighbour(place, D3Q19::opposite(i)));
+  const bool step = behind == CellType::wall && on_steps(grid.block(place.block), place.cell);
+  if (!is_empty(behind) && !step) return false;
   for (int k = 1; k < D3Q19::q; ++k) {
     const CellType type = grid.type(grid.neighbour(place, k));
     const auto *c = D3Q19::c[i], *d = D3Q19::c[k];
