@@ -22,8 +22,9 @@
 // links through an area with the normal n, along the tangent t,
 //   traction = rho M (v - u) . t - P,  M = 6 sum w_i |c_i . n| (c_i . t)^2,  P = 9 sum w_i |c_i . n| (c_i . t) c_i . Pi
 //   . c_i,
-// sums over the velocities into the wall, Pi the outgoing second moments: solved for v. In a linear profile with
-// the stress nu u / y the wall then stands still. Free slip and wall model are half-way.
+// sums over the velocities into the wall, Pi the outgoing second moments, u the velocity half a step on, which is the
+// outgoing one less grad p / (2 rho) (docs/decisions/0076): solved for v. In a linear profile with the stress nu u / y
+// the wall then stands still. Free slip and wall model are half-way.
 #include <array>
 
 #include "lbm/boundary/wall_load.h"
