@@ -10,6 +10,11 @@
 
 namespace lahar::lbm {
 
+template <class Real>
+Vec3 velocity_of(const CellMoments<Real>& m) {
+  return {static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2])};
+}
+
 /// c_i . Pi . c_i of a cell's outgoing populations for all velocities, shifted by rest at density 1 + drho.
 template <class Real>
 struct OutgoingStress {
@@ -68,14 +73,12 @@ Vec3 density_gradient(FluidGrid<Real>& grid, CellPlace place, Parity parity, dou
   return gradient;
 }
 
-/// A cell's velocity half a step after the one whose moments are given, but for viscosity. Outgoing populations have
-/// half of the body force in them; what the pressure does in that half is not in them. In free fall the two are the
-/// same, at hydrostatic rest this is zero.
+/// What the pressure adds to a cell's velocity in half a step. Outgoing populations hold half of the body force but not
+/// this; the wall's velocity is of half a step on. In free fall it is zero, at hydrostatic rest it undoes that half.
 template <class Real>
-Vec3 velocity_half_a_step_on(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m) {
-  const Vec3 u(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]));
+Vec3 half_a_step_of_pressure(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m) {
   const double drho = static_cast<double>(m.drho);
-  return u - density_gradient(grid, place, parity, drho) / (6 * (1 + drho));  // p = rho/3
+  return density_gradient(grid, place, parity, drho) / (-6 * (1 + drho));  // p = rho/3
 }
 
 /// Share of the stress of its links that a slipping wall in steps takes back.
@@ -90,8 +93,8 @@ template <class Real>
 std::array<Real, 3> free_slip_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                        const CellMoments<Real>& m) {
   const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
-  const Vec3 u(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]));
-  const Vec3 on = velocity_half_a_step_on(grid, place, parity, m);
+  const Vec3 u = velocity_of(m);
+  const Vec3 on = u + half_a_step_of_pressure(grid, place, parity, m);
   const Vec3 slip = on - on.dot(n) * n, t = n.unitOrthogonal(), b = n.cross(t);
   OutgoingStress<Real> stress(grid, place, parity, static_cast<double>(m.drho));
   for (int k = 0; k < 3; ++k)
@@ -153,7 +156,7 @@ WallSample sample_above(FluidGrid<Real>& grid, CellPlace place, const WallCell& 
     if (!is_wet(grid.type(next))) break;
     place = next;
     const auto m = outgoing_moments(grid, place, parity);
-    const Vec3 u = Vec3(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2])) - frame;
+    const Vec3 u = velocity_of(m) - frame;
     sample = {u - u.dot(n) * n, sample.distance + step};
   }
   return sample;
@@ -181,8 +184,7 @@ struct LinkTraction {
 template <class Real>
 Vec3 slip_of(const WallCell& wall, const CellMoments<Real>& m) {
   const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
-  const Vec3 u = Vec3(static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2])) -
-                 Vec3(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
+  const Vec3 u = velocity_of(m) - Vec3(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
   return u - u.dot(n) * n;
 }
 
@@ -193,11 +195,14 @@ std::array<Real, 3> braking_velocity(FluidGrid<Real>& grid, CellPlace place, con
                                      const CellMoments<Real>& m, const Vec3& t, double speed, double stress) {
   const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
   const LinkTraction links(OutgoingStress<Real>(grid, place, parity, static_cast<double>(m.drho)), n, t);
-  const Vec3 moving(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
-  const double on = (velocity_half_a_step_on(grid, place, parity, m) - moving).dot(t);
-  const double wanted = on + (links.carried / (1 + static_cast<double>(m.drho)) - stress) / links.mobility;
-  // Where the cells are too coarse for any profile, and in steps no wall that pushes.
-  const double bounded = std::clamp(wanted, -2 * speed, is_in_steps(wall) ? std::min(on, 2 * speed) : 2 * speed);
+  // Interface cells at flat no-slip walls do without the pressure, with which they get no better (0076).
+  const bool pressed = wall.slip == WallSlip::wall_model || is_in_steps(wall);
+  double own = slip_of(wall, m).dot(t);
+  if (pressed) own += half_a_step_of_pressure(grid, place, parity, m).dot(t);
+  const double wanted = own + (links.carried / (1 + static_cast<double>(m.drho)) - stress) / links.mobility;
+  // Where the cells are too coarse for any profile. Walls in steps never push: P is noise too, which they would feed.
+  const double most = is_in_steps(wall) ? std::clamp(own, -2 * speed, 2 * speed) : 2 * speed;
+  const double bounded = std::clamp(wanted, -2 * speed, most);
   std::array<Real, 3> v;
   for (int k = 0; k < 3; ++k) {
     const auto at = static_cast<std::size_t>(k);
