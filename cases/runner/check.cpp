@@ -13,11 +13,12 @@
 namespace lahar::cases {
 namespace {
 
-// Rates of one thread assumed for the estimate of the run time, from the timers of two debris flows (cells of 1 and 2
-// cm, docs/performance.md): wet cells with a surface, particles with contacts and bonds, cells around grains that are
-// mapped and give loads, cells over which grains are averaged, beads that feel the water.
-constexpr double cells_per_second = 10e6, particles_per_second = 12e6;
-constexpr double body_cells_per_second = 40e6, averaged_cells_per_second = 9e6, wet_beads_per_second = 2.5e6;
+// Rates of one thread assumed for the estimate of the run time, from the timers of debris flows (cells of 1 and 2 cm,
+// docs/performance.md) on processors with and without AVX-512: wet cells with a surface, particles with contacts and
+// bonds, cells around grains that are mapped and give loads, cells over which grains are averaged, beads that feel the
+// water.
+constexpr double cells_per_second = 7e6, particles_per_second = 7e6;
+constexpr double body_cells_per_second = 40e6, averaged_cells_per_second = 9e6, wet_beads_per_second = 1.7e6;
 // A layer that runs out thin touches more blocks than the same liquid in a heap.
 constexpr double spreading = 3;
 
