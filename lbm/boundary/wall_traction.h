@@ -43,8 +43,8 @@ template <class Real>
 Vec3 density_gradient(FluidGrid<Real>& grid, CellPlace place, Parity parity, double drho) {
   Vec3 gradient = Vec3::Zero();
   std::array<bool, 3> known{};
-  const auto take = [&](int axis, int first,
-                        int last) {  // from velocities first to last - 1 with a part along the axis
+  // From the velocities first to last - 1 that have a part along the axis; false if none leads to a usable cell.
+  const auto take = [&](int axis, int first, int last) {
     double sum = 0;
     int wet = 0;
     for (int i = first; i < last; ++i) {
