@@ -10,6 +10,7 @@
 
 namespace lahar::lbm {
 
+/// Of the moments that are given; lu.
 template <class Real>
 Vec3 velocity_of(const CellMoments<Real>& m) {
   return {static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2])};
