@@ -27,6 +27,11 @@ int normal_axis(const WallCell& wall);
 /// Whether a wall stands at an angle to the lattice, which cuts it into steps.
 inline bool is_in_steps(const WallCell& wall) { return normal_axis(wall) < 0; }
 
+/// Whether liquid slips along a wall in steps, freely or by a wall model, and crosses their faces.
+inline bool slips_along_steps(const WallCell& wall) {
+  return wall.slip != WallSlip::no_slip && is_in_steps(wall) && !wall.even;
+}
+
 /// Whether a wall cell's links are mirrored.
 bool is_mirror(const WallCell& wall);
 

@@ -9,7 +9,11 @@
 // keep its mass would bring back the error of first order. So the sum over all cells is taken each step, and given back
 // in equal parts to the rest populations of the same cells; the ledger of the liquid stays exact to rounding, and how
 // much was moved is counted. What a reflection adds is in a cell after the next sweep, and only then taken back.
-// Interface cells are left out: their mass changes over links to wet cells alone.
+//
+// Interface cells change their mass over links to wet cells, and, where liquid slips along steps, over those into the
+// wall (docs/decisions/0077): behind a riser there is no cell that could fill the front, and what it lacks is what the
+// treads before it took. What goes out goes with the cell's own fill level, what comes in with that of the cell up the
+// wall.
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/grid/fluid_grid.h"
 
@@ -35,10 +39,17 @@ struct WallAccount {
   }
 };
 
+/// Before a step: mass of interface cells over their links into walls in steps along which the liquid slips. It is
+/// booked with that of the liquid cells; none, where there are no such liquid cells that could give it back.
+template <class Real>
+void exchange_through_steps(FluidGrid<Real>& grid, Parity parity, WallAccount& account);
+
 template <class Real>
 void balance_walls(FluidGrid<Real>& grid, WallAccount& account);
 
 extern template void balance_walls<float>(FluidGrid<float>&, WallAccount&);
 extern template void balance_walls<double>(FluidGrid<double>&, WallAccount&);
+extern template void exchange_through_steps<float>(FluidGrid<float>&, Parity, WallAccount&);
+extern template void exchange_through_steps<double>(FluidGrid<double>&, Parity, WallAccount&);
 
 }  // namespace lahar::lbm

@@ -93,16 +93,18 @@ void interpolate_links(FluidGrid<Real>& grid, CellPlace place, const WallCell& w
   book_gain(block, wall, gained);
 }
 
-/// Half-way, off a wall that moves with v; returns the mass that the links add to the cell.
+/// Half-way, off a wall that moves with v, and faster down its way by the stretch of the liquid; returns the mass that
+/// the links add to the cell.
 template <class Real>
 double bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* links, const WallCell& wall,
-                  Parity parity, Real rho, const std::array<Real, 3>& v) {
+                  Parity parity, Real rho, const std::array<Real, 3>& v, const Stretch& stretch) {
   const Real mean_push = wall.even ? mean_wall_push(links, wall.links, v) : Real(0);
   double gained = 0;
   for (int k = 0; k < wall.links; ++k) {
     const int i = links[k], a = i % 2 == 1 ? i : i - 1;
     const auto pair = grid.access(place, a, parity);
-    const Real push = static_cast<Real>(6 * D3Q19::w(i)) * rho * (along(i, v) - mean_push);
+    const Real half_way = along(i, v) - mean_push + static_cast<Real>(stretch.half_way(i));
+    const Real push = static_cast<Real>(6 * D3Q19::w(i)) * rho * half_way;
     if (i == a)
       *pair.incoming_b = *pair.outgoing_a - push;
     else
@@ -118,7 +120,12 @@ void bounce_off(FluidGrid<Real>& grid, CellPlace place, const std::uint8_t* link
                 const WallPhysics& physics) {
   Real rho;
   const auto v = reflection_velocity(grid, place, wall, parity, physics, rho);
-  const double gained = bounce_off(grid, place, links, wall, parity, rho, v);
+  Stretch stretch;
+  if (slips_along_steps(wall)) {
+    const auto m = outgoing_moments(grid, place, parity);
+    stretch = stretch_along(grid, place, parity, m, slip_half_a_step_on(grid, place, wall, parity, m));
+  }
+  const double gained = bounce_off(grid, place, links, wall, parity, rho, v, stretch);
   if (!wall.even) book_gain(grid.block(place.block), wall, gained);
 }
 
@@ -131,7 +138,7 @@ void brake_surface_cells(FluidGrid<Real>& grid, BlockIndex b, Parity parity, con
     const CellPlace place{b, wall.cell};
     const auto m = outgoing_moments(grid, place, parity);
     bounce_off(grid, place, block.walls.directions.data() + wall.first_link, wall, parity, Real(1) + m.drho,
-               surface_cell_wall_velocity(grid, place, wall, parity, physics, m));
+               surface_cell_wall_velocity(grid, place, wall, parity, physics, m), Stretch{});
   }
 }
 

@@ -38,6 +38,25 @@ struct OutgoingStress {
   }
 };
 
+/// The part of a velocity that lies along a wall.
+inline Vec3 along_wall(const Vec3& u, const WallCell& wall) {
+  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
+  return u - u.dot(n) * n;
+}
+
+/// The lattice velocity within 60 degrees of a way that is nearest to it, of those that `usable(i)` allows; 0 if none.
+template <class Usable>
+int direction_along(const Vec3& way, const Usable& usable) {
+  int nearest = 0;
+  double most = 0.5 * way.norm();
+  for (int i = 1; i < D3Q19::q; ++i) {
+    const Vec3 c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+    const double along = c.dot(way) / c.norm();
+    if (along > most + 1e-6 && usable(i)) most = along, nearest = i;
+  }
+  return nearest;
+}
+
 /// Gradient of the density around a cell, drho its own. Along each axis from the wet neighbours on it, else, in a
 /// corner of steps, from those beside it: they differ by that and by the gradient along the other axis of the two.
 template <class Real>
@@ -82,6 +101,21 @@ Vec3 half_a_step_of_pressure(FluidGrid<Real>& grid, CellPlace place, Parity pari
   return density_gradient(grid, place, parity, drho) / (-6 * (1 + drho));  // p = rho/3
 }
 
+/// Velocity of the liquid along a wall, half a step on.
+template <class Real>
+Vec3 slip_half_a_step_on(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
+                         const CellMoments<Real>& m) {
+  return along_wall(velocity_of(m) + half_a_step_of_pressure(grid, place, parity, m), wall);
+}
+
+/// The part of a velocity along a wall that leads over its steps; along an axis across which no step stands it leads
+/// beside them.
+inline Vec3 over_steps(Vec3 slip, const WallCell& wall) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(wall.normal[static_cast<std::size_t>(axis)]) < 1e-6F) slip[axis] = 0;
+  return slip;
+}
+
 /// Share of the stress of its links that a slipping wall in steps takes back.
 inline constexpr double kTakenBack = 0.8;
 
@@ -89,14 +123,14 @@ inline constexpr double kTakenBack = 0.8;
 /// vector, of the plane of the wall, v = u + P / (rho M). With v = u alone the traction is -P, (1 - tau)/3 of the
 /// shear. P is that of the viscous stress, without rho u u: a plug slides along the wall unchanged. Only a share of P
 /// is taken back: P is that of all velocities into the wall, a cell of a step has some of them, and with all of P a
-/// sheared flow in steps gains energy (docs/decisions/0043).
+/// sheared flow in steps gains energy (docs/decisions/0043). Nor does such a wall push liquid over its steps: P is
+/// noise too, which it would feed (0077).
 template <class Real>
 std::array<Real, 3> free_slip_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                        const CellMoments<Real>& m) {
   const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
   const Vec3 u = velocity_of(m);
-  const Vec3 on = u + half_a_step_of_pressure(grid, place, parity, m);
-  const Vec3 slip = on - on.dot(n) * n, t = n.unitOrthogonal(), b = n.cross(t);
+  const Vec3 slip = slip_half_a_step_on(grid, place, wall, parity, m), t = n.unitOrthogonal(), b = n.cross(t);
   OutgoingStress<Real> stress(grid, place, parity, static_cast<double>(m.drho));
   for (int k = 0; k < 3; ++k)
     for (int l = 0; l < 3; ++l) stress.pi[k][l] -= (1 + static_cast<double>(m.drho)) * u[k] * u[l];
@@ -115,8 +149,49 @@ std::array<Real, 3> free_slip_velocity(FluidGrid<Real>& grid, CellPlace place, c
   Vec3 more = inverse * ((bb * carried_t - tb * carried_b) * t + (tt * carried_b - tb * carried_t) * b);
   const double most = slip.norm();  // where the cells are too coarse for any profile
   if (more.norm() > most) more *= most / more.norm();
+  const Vec3 over = over_steps(slip, wall);
+  const double ahead = more.dot(over);
+  if (ahead > 0) more -= ahead / over.squaredNorm() * over;
   const Vec3 v = slip + more;
   return {static_cast<Real>(v.x()), static_cast<Real>(v.y()), static_cast<Real>(v.z())};
+}
+
+/// How the velocity of the liquid along a wall grows on its way along it.
+struct Stretch {
+  Vec3 way = Vec3::Zero();  ///< unit vector of the velocity
+  double rate = 0;          ///< d|u|/ds, 1/step
+
+  /// What it adds to c_i . u half-way along a link.
+  [[nodiscard]] double half_way(int i) const {
+    const double s = Vec3(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]).dot(way);
+    return 0.5 * rate * s * s;
+  }
+};
+
+/// Largest |d|u|/ds| that counts, of |u| per cell; more is noise, which would grow.
+inline constexpr double kLargestStretch = 0.05;
+
+/// From the wet cells that lie nearest to the way of `slip` ahead and back, with the cell's own velocity where there is
+/// none.
+template <class Real>
+Stretch stretch_along(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& m,
+                      const Vec3& slip) {
+  const double speed = slip.norm();
+  if (speed < 1e-12) return {};
+  const Vec3 way = slip / speed;
+  double from = 0, to = 0, slower = velocity_of(m).dot(way), faster = slower;
+  for (const int side : {-1, 1}) {
+    const int i = direction_along(Vec3(side * way), [&](int k) { return is_wet(grid.type(grid.neighbour(place, k))); });
+    if (i == 0) continue;
+    const double s = Vec3(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]).dot(way);
+    const double there = velocity_of(outgoing_moments(grid, grid.neighbour(place, i), parity)).dot(way);
+    if (side < 0)
+      from = s, slower = there;
+    else
+      to = s, faster = there;
+  }
+  if (to <= from) return {};
+  return {way, std::clamp((faster - slower) / (to - from), -kLargestStretch * speed, kLargestStretch * speed)};
 }
 
 /// Velocity along a wall and its distance from it, lu.
@@ -134,14 +209,7 @@ inline constexpr double kTurbulent = 2;
 
 /// The lattice velocity nearest to a normal.
 inline int direction_away(const Vec3& n) {
-  int away = 1;
-  double most = -1;
-  for (int i = 1; i < D3Q19::q; ++i) {
-    const Vec3 c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
-    const double along = c.dot(n) / c.norm();
-    if (along > most + 1e-6) most = along, away = i;
-  }
-  return away;
+  return direction_along(n, [](int) { return true; });
 }
 
 /// The velocity along the wall, relative to it, half of the force taken off, in the third cell from a wall, or the last
@@ -184,9 +252,7 @@ struct LinkTraction {
 /// The cell's velocity along a wall, relative to it; lu.
 template <class Real>
 Vec3 slip_of(const WallCell& wall, const CellMoments<Real>& m) {
-  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
-  const Vec3 u = velocity_of(m) - Vec3(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
-  return u - u.dot(n) * n;
+  return along_wall(velocity_of(m) - Vec3(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]), wall);
 }
 
 /// Velocity of a wall whose links brake a cell by `stress`, over density, along the unit vector t, at the speed `speed`

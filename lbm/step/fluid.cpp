@@ -133,6 +133,7 @@ void Fluid<Real>::feed() {
 template <class Real>
 void Fluid<Real>::exchange() {
   const ScopedTimer timer(timers_.section("fluid.surface"));
+  exchange_through_steps(level_.grid, level_.parity(), account_.walls);
   surface_pass_.run(level_, options_.surface_tension);
 }
 

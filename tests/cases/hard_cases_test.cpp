@@ -59,8 +59,7 @@ const std::set<std::string>& known_misses() {
       "density 500: peak force, the last two sizes",
       "discharge over A sqrt(2 g h), 0.55 to 0.70",
       "impulse of the whole block at a lattice velocity of 0.1 against 0.05",
-      "tube under water that a sphere closes: fastest cell over the fall of the level",
-      "steps to 60 cells down a slope, lattice tilted against gravity tilted"};
+      "tube under water that a sphere closes: fastest cell over the fall of the level"};
   return labels;
 }
 

@@ -93,6 +93,42 @@ TEST(SlipWall, LiquidMovesWithItsVelocity) {
   }
 }
 
+/// The same down a bed in steps, where no cell lies behind a riser that could fill the front. (Where interface cells
+/// got nothing from the steps, it lost 8 % and 4 % of its speed.)
+TEST(SlipWall, LiquidMovesDownStepsWithItsVelocity) {
+  const Vec3 up = Vec3(1, 0, 2).normalized(), along(up.z(), 0, -up.x()), heel(2, 0, 40);
+  for (const double height : {4.0, 8.0}) {
+    FluidOptions o = lattice_options({72, 8, 64}, 1e-3);
+    o.domain.faces.fill(FaceKind::open);
+    o.domain.faces[2] = o.domain.faces[3] = FaceKind::periodic;
+    o.domain.walls.add({"bed", HalfSpace{heel, up}, WallSlip::free_slip});
+    Fluid<double> fluid(o);
+    std::vector<LiquidRegion> slices;  // of a sixteenth of a cell
+    for (double x = 6; x < 30; x += 1.0 / 16) {
+      const double bed = heel.z() - (x + 1.0 / 32 - heel.x()) * up.x() / up.z();
+      slices.push_back({Vec3(x, 0, bed), Vec3(x + 1.0 / 16 - 1e-9, 8 - 1e-9, bed + height / up.z()), 0.05 * along});
+    }
+    fluid.fill(slices);
+    double travelled = 0;
+    const auto mean = [&](auto of) {
+      double sum = 0, mass = 0;
+      fluid.for_each_wet_cell([&](const WetCell& c) {
+        const double m = c.liquid_volume * (1 + 3 * c.pressure);
+        sum += m * of(c), mass += m;
+      });
+      return sum / mass;
+    };
+    const double start = mean([&](const WetCell& c) { return c.centre.dot(along); });
+    for (int s = 0; s < 400; ++s) {
+      fluid.step();
+      travelled += mean([&](const WetCell& c) { return c.velocity.dot(along); });
+    }
+    EXPECT_NEAR((mean([&](const WetCell& c) { return c.centre.dot(along); }) - start) / 20, 1, 0.01) << height;
+    EXPECT_NEAR(travelled / 20, 1, 0.02) << height;
+    EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
+  }
+}
+
 /// A plug between two slipping planes at an angle to the lattice keeps its speed: steps do not brake it.
 TEST(SlipWall, StepsDoNotBrake) {
   // A slope of 1 : 2 repeats after two cells, so the channel can be periodic along x and sheared along z by blocks.
