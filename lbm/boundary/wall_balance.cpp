@@ -73,7 +73,8 @@ double gain_of_block(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
   Block<Real>& block = grid.block(b);
   if (!block.surface) return 0;
   double gained = 0;
-  for (const WallCell& wall : block.walls.cells) {
+  for (const std::uint16_t entry : block.walls.others) {
+    const WallCell& wall = block.walls.cells[entry];
     const CellPlace place{b, wall.cell};
     if (block.type[wall.cell] != CellType::interface || !slips_along_steps(wall)) continue;
     if (!has_liquid_around(grid, place)) continue;
@@ -99,14 +100,13 @@ template <class Real>
 void exchange_through_steps(FluidGrid<Real>& grid, Parity parity, WallAccount& account) {
   const auto& walls = grid.domain().walls().all();
   if (std::none_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip != WallSlip::no_slip; })) return;
-  const bool somebody_pays = sum_over_blocks<int>(grid, [&](BlockIndex b) {
-                               const Block<Real>& block = grid.block(b);
-                               return static_cast<int>(std::any_of(
-                                   block.walls.cells.begin(), block.walls.cells.end(), [&](const WallCell& wall) {
-                                     return takes_back(block, wall, grid.domain().placement());
-                                   }));
-                             }) > 0;
-  if (!somebody_pays) return;
+  const int payers = sum_over_blocks<int>(grid, [&](BlockIndex b) {
+    const Block<Real>& block = grid.block(b);
+    return static_cast<int>(std::any_of(block.walls.others.begin(), block.walls.others.end(), [&](std::uint16_t entry) {
+      return takes_back(block, block.walls.cells[entry], grid.domain().placement());
+    }));
+  });
+  if (payers == 0) return;
   const double gained = sum_over_blocks<double>(grid, [&](BlockIndex b) { return gain_of_block(grid, b, parity); });
   account.owed += gained;
   account.returned += std::abs(gained);

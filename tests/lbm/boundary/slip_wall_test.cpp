@@ -94,7 +94,7 @@ TEST(SlipWall, LiquidMovesWithItsVelocity) {
 }
 
 /// The same down a bed in steps, where no cell lies behind a riser that could fill the front. (Where interface cells
-/// got nothing from the steps, it lost 8 % and 4 % of its speed.)
+/// got nothing from the steps, it fell behind by 8 % and 4 %.)
 TEST(SlipWall, LiquidMovesDownStepsWithItsVelocity) {
   const Vec3 up = Vec3(1, 0, 2).normalized(), along(up.z(), 0, -up.x()), heel(2, 0, 40);
   for (const double height : {4.0, 8.0}) {
