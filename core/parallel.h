@@ -26,17 +26,20 @@ inline int thread_count() {
   return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
 }
 
+/// The one loop that both the calling thread alone and threads of TBB run: two copies might be compiled to other
+/// roundings, and results would depend on the number of threads.
+template <class Body>
+[[gnu::noinline, gnu::noclone]] void run_range(const Body& body, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end; ++i) body(i);
+}
+
 /// Calls body(i) for i in [begin, end); body may write only to what belongs to i.
 template <class Body>
 void parallel_for(std::size_t begin, std::size_t end, std::size_t grain, const Body& body) {
   if (end <= begin) return;
-  if (end - begin <= grain || thread_count() == 1) {
-    for (std::size_t i = begin; i < end; ++i) body(i);
-    return;
-  }
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) body(i);
-  });
+  if (end - begin <= grain || thread_count() == 1) return run_range(body, begin, end);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, grain),
+                    [&](const auto& range) { run_range(body, range.begin(), range.end()); });
 }
 
 /// Calls body(first, last) on fixed chunks of [0, n): for loops that vectorize inside a chunk.
@@ -52,16 +55,10 @@ template <class Body>
 void parallel_for_even_chunks(std::size_t n, std::size_t chunk, const Body& body) {
   const std::size_t chunks = (n + chunk - 1) / chunk;
   const auto run = [&](std::size_t c) { body(c * chunk, std::min(n, (c + 1) * chunk)); };
-  if (chunks <= 1 || thread_count() == 1) {
-    for (std::size_t c = 0; c < chunks; ++c) run(c);
-    return;
-  }
+  if (chunks <= 1 || thread_count() == 1) return run_range(run, 0, chunks);
   tbb::parallel_for(
       tbb::blocked_range<std::size_t>(0, chunks),
-      [&](const auto& range) {
-        for (std::size_t c = range.begin(); c < range.end(); ++c) run(c);
-      },
-      tbb::static_partitioner());
+      [&](const auto& range) { run_range(run, range.begin(), range.end()); }, tbb::static_partitioner());
 }
 
 /// Sum of term(i) over [0, n), independent of the number of threads. T needs `+=` and a value-initialized zero.

@@ -81,6 +81,14 @@ Vec3 CoupledStep<Real>::liquid_momentum() const {
 }
 
 template <class Real>
+Vec3 CoupledStep<Real>::liquid_velocity(const lbm::WetCell& cell) const {
+  if (!grains_) return cell.velocity;
+  const auto& units = fluid_->units();
+  const Vec3 place = (cell.centre - fluid_->grid().domain().origin()) / units.cell_size;
+  return units.velocity_to_si(1.0) * grains_->liquid_velocity(place, cell.velocity * units.velocity_to_lu(1.0));
+}
+
+template <class Real>
 void CoupledStep<Real>::fill(const std::vector<lbm::LiquidRegion>& regions) {
   require(fluid_.has_value(), "CoupledStep::fill: there is no fluid");
   fluid_->fill(regions);
@@ -144,7 +152,7 @@ void CoupledStep<Real>::give_impulses() {
   }
   if (thin_wires_) {
     const ScopedTimer timer(timers_.section("coupling.wires"));
-    impulses_ += thin_wires_->apply(*fluid_, particles, fields_);
+    impulses_ += thin_wires_->apply(*fluid_, particles, fields_, grains_ ? &*grains_ : nullptr);
   }
   if (field_writer_) field_writer_(*fluid_, fields_);
   fields_.close(fluid_->grid());

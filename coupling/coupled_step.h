@@ -50,6 +50,9 @@ class CoupledStep {
   [[nodiscard]] const MomentumAudit& audit() const { return audit_; }
   /// Momentum of the liquid, kg m/s: of what the cells hold less the part of averaged grains, which move in them.
   [[nodiscard]] Vec3 liquid_momentum() const;
+  /// Velocity of the liquid between the grains at a wet cell, m/s: with averaged grains cells hold that of both
+  /// together.
+  [[nodiscard]] Vec3 liquid_velocity(const lbm::WetCell& cell) const;
   /// Of rings and cables, by either way.
   [[nodiscard]] std::size_t wet_beads() const;
   [[nodiscard]] Timers& timers() { return timers_; }

@@ -1,12 +1,14 @@
 #pragma once
 // Particles as structure of arrays. Removal only deactivates, so ids and their number never change; where a particle
 // stands in the arrays may (numbering.h).
+#include <algorithm>
 #include <cstdint>
 #include <numbers>
 #include <optional>
 #include <vector>
 
 #include "core/archive.h"
+#include "core/triple.h"
 #include "core/vector.h"
 #include "dem/numbering.h"
 
@@ -58,6 +60,20 @@ struct Particles {
   [[nodiscard]] std::size_t size() const { return radius.size(); }
   [[nodiscard]] ParticleId id(std::size_t index) const { return numbering.id(index); }
   [[nodiscard]] ParticleIndex index(std::size_t id) const { return numbering.index(id); }
+  /// The rail of a particle, if it has one.
+  [[nodiscard]] const Rail* rail_of(std::size_t i) const {
+    if (rails.empty() || kind[i] != ParticleKind::bead) return nullptr;
+    const auto at =
+        std::lower_bound(rails.begin(), rails.end(), id(i), [](const Rail& r, ParticleId k) { return r.id < k; });
+    return at != rails.end() && at->id == id(i) ? &*at : nullptr;
+  }
+  /// Share of a force along `direction` (unit) that moves the particle along it, 0 to 1: less than 1 on a rail.
+  [[nodiscard]] double free_share(std::size_t i, const Triple& direction) const {
+    const Rail* rail = rail_of(i);
+    if (rail == nullptr) return 1;
+    const double along = direction.x * rail->along.x() + direction.y * rail->along.y() + direction.z * rail->along.z();
+    return along * along;
+  }
   /// 1/(kg m^2), 0 where the inverse mass is 0.
   [[nodiscard]] double inverse_inertia(std::size_t i) const { return inverse_mass[i] > 0 ? 1 / inertia[i] : 0.0; }
 

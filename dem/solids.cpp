@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/check.h"
+#include "core/parallel.h"
 #include "dem/contact/contact_energy.h"
 #include "dem/integrator.h"
 
@@ -35,6 +36,7 @@ Solids::Solids(Particles particles, Bonds bonds, Materials materials, Walls wall
 
 void Solids::set_time_step(double time_step) {
   require(time_step > 0, "the time step must be positive");
+  if (time_step > options_.time_step) checked_elongation_ = 0;  // what is drawn out may be too stiff for it
   options_.time_step = time_step;
 }
 
@@ -73,7 +75,7 @@ void Solids::detect() {
   if (wires_) detect_wires(bonds_broke);
   if (!contacts_.outdated(particles_) && (!bonds_broke || wires_)) return;
   check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
-  if ((!bonds_broke || wires_) && !contacts_.neighbours().outdated(particles_))
+  if ((!bonds_broke || wires_) && contacts_.neighbours_hold(particles_))
     return contacts_.refresh(particles_, share(Rate::fast));
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
@@ -102,7 +104,7 @@ bool Solids::note_broken_bonds() {
 /// difference comes from what the bond held.
 void Solids::detect_wires(bool bonds_broke) {
   if (!bonds_broke) {
-    if (!wires_->outdated(particles_)) return wires_->narrow(particles_);
+    if (!wires_->outdated(particles_)) return;
     check_motion(particles_, options_.watchdog, step_count_);
     return wires_->relist(particles_);
   }
@@ -132,16 +134,50 @@ void Solids::detect_wires(bool bonds_broke) {
   known_breakage_ = bonds_.breakage_loss;
 }
 
-/// Spheres, walls, gravity and external forces, then bonds. Velocities are those of mid-step.
+namespace {
+
+/// sum += f - less.
+void add(Vec3Field& sum, const Vec3Field& f, const Vec3Field& less) {
+  parallel_for_even_chunks(sum.size(), 4096, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      sum.x[i] += f.x[i] - less.x[i], sum.y[i] += f.y[i] - less.y[i], sum.z[i] += f.z[i] - less.z[i];
+  });
+}
+
+/// sum += f.
+void add(Vec3Field& sum, const Vec3Field& f) {
+  parallel_for_even_chunks(sum.size(), 4096, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) sum.x[i] += f.x[i], sum.y[i] += f.y[i], sum.z[i] += f.z[i];
+  });
+}
+
+}  // namespace
+
+/// Bonds, then spheres, walls, gravity and external forces. Velocities are those of mid-step. Dampers of contacts
+/// predict the velocity at the end of the step from the forces of the step before. Of bonds they get the new ones: with
+/// old ones a damper c on a bead m that a spring K holds would be stable only while (K dt^2/m) (1 + c dt/m) < 4.
 void Solids::evaluate_forces(double dt) {
+  if (bonds_.size() > 0) {
+    const ScopedTimer timer(*section_bonds_);
+    std::swap(bond_force_, former_bond_force_), std::swap(bond_torque_, former_bond_torque_);
+    for (Vec3Field* f : {&bond_force_, &bond_torque_}) f->resize(particles_.size()), f->fill(Vec3::Zero());
+    std::swap(particles_.force, bond_force_), std::swap(particles_.torque, bond_torque_);
+    bond_forces_.add_forces(bonds_, particles_, dt);
+    std::swap(particles_.force, bond_force_), std::swap(particles_.torque, bond_torque_);
+    add(particles_.force, bond_force_, former_bond_force_);
+    add(particles_.torque, bond_torque_, former_bond_torque_);
+    hold_on_rails();
+  }
   {
     const ScopedTimer timer(*section_contact_);
-    if (wires_) wires_->evaluate(particles_, dt);  // needs the forces of the step before
+    if (wires_) wires_->evaluate(particles_, contact_forces_.damping(), dt);
     contact_forces_.compute(particles_, contacts_, walls_, options_.gravity, dt, share(Rate::fast));
-    if (wires_) wires_->add_forces(particles_);
+    if (wires_) wires_->add_forces(particles_, contact_forces_.damping());
   }
-  const ScopedTimer timer(*section_bonds_);
-  if (bonds_.size() > 0) bond_forces_.add_forces(bonds_, particles_, dt);
+  if (bonds_.size() > 0) {
+    const ScopedTimer timer(*section_bonds_);
+    add(particles_.force, bond_force_), add(particles_.torque, bond_torque_);
+  }
   hold_on_rails();
 }
 
@@ -178,6 +214,8 @@ void Solids::build_all() {
   if (wires_) wires_->rebuild(particles_, bonds_);
   contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
   if (two_rates()) slow_contacts_.rebuild(particles_, walls_, bonded_, share(Rate::slow));
+  bond_force_.resize(particles_.size()), bond_torque_.resize(particles_.size());
+  contact_forces_.damping().resize(particles_.size());
   applied_force_ = particles_.external_force;
   applied_torque_ = particles_.external_torque;
   known_particles_ = particles_.size();
@@ -241,7 +279,8 @@ void Solids::renumber(const Renumbering& change) {
   change.move(slow_);
   for (ParticleIndex& i : slow_particles_) i = change.to(i);
   std::sort(slow_particles_.begin(), slow_particles_.end());
-  for (Vec3Field* f : {&slow_force_, &slow_torque_, &mean_.velocity, &mean_.spin, &applied_force_, &applied_torque_})
+  for (Vec3Field* f : {&slow_force_, &slow_torque_, &mean_.velocity, &mean_.spin, &applied_force_, &applied_torque_,
+                       &bond_force_, &bond_torque_})
     change.move(*f);
 }
 

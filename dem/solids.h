@@ -132,8 +132,10 @@ class Solids {
   ContactForces slow_forces_;
   Vec3Field slow_force_, slow_torque_;
   MeanMotion mean_;
-  double slow_step_ = 0;                      // s, length of the last long step
-  Vec3Field applied_force_, applied_torque_;  // external ones contained in the forces and torques
+  double slow_step_ = 0;                              // s, length of the last long step
+  Vec3Field applied_force_, applied_torque_;          // external ones contained in the forces and torques
+  Vec3Field bond_force_, bond_torque_;                // those of bonds contained in them
+  Vec3Field former_bond_force_, former_bond_torque_;  // during evaluate_forces
   std::size_t known_particles_ = 0, known_bonds_ = 0;
   std::vector<std::uint8_t> known_intact_;  // bonds that were whole when the lists were built
   double known_breakage_ = 0;

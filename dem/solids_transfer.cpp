@@ -221,8 +221,11 @@ void Solids::transfer_by_id(Archive& archive) {
   }
   archive.list("applied_force", applied_force_);
   archive.list("applied_torque", applied_torque_);
-  if (prepared_ && (contacts_.pairs().offset.size() != particles_.size() + 1 ||
-                    applied_force_.size() != particles_.size() || applied_torque_.size() != particles_.size()))
+  archive.list("bond_force", bond_force_);
+  archive.list("bond_torque", bond_torque_);
+  const auto complete = [&](const Vec3Field& f) { return f.size() == particles_.size(); };
+  if (prepared_ && (contacts_.pairs().offset.size() != particles_.size() + 1 || !complete(applied_force_) ||
+                    !complete(applied_torque_) || !complete(bond_force_) || !complete(bond_torque_)))
     archive.refuse("contacts", "are not there for every particle");
 }
 

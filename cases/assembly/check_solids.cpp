@@ -110,6 +110,8 @@ void check_sphere(const Scene& scene, std::size_t i, Findings& findings) {
     if (!scene.domain.contains(s.position))
       findings.mistake(path + ".position_m", path + ".position_m lies outside the domain, expected it inside [domain]");
   }
+  if (s.fixed && (s.velocity.norm() > 0 || s.angular_velocity.norm() > 0))
+    findings.mistake(path + ".fixed", path + ".fixed holds it in place, expected no velocity and no spin");
   if (!findings.sound({"wall", path})) return;
   const Walls walls = make_walls(scene);
   if (!s.fixed && !walls.empty() && walls.nearest(s.position).distance < (1 - largest_overlap) * s.diameter / 2)

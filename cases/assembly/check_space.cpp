@@ -19,11 +19,27 @@ bool check_box(const Vec3& lower, const Vec3& upper, const std::string& path, Fi
   return false;
 }
 
-void check_wall(const WallSettings& w, const std::string& path, Findings& findings) {
+/// Whether a box has a face in the domain that its velocity leaves: liquid would be pumped through.
+bool leaves_its_faces(const WallSettings& w, const Domain& domain) {
+  for (int a = 0; a < 3; ++a) {
+    const bool inside = w.lower[a] > domain.lower[a] || w.upper[a] < domain.upper[a];
+    if (w.velocity[a] != 0 && inside) return true;
+  }
+  return false;
+}
+
+void check_wall(const WallSettings& w, const Scene& scene, const std::string& path, Findings& findings) {
   if (!findings.sound({path})) return;
   if (w.roughness > 0 && w.slip != WallSlip::wall_model)
     findings.mistake(path + ".roughness_m", path + ".roughness_m without a wall model, expected slip = \"wall_model\"");
-  if (w.shape == WallShape::box) check_box(w.lower, w.upper, path, findings);
+  if (w.slip == WallSlip::free_slip && w.velocity.norm() > 0)
+    findings.mistake(path + ".velocity_m_s",
+                     path + ".velocity_m_s of a wall that slips moves nothing, expected slip = \"no_slip\"");
+  if (w.shape == WallShape::box && check_box(w.lower, w.upper, path, findings) && findings.sound({"domain"}) &&
+      leaves_its_faces(w, scene.domain))
+    findings.mistake(path + ".velocity_m_s", path +
+                                                 ".velocity_m_s leaves a face of the box in the domain, expected it "
+                                                 "along all of them (the wall stays in place)");
   if (w.shape == WallShape::cylinder && (w.end - w.start).norm() == 0)
     findings.mistake(path + ".end_m", path + ".end_m equals start_m, expected an axis with a length");
   if (w.shape != WallShape::plane) return;
@@ -190,7 +206,7 @@ void check_compression(const Scene& scene, Findings& findings) {
 void check_shapes(const Scene& scene, Findings& findings) {
   check_box(scene.domain.lower, scene.domain.upper, "domain", findings);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
-    check_wall(scene.walls[i], fmt::format("wall[{}]", i), findings);
+    check_wall(scene.walls[i], scene, fmt::format("wall[{}]", i), findings);
     check_heightmap(scene, i, findings);
   }
   if (findings.sound({"domain", "wall"}) && filled_by_walls(make_walls(scene), scene.domain.lower, scene.domain.upper))

@@ -33,9 +33,7 @@ std::pair<double, double> grain_diameters(const Scene& scene) {
 }
 
 fs::path file_of(const ShapeFile& s, const Place& place) {
-  const bool from_command_line = place.file.starts_with("--set");
-  const fs::path folder = from_command_line ? fs::path() : fs::path(place.file).parent_path();
-  return fs::absolute(folder / s.file).lexically_normal();
+  return fs::absolute(fs::path(source_file(place)).parent_path() / s.file).lexically_normal();
 }
 
 /// Spacing of the samples: as given, or fine enough for the fluid's cells, or for the smallest grain.

@@ -36,6 +36,7 @@ class CoupledSimulation final : public Simulation {
   [[nodiscard]] const barrier::Net* net() const override { return net_ ? &*net_ : nullptr; }
   [[nodiscard]] const coupling::MomentumAudit& audit() const override { return step_->audit(); }
   [[nodiscard]] Vec3 liquid_momentum() const override { return step_->liquid_momentum(); }
+  [[nodiscard]] Vec3 liquid_velocity(const lbm::WetCell& cell) const override { return step_->liquid_velocity(cell); }
   [[nodiscard]] std::size_t wet_beads() const override { return step_->wet_beads(); }
 
   [[nodiscard]] std::map<std::string, double> seconds() override {

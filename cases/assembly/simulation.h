@@ -31,6 +31,8 @@ class Simulation {
   [[nodiscard]] virtual const coupling::MomentumAudit& audit() const = 0;
   /// Of the liquid, kg m/s (coupling/coupled_step.h). The scene must have a fluid. A sum over all cells.
   [[nodiscard]] virtual Vec3 liquid_momentum() const = 0;
+  /// Of the liquid between the grains at a wet cell, m/s.
+  [[nodiscard]] virtual Vec3 liquid_velocity(const lbm::WetCell& cell) const = 0;
   /// Beads of rings and cables in the fluid.
   [[nodiscard]] virtual std::size_t wet_beads() const = 0;
 

@@ -56,24 +56,25 @@ struct Look {
   }
 
   void add(const lbm::WetCell& c, BlockFigures& f) const {
-    const double mass = rho * c.liquid_volume, square = c.velocity.squaredNorm(), height = run.height(c.centre);
+    const Vec3 velocity = run.simulation.liquid_velocity(c);
+    const double mass = rho * c.liquid_volume, square = velocity.squaredNorm(), height = run.height(c.centre);
     f.kinetic += 0.5 * mass * square;
     f.potential += mass * g * height;
-    f.momentum += mass * c.velocity;
+    f.momentum += mass * velocity;
     const Vec3i cell = run.simulation.fluid()->domain().cell_at(c.centre);
     const std::size_t x = static_cast<std::size_t>(cell.x()) % kWidth, y = static_cast<std::size_t>(cell.y()) % kWidth;
     f.volume[x] += c.fill_level * dx * dx * dx;
     f.liquid[x] += c.liquid_volume;
-    f.flow[x] += c.liquid_volume * c.velocity.x();
+    f.flow[x] += c.liquid_volume * velocity.x();
     if (c.fill_level > 0.5 && c.centre.z() - lower.z() < dx) {
       f.foremost[y] = std::max(f.foremost[y], c.centre.x() + dx / 2 - lower.x());
     }
     if (!run.section) return;
     f.beyond_outflow += mass * std::clamp((c.centre.x() - outflow_x) / dx + 0.5, 0.0, 1.0);
     if (std::abs(c.centre.x() - outflow_x) <= dx / 2) {
-      f.outflow_rate += mass * c.velocity.x() / dx;
-      f.outflow_power += mass * (0.5 * square + g * height) * c.velocity.x() / dx;
-      f.outflow_kinetic_power += mass * 0.5 * square * c.velocity.x() / dx;
+      f.outflow_rate += mass * velocity.x() / dx;
+      f.outflow_power += mass * (0.5 * square + g * height) * velocity.x() / dx;
+      f.outflow_kinetic_power += mass * 0.5 * square * velocity.x() / dx;
     }
   }
 };

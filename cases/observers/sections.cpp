@@ -87,6 +87,13 @@ class GrainVelocities {
   std::map<std::array<int, 3>, Sum> cells_;
 };
 
+/// Whether there may be cells at a place: past the end of a periodic axis there are.
+bool exists_in(const scene::Domain& domain, Vec3 p) {
+  for (const scene::Axis axis : {scene::Axis::x, scene::Axis::y, scene::Axis::z})
+    if (const auto a = static_cast<Eigen::Index>(axis); domain.periodic(axis)) p[a] = domain.lower[a];
+  return domain.contains(p);
+}
+
 }  // namespace
 
 Flux liquid_flux(const FluidView& fluid, const dem::Particles* grains, const SectionFrame& frame,
@@ -104,10 +111,13 @@ Flux liquid_flux(const FluidView& fluid, const dem::Particles* grains, const Sec
     for (int k = 0; k < rows; ++k) {
       const Vec3 p = frame.centre + (left + (i + 0.5) * wide) * frame.across + (bottom + (k + 0.5) * high) * frame.up;
       if (!domain.contains(p)) continue;
-      for (const double side : {-0.5, 0.5}) {  // a plane between two layers of cells takes half of each
-        const auto cell = fluid.cell_at(p + side * spacing * frame.normal);
+      // A plane between two layers of cells takes half of each; on a face of the domain, all of the one inside.
+      const Vec3 half_way = 0.5 * spacing * frame.normal;
+      const bool both = exists_in(domain, p - half_way) && exists_in(domain, p + half_way);
+      for (const int side : {0, 1}) {
+        const auto cell = fluid.cell_at(side == 0 ? Vec3(p - half_way) : Vec3(p + half_way));
         if (!cell) continue;
-        const double area = 0.5 * wide * high, liquid = cell->liquid_volume / cell_volume;
+        const double area = (both ? 0.5 : 1.0) * wide * high, liquid = cell->liquid_volume / cell_volume;
         const Vec3 solid = velocities.at(cell->centre).value_or(cell->velocity);
         const double volume =
             area * (cell->fill_level * cell->velocity - (cell->fill_level - liquid) * solid).dot(frame.normal);

@@ -18,7 +18,8 @@ int run_in_folder(const Workplace& place, bool overwrite, const std::string& res
                   const std::function<bool(Summary&)>& body) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
-  const FolderLock lock = prepare_output(place.out, overwrite);
+  PreparedFolder prepared = prepare_output(place.out, overwrite);
+  prepared.former.remove();
   replace_text_file(place.out / "scene.resolved.toml", resolved);
   watch_for_interrupt();
   const ThreadLimit limit(place.threads);

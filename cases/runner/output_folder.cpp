@@ -45,11 +45,13 @@ bool written_by_run(const std::string& name) {
          number_of_file(name, "forces_", ".png");
 }
 
-void remove_former_run(const fs::path& folder) {
-  std::vector<fs::path> old;
+constexpr const char* kAside = ".former_run";
+
+std::vector<fs::path> files_of_run(const fs::path& folder) {
+  std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file() && written_by_run(entry.path().filename().string())) old.push_back(entry.path());
-  for (const fs::path& path : old) fs::remove(path);
+    if (entry.is_regular_file() && written_by_run(entry.path().filename().string())) files.push_back(entry.path());
+  return files;
 }
 
 }  // namespace
@@ -102,14 +104,39 @@ FolderLock::~FolderLock() {
   if (handle_ >= 0) ::close(handle_);
 }
 
-FolderLock prepare_output(const fs::path& folder, bool overwrite) {
+FormerRun::FormerRun(const fs::path& folder) : folder_(folder) {
+  fs::create_directory(folder / kAside);
+  for (const fs::path& file : files_of_run(folder)) fs::rename(file, folder / kAside / file.filename());
+}
+
+FormerRun::~FormerRun() {
+  if (folder_.empty()) return;
+  try {
+    recover(folder_);
+  } catch (const fs::filesystem_error&) {  // they stay aside, for the next command
+  }
+}
+
+void FormerRun::remove() {
+  if (!folder_.empty()) fs::remove_all(folder_ / kAside);
+  folder_.clear();
+}
+
+void FormerRun::recover(const fs::path& folder) {
+  if (!fs::is_directory(folder / kAside)) return;
+  for (const fs::path& file : files_of_run(folder)) fs::remove(file);
+  for (const fs::path& file : files_of_run(folder / kAside)) fs::rename(file, folder / file.filename());
+  fs::remove(folder / kAside);
+}
+
+PreparedFolder prepare_output(const fs::path& folder, bool overwrite) {
   create_folder(folder);
   FolderLock lock(folder);
-  if (fs::is_empty(folder)) return lock;
+  FormerRun::recover(folder);
+  if (fs::is_empty(folder)) return {std::move(lock), {}};
   if (!holds_run(folder)) refuse(folder, "is not empty and holds no former run, expected a new or an empty folder");
   if (!overwrite) refuse(folder, "holds a former run, expected a new folder, or --overwrite to replace that run");
-  remove_former_run(folder);
-  return lock;
+  return {std::move(lock), FormerRun(folder)};
 }
 
 }  // namespace lahar::cases

@@ -39,9 +39,36 @@ class FolderLock {
   int handle_;
 };
 
+/// The files of a run, known by their names, that another one is to replace. They stand aside, in a folder of their own
+/// beside where they were, until it is known that the new run begins; without that they come back.
+class FormerRun {
+ public:
+  FormerRun() = default;
+  /// Sets the files aside.
+  explicit FormerRun(const std::filesystem::path& folder);
+  FormerRun(FormerRun&& other) noexcept : folder_(std::exchange(other.folder_, {})) {}
+  FormerRun(const FormerRun&) = delete;
+  FormerRun& operator=(const FormerRun&) = delete;
+  FormerRun& operator=(FormerRun&&) = delete;
+  /// Puts them back, in place of what was written since, unless they were removed.
+  ~FormerRun();
+  /// The new run has begun: they are removed.
+  void remove();
+  /// Puts back what a process has left aside that was killed.
+  static void recover(const std::filesystem::path& folder);
+
+ private:
+  std::filesystem::path folder_;  // empty: none
+};
+
+struct PreparedFolder {
+  FolderLock lock;
+  FormerRun former;
+};
+
 /// Makes the folder of `--out` ready for a new run, and locks it. Creates it if it is not there. If it is there and not
-/// empty, it must hold a former run that has ended and `overwrite` must be set; then the files of that run, known by
-/// their names, are removed. Throws InputError otherwise, before anything is changed.
-[[nodiscard]] FolderLock prepare_output(const std::filesystem::path& folder, bool overwrite);
+/// empty, it must hold a former run that has ended and `overwrite` must be set; that run is set aside. Throws
+/// InputError otherwise, before anything is changed.
+[[nodiscard]] PreparedFolder prepare_output(const std::filesystem::path& folder, bool overwrite);
 
 }  // namespace lahar::cases

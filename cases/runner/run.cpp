@@ -69,15 +69,18 @@ void fill_performance(Simulation& simulation, const ObserverList& observers, Sum
 
 /// What the loop itself has to remember.
 struct Loop {
-  explicit Loop(const scene::Scene& scene) : checkpoints(scene.run.checkpoint_interval) { checkpoints.skip_until(0); }
+  explicit Loop(const scene::Scene& scene)
+      : rows(scene.run.series_interval), checkpoints(scene.run.checkpoint_interval) {
+    checkpoints.skip_until(0);
+  }
 
-  double next_sample = 0;            ///< s
+  Schedule rows;                     ///< of the series; without an interval every step
   double wall_seconds = 0;           ///< of the run, when the checkpoint was written
   std::uint64_t peak_rss_bytes = 0;  ///< until then
   Schedule checkpoints;
 
   void transfer(Archive& archive) {
-    archive.value("next_sample", next_sample);
+    archive.part("rows", rows);
     archive.value("wall_seconds", wall_seconds);
     archive.value("peak_rss_bytes", peak_rss_bytes);
     archive.part("checkpoints", checkpoints);
@@ -126,13 +129,15 @@ class SceneRun {
   }
 
   RunResult run() {
+    monitor_.begin();
     watch_for_interrupt();
     RunResult result;
     for (;;) {
       const bool end = time() >= scene_.run.duration - 1e-9 * simulation_->time_step();
       result.interrupted = interrupted() && !end;
       if (end || result.interrupted) watch(*simulation_);
-      const bool due = time() >= loop_.next_sample - 1e-12;
+      const bool behind = loop_.rows.is_behind(time());
+      const bool due = behind && (scene_.run.series_interval <= 0 || loop_.rows.due(time()));
       if (due) sample();
       {
         const ScopedTimer timer(timers_.section("outputs"));
@@ -140,7 +145,7 @@ class SceneRun {
       }
       // Before what only the end of a run writes: a run that goes on is the same as one that was never stopped.
       if (result.interrupted || checkpoint_due(end)) save(end, result);
-      if (end && !due) sample();
+      if (end && !due && behind) sample();
       if (end || result.interrupted) break;
       simulation_->advance();
       observers_->after_step();
@@ -157,7 +162,7 @@ class SceneRun {
   void sample() {
     const ScopedTimer timer(timers_.section("measurements"));
     observers_->sample(*series_);
-    loop_.next_sample = time() + scene_.run.series_interval;
+    loop_.rows.note(time());
   }
 
   /// On the way only when the last step of the fluid went well, so that the last checkpoint is a good one. The end has

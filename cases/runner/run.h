@@ -27,6 +27,7 @@ struct RunMonitor {
   Progress& progress;
   spdlog::logger& log;  ///< run.log
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  std::function<void()> begin = [] {};  ///< called once all is built that may turn out to be impossible
   /// Tells the user and the log.
   void warn(const std::string& text);
   /// Wall time since the start, s.

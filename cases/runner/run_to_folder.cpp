@@ -57,14 +57,16 @@ RunResult run_to_folder(const scene::Scene& scene, const RunOptions& options, co
   const auto start = std::chrono::steady_clock::now();
   const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
   const CheckReport report = check_scene(scene, threads);
-  const FolderLock lock = options.resume ? FolderLock(options.out) : prepare_output(options.out, options.overwrite);
+  PreparedFolder folder =
+      options.resume ? PreparedFolder{FolderLock(options.out), {}} : prepare_output(options.out, options.overwrite);
+  if (options.resume) FormerRun::recover(options.out);
   if (!options.resume) replace_text_file(options.out / "scene.resolved.toml", scene::to_toml(scene));
   spdlog::logger log = open_log(options.out, options.resume);
   log.info("Lahar {} ({}), {}, {} threads used", version(), commit(), machine_name(), threads);
   for (const std::string& w : report.warnings) log.warn("{}", w);
   const ThreadLimit limit(threads);
   Progress progress(scene.run.duration, progress_style(options.quiet, stdout));
-  RunMonitor monitor{progress, log, start};
+  RunMonitor monitor{progress, log, start, [&] { folder.former.remove(); }};
   try {
     RunResult result = runner(scene, options, monitor);
     progress.finish();

@@ -17,7 +17,9 @@ class Schedule {
     return interval_ > 0 && time + kRounding >= from_ + static_cast<double>(since_) * interval_;
   }
   /// Whether the end of a run at `time` has none of its own yet.
-  [[nodiscard]] bool wants_last(double time) const { return interval_ > 0 && last_ < time; }
+  [[nodiscard]] bool wants_last(double time) const { return interval_ > 0 && is_behind(time); }
+  /// Whether none was written at `time` or later.
+  [[nodiscard]] bool is_behind(double time) const { return last_ < time; }
   /// One was written.
   void note(double time) {
     ++done_;

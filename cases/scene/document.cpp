@@ -108,6 +108,15 @@ toml::table read_with_bases(const fs::path& file, int depth, std::vector<InputMi
 
 }  // namespace
 
+std::string source_file(const Place& place) {
+  if (place.file.starts_with("--set")) return {};
+  const std::size_t mark = place.file.find(kChangesMark);
+  if (mark == std::string::npos) return place.file;
+  std::string file = place.file.substr(0, mark);  // FILE:line:column: , see origin_of
+  for (int part = 0; part < 3; ++part) file.resize(std::min(file.size(), file.rfind(':')));
+  return file;
+}
+
 Place place_of(const toml::source_region& region) {
   Place place;
   if (region.path) place.file = *region.path;

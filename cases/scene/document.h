@@ -20,6 +20,10 @@ struct Place {
 
 Place place_of(const toml::source_region& region);
 
+/// The file that a value was written in, also where a change of a base (scene.changes) says it; empty for the command
+/// line.
+std::string source_file(const Place& place);
+
 /// Reads `file`, its bases (`scene.base`) and the overrides `key.path[0].key=value`. Values of overrides are TOML; a
 /// bare word stands for a string. Overrides that make no sense are added to `mistakes`. Throws InputError when a file
 /// cannot be read or is not TOML.

@@ -1,5 +1,6 @@
 #include "coupling/grains/averaged_exchange.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "coupling/grains/bed_drag.h"
@@ -166,6 +167,11 @@ ExchangedMomentum AveragedExchange<Real>::give_impulses(lbm::Fluid<Real>& fluid,
   grains_.clear();
   find_wet_grains(fluid, map, displaced, particles);
   if (options_.beads_as_grains) find_wet_beads(fluid, particles);
+  parallel_for(0, grains_.size(), 16, [&](std::size_t k) { share_among_nodes(fluid, map, grains_[k]); });
+  std::erase_if(grains_, [&](const WetGrain& grain) {  // of none is the wet share but rounding
+    if (grain.shares.empty()) states_[grain.id].known = false;
+    return grain.shares.empty();
+  });
   choose_nodes(fluid);
   average_fluid(fluid);
   average_grains(fluid, particles);
@@ -173,8 +179,14 @@ ExchangedMomentum AveragedExchange<Real>::give_impulses(lbm::Fluid<Real>& fluid,
   parallel_for(0, grains_.size(), 64, [&](std::size_t k) { act_on(fluid, stretch, grains_[k], particles); });
   ExchangedMomentum sum;
   for (const WetGrain& grain : grains_) {
-    for (const AveragingGrid::Share& s : grain.shares) nodes_[s.node].impulse += s.weight * grain.impulse;
+    for (const AveragingGrid::Share& s : grain.answers) nodes_[s.node].impulse += s.weight * grain.impulse;
     sum.to_solids -= grain.impulse;
+  }
+  for (const WetGrain& grain : grains_) {
+    Vec3& pushed = states_[grain.id].pushed = Vec3::Zero();
+    for (const AveragingGrid::Share& s : grain.shares)
+      if (const Node& node = nodes_[s.node]; node.water > 0) pushed += s.weight / node.water * node.impulse;
+    pushed *= fluid.units().velocity_to_si(1.0) / fluid.units().time_step;
   }
   sum.from_fluid = -push_cells(fluid, fields);
   return sum;
@@ -193,7 +205,8 @@ void AveragedExchange<Real>::find_wet_grains(const lbm::Fluid<Real>& fluid, cons
     }
     const Vec3 place =
         (particles.position[particles.index(g.id)] - fluid.grid().domain().origin()) / fluid.units().cell_size;
-    grains_.push_back({.id = g.id, .place = place, .wet = wet, .in_cells = true, .handed = displaced.handed_by(g)});
+    grains_.push_back(
+        {.id = g.id, .place = place, .wet = wet, .in_cells = true, .handed = displaced.handed_by(g), .mapped = k});
   }
 }
 
@@ -221,16 +234,59 @@ void AveragedExchange<Real>::find_wet_beads(const lbm::Fluid<Real>& fluid, const
   }
 }
 
+/// A grain is where the water in its place is; a bead, in the cell that it is in.
+template <class Real>
+void AveragedExchange<Real>::share_among_nodes(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map,
+                                               WetGrain& grain) const {
+  const auto add = [&](std::size_t node, double weight) {
+    if (weight <= 0) return;
+    const auto known =
+        std::find_if(grain.shares.begin(), grain.shares.end(), [&](const auto& s) { return s.node == node; });
+    known == grain.shares.end() ? grain.shares.push_back({node, weight}) : void(known->weight += weight);
+  };
+  if (!grain.in_cells) {
+    const Vec3 centre = grain.place.array().floor() + 0.5;
+    return nodes_at_.around(centre, add);
+  }
+  const MappedGrain& mapped = map.grains()[grain.mapped];
+  for (std::size_t p = mapped.first_pair; p < mapped.first_pair + mapped.pairs; ++p) {
+    const GrainInBlock& pair = map.pairs()[p];
+    const lbm::Block<Real>& block = fluid.grid().block(pair.block);
+    const BlockNodes<Real> nodes(nodes_at_, pair.lowest);
+    std::vector<Row<Real>> rows(static_cast<std::size_t>(nodes.count.y() * nodes.count.z()), Row<Real>(0));
+    for_covered_rows(map.sphere(pair.grain), pair.lowest, [&](int first, const Row<Real>& eps) {
+      const int row = first / kBlockWidth;
+      const Row<Real> water = eps * water_in(block, row);
+      nodes.around_row(row & 7, row >> 3, [&](int j, int k, Real weight) {
+        rows[static_cast<std::size_t>(j * nodes.count.z() + k)] += weight * water;
+      });
+    });
+    nodes.for_nodes([&](int x, int y, int z) {
+      double sum = 0;
+      for (int c = 0; c < kBlockWidth; ++c) {
+        const int up = x - nodes.below[0][c];
+        if (up < 0 || up > 1) continue;
+        sum += static_cast<double>(
+            nodes.weight[0][up][c] *
+            static_cast<Real>(rows[static_cast<std::size_t>(y * nodes.count.z() + z)][static_cast<std::size_t>(c)]));
+      }
+      add(nodes_at_.index(nodes.lowest + Vec3i(x, y, z)), sum);
+    });
+  }
+  double sum = 0;
+  for (const AveragingGrid::Share& s : grain.shares) sum += s.weight;
+  for (AveragingGrid::Share& s : grain.shares) s.weight /= sum;
+}
+
 /// Nodes around wet grains, and the wet blocks that have a part in them.
 template <class Real>
 void AveragedExchange<Real>::choose_nodes(const lbm::Fluid<Real>& fluid) {
   std::fill(nodes_.begin(), nodes_.end(), Node{});
   for (WetGrain& grain : grains_) {
     std::size_t n = 0;
-    nodes_at_.around(grain.place, [&](std::size_t node, double weight) {
-      nodes_[node].used = true;
-      grain.shares[n++] = {node, weight};
-    });
+    nodes_at_.around(grain.place, [&](std::size_t node, double weight) { grain.answers[n++] = {node, weight}; });
+    for (const AveragingGrid::Share& s : grain.answers) nodes_[s.node].used = true;
+    for (const AveragingGrid::Share& s : grain.shares) nodes_[s.node].used = true;
   }
   blocks_.clear();
   const auto& grid = fluid.grid();
@@ -261,14 +317,15 @@ void AveragedExchange<Real>::average_fluid(const lbm::Fluid<Real>& fluid) {
   }
 }
 
-/// Each grain shares itself among its nodes by nearness and by the water there: nothing hangs on a few drops. What
-/// moves in the grains' place moves as they did one step ago, when the cells were last told.
+/// What moves in the grains' place moves as they did one step ago, when the cells were last told. What cells get of a
+/// grain goes by the water at the nodes, too: cells with little water keep less than their part of a large impulse (a
+/// sheet that runs into a bed lost 3 % of its momentum).
 template <class Real>
 void AveragedExchange<Real>::average_grains(const lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
   for (WetGrain& grain : grains_) {
     double sum = 0;
-    for (AveragingGrid::Share& s : grain.shares) sum += s.weight *= nodes_[s.node].water;
-    for (AveragingGrid::Share& s : grain.shares) s.weight = sum > 0 ? s.weight / sum : 0.0;
+    for (AveragingGrid::Share& s : grain.answers) sum += s.weight *= nodes_[s.node].water;
+    for (AveragingGrid::Share& s : grain.answers) s.weight = sum > 0 ? s.weight / sum : 0.0;
     if (!grain.in_cells) continue;
     const State& state = states_[grain.id];
     const Vec3 now = particles.velocity[particles.index(grain.id)];
@@ -286,7 +343,7 @@ auto AveragedExchange<Real>::look_around(const lbm::Fluid<Real>& fluid, const We
   Vec3 mixture = Vec3::Zero(), of_grains = Vec3::Zero();
   for (const AveragingGrid::Share& s : grain.shares) {
     const Node& node = nodes_[s.node];
-    if (s.weight <= 0) continue;
+    if (node.water <= 0) continue;
     phi += s.weight * node.solid / node.water;
     mixture += s.weight / node.water * node.water_momentum;
     of_grains += s.weight / node.water * node.solid_momentum;
@@ -294,6 +351,21 @@ auto AveragedExchange<Real>::look_around(const lbm::Fluid<Real>& fluid, const We
   const double held = phi > kDensest ? kDensest / phi : 1.0;
   const Vec3 liquid = (mixture - held * of_grains) / (1 - held * phi);
   return {held * phi, held, liquid * fluid.units().velocity_to_si(1.0)};
+}
+
+template <class Real>
+Vec3 AveragedExchange<Real>::liquid_velocity(const Vec3& place, const Vec3& sampled) const {
+  double near = 0, phi = 0;
+  Vec3 of_grains = Vec3::Zero();
+  nodes_at_.around(place, [&](std::size_t n, double weight) {
+    const Node& node = nodes_[n];
+    if (node.water <= 0) return;
+    near += weight, phi += weight * node.solid / node.water;
+    of_grains += weight / node.water * node.solid_momentum;
+  });
+  if (phi <= 0) return sampled;
+  const double held = std::min(1.0, kDensest * near / phi) / near;
+  return (sampled - held * of_grains) / (1 - held * phi);
 }
 
 namespace {
@@ -322,7 +394,13 @@ void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, double stretc
   const double cell = units.cell_size * units.cell_size * units.cell_size;
   const double volume = around.held * grain.wet * cell;
   State& state = states_[grain.id];
-  const Vec3 liquid_velocity = state.known ? Vec3(0.5 * (around.liquid + state.sampled)) : around.liquid;
+  // What cells send out holds half of a step's gravity and impulses, and half of the step's change lies in the mean of
+  // two steps.
+  const Vec3 half_step =
+      state.known
+          ? Vec3(0.5 * dt / (1 - around.solid_fraction) * (fluid.options().gravity + state.pushed - state.acceleration))
+          : Vec3(Vec3::Zero());
+  const Vec3 liquid_velocity = (state.known ? Vec3(0.5 * (around.liquid + state.sampled)) : around.liquid) - half_step;
   const Vec3 velocity = particles.velocity[i], slip = liquid_velocity - velocity;
   const double beta = std::min(1.0, volume / sphere_volume(radius)) *
                       bed_drag(options_.drag, {.diameter = 2 * radius,
@@ -383,13 +461,14 @@ void AveragedExchange<Real>::transfer(Archive& archive) {
   std::size_t particles = states_.size();
   archive.value("particles", particles);
   states_.resize(particles);
-  archive.pieces<double>("grain", particles, 19, [&](std::size_t k, double* stored) {
+  archive.pieces<double>("grain", particles, 22, [&](std::size_t k, double* stored) {
     State& s = states_[k];
-    transfer_vectors(archive, {&s.velocity, &s.sampled, &s.liquid, &s.acceleration, &s.driven, &s.dragged}, stored);
+    transfer_vectors(archive, {&s.velocity, &s.sampled, &s.liquid, &s.acceleration, &s.driven, &s.dragged, &s.pushed},
+                     stored);
     if (archive.loading())
-      s.known = stored[18] != 0;
+      s.known = stored[21] != 0;
     else
-      stored[18] = s.known ? 1 : 0;
+      stored[21] = s.known ? 1 : 0;
   });
 }
 

@@ -4,9 +4,10 @@
 //
 // The fluid's velocity is that of the mixture by volume, U = (1 - phi) u + phi v: cells are full of liquid and grains
 // together, so it has no divergence, and grains that come in raise the level (displaced_volume.h). phi, U and the
-// grains' velocity v are averaged at the nodes of averaging_grid.h, weighted by the water there. With the force on a
-// grain of bed_drag.h, the volume-averaged momentum of the liquid (Anderson & Jackson 1967; form of Zhou, Kuang, Chu &
-// Yu 2010, J. Fluid Mech. 661:482) becomes that of the fluid with a force per volume
+// grains' velocity v are averaged at the nodes of averaging_grid.h, weighted by the water there: a grain goes to the
+// nodes as the water in its place does, so that a uniform mixture is one at each node, at its surface, too. With the
+// force on a grain of bed_drag.h, the volume-averaged momentum of the liquid (Anderson & Jackson 1967; form of Zhou,
+// Kuang, Chu & Yu 2010, J. Fluid Mech. 661:482) becomes that of the fluid with a force per volume
 //   - n f_drag - phi rho (Du/Dt - Dv/Dt),
 // n f_drag of the grains; the second part gives and takes the momentum of the liquid that the cells hold in the grains'
 // place. Its weight is carried by the fluid: the grains' buoyancy.
@@ -18,6 +19,7 @@
 // Left out: what separate velocities of liquid and grains carry beyond that of the mixture, rho phi (1 - phi)
 // (u - v)(u - v); added mass, lift, torque; a viscosity of the mixture.
 #include <array>
+#include <vector>
 
 #include "coupling/grains/averaging_grid.h"
 #include "coupling/grains/grain_exchange.h"
@@ -36,6 +38,7 @@ class AveragedExchange final : public GrainExchange<Real> {
   ExchangedMomentum give_impulses(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map,
                                   const DisplacedVolume<Real>& displaced, dem::Particles& particles,
                                   SolidFields<Real>& fields) override;
+  [[nodiscard]] Vec3 liquid_velocity(const Vec3& place, const Vec3& sampled) const override;
   void gather_block(const lbm::Fluid<Real>& /*fluid*/, const GrainMap<Real>& /*map*/, std::size_t /*block*/) override {}
   Vec3 finish(const lbm::Fluid<Real>& /*fluid*/, const GrainMap<Real>& /*map*/, std::size_t /*grain*/,
               double /*wet_volume*/, dem::Particles& /*particles*/) override {
@@ -61,7 +64,9 @@ class AveragedExchange final : public GrainExchange<Real> {
     bool in_cells;                                       ///< the cells hold its volume: not of beads
     typename DisplacedVolume<Real>::Handed handed = {};  ///< for it to interface cells
     Vec3 impulse = Vec3::Zero();                         ///< on the cells, lu
-    std::array<AveragingGrid::Share, 8> shares{};
+    std::size_t mapped = 0;                              ///< index into GrainMap::grains(), if in_cells
+    std::vector<AveragingGrid::Share> shares = {};       ///< of its wet volume, by node; their sum is 1
+    std::array<AveragingGrid::Share, 8> answers{};       ///< of what the cells get of it; their sum is 1
   };
   /// What is kept of a grain from step to step.
   struct State {
@@ -71,6 +76,7 @@ class AveragedExchange final : public GrainExchange<Real> {
     Vec3 acceleration = Vec3::Zero();  ///< m/s^2, of that liquid, smoothed
     Vec3 driven = Vec3::Zero();        ///< m/s a step, of the slip but for the drag, smoothed
     Vec3 dragged = Vec3::Zero();       ///< m/s, that the drag of the last step took off the slip
+    Vec3 pushed = Vec3::Zero();        ///< m/s^2, of the cells around it, by all grains in the last step
     bool known = false;                ///< it was wet at the last step
   };
   /// Means around a grain, SI.
@@ -83,6 +89,7 @@ class AveragedExchange final : public GrainExchange<Real> {
   void find_wet_grains(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, const DisplacedVolume<Real>& displaced,
                        const dem::Particles& particles);
   void find_wet_beads(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
+  void share_among_nodes(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, WetGrain& grain) const;
   void choose_nodes(const lbm::Fluid<Real>& fluid);
   void average_fluid(const lbm::Fluid<Real>& fluid);
   void average_grains(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);

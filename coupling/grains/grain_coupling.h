@@ -27,6 +27,12 @@ class GrainCoupling {
     return exchange_->give_impulses(fluid, map_, displaced_, particles, fields);
   }
 
+  /// Velocity (lu) of the liquid at a place (cells from the corner of cell (0, 0, 0)) where `sampled` was found in the
+  /// cells, after give_impulses.
+  [[nodiscard]] Vec3 liquid_velocity(const Vec3& place, const Vec3& sampled) const {
+    return exchange_->liquid_velocity(place, sampled);
+  }
+
   /// After the fluid step: adds force and torque (SI) of the fluid on each grain. Returns the momentum that they got
   /// from the cells' momentum exchange, lu, for the audit.
   Vec3 add_forces(const lbm::Fluid<Real>& fluid, dem::Particles& particles);

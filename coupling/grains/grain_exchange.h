@@ -58,6 +58,10 @@ class GrainExchange {
     return {};
   }
 
+  /// Velocity (lu) of the liquid between the grains at a place (cells from the corner of cell (0, 0, 0)), after
+  /// give_impulses; `sampled`: of the cells there, which may be that of liquid and grains together.
+  [[nodiscard]] virtual Vec3 liquid_velocity(const Vec3& /*place*/, const Vec3& sampled) const { return sampled; }
+
   /// Notes what the cells of a block, which may be gone, did to each of its grains. In parallel over blocks.
   virtual void gather_block(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) = 0;
 

@@ -95,12 +95,10 @@ template <class Real>
 void GrainMap<Real>::look_up_blocks(const lbm::Fluid<Real>& fluid, std::size_t k, const GrainInBlock* hint) {
   const GridSphere<Real>& s = spheres_[k];
   const auto block_at = [&](int a, Real offset) { return static_cast<int>(std::floor(s.centre[a] + offset)) >> 3; };
-  const Real far = s.reach, inner = covered_reach(s);
+  const Real far = s.reach;
   Reach& reach = reaches_[k];
-  Vec3i inner_low, inner_high;
   for (int a = 0; a < 3; ++a) {
     reach.low[a] = block_at(a, -far), reach.high[a] = block_at(a, far);
-    inner_low[a] = block_at(a, -inner), inner_high[a] = block_at(a, inner);
   }
   const auto& topology = fluid.grid().topology();
   const Vec3i more = reach.high - reach.low;
@@ -116,12 +114,7 @@ void GrainMap<Real>::look_up_blocks(const lbm::Fluid<Real>& fluid, std::size_t k
                                   : topology.neighbours(first)[static_cast<std::size_t>(lbm::neighbour_slot(x, y, z))];
   }
   MappedGrain& g = grains_[k];
-  for_blocks(fluid, reach, [&](const Vec3i& place, BlockIndex block) {
-    if (block != kNoBlock)
-      ++g.pairs;
-    else if ((place.array() >= inner_low.array()).all() && (place.array() <= inner_high.array()).all())
-      g.all_blocks = false;
-  });
+  for_blocks(fluid, reach, [&](const Vec3i& /*place*/, BlockIndex block) { g.pairs += block != kNoBlock ? 1 : 0; });
 }
 
 /// Calls visit(block coordinate, index or kNoBlock).

@@ -36,7 +36,6 @@ enum class GrainChange : std::uint8_t {
 struct MappedGrain {
   dem::ParticleId id;
   std::size_t first_pair = 0, pairs = 0;
-  bool all_blocks = true;  ///< every block that it covers exists
   GrainChange change = GrainChange::place;
   double volume = 0;  ///< exact, cells
 };

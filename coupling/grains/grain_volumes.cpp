@@ -18,18 +18,24 @@ double volume_in(const GridSphere<Real> sphere, const Vec3i& lowest) {
 
 }  // namespace
 
-/// Scales each sphere to its exact volume, where all blocks that it reaches exist.
+/// Scales each sphere to its exact volume, which does not depend on which blocks exist.
 template <class Real>
 void GrainMap<Real>::normalize() {
   parallel_for(0, grains_.size(), 64, [&](std::size_t k) {
     const MappedGrain& g = grains_[k];
     if (g.change != GrainChange::place) return;
+    const Reach& reach = reaches_[k];
+    GrainInBlock *pair = pairs_.data() + g.first_pair, *const end = pair + g.pairs;
     double sum = 0;
-    for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) {
-      pairs_[p].volume = volume_in<Real>(spheres_[k], pairs_[p].lowest);
-      sum += pairs_[p].volume;
-    }
-    const double factor = g.all_blocks && sum > 0 ? g.volume / sum : 1.0;
+    for (int x = reach.low.x(); x <= reach.high.x(); ++x)
+      for (int y = reach.low.y(); y <= reach.high.y(); ++y)
+        for (int z = reach.low.z(); z <= reach.high.z(); ++z) {
+          const Vec3i lowest = lbm::kBlockWidth * Vec3i(x, y, z);
+          const double volume = volume_in<Real>(spheres_[k], lowest);
+          sum += volume;
+          if (pair != end && pair->lowest == lowest) pair++->volume = volume;
+        }
+    const double factor = sum > 0 ? g.volume / sum : 1.0;
     spheres_[k].factor = static_cast<Real>(factor);
     for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) pairs_[p].volume *= factor;
   });

@@ -18,11 +18,15 @@ inline double normal_drag_coefficient(double reynolds) {
   return reynolds < lowest ? cd * lowest / std::max(reynolds, 1e-12) : cd;
 }
 
-/// Tangential coefficient, force per length = 1/2 rho d Ct u_t^2: 2 pi (0.55 Re^(-1/2) + 0.084 Re^(-1/3)) with Re of
-/// the normal velocity (Choo & Casarella 1971, J. Hydronautics 5:126).
-inline double tangential_drag_coefficient(double reynolds) {
-  const double re = std::max(reynolds, 0.1);
-  return 2 * std::numbers::pi * (0.55 / std::sqrt(re) + 0.084 / std::cbrt(re));
+/// Tangential coefficient, force per length = 1/2 rho d Ct u_t^2. In a stream at an angle the force is linear in u_t,
+/// pi mu (0.55 Re_n^(1/2) + 0.084 Re_n^(2/3)) u_t with Re_n of the normal velocity (Choo & Casarella 1971, J.
+/// Hydronautics 5:126; Tsukrov et al. 2003, Ocean Eng. 30:251). Where the stream runs along the wire that is too
+/// little: at least the friction of a turbulent boundary layer, 0.005 of the surface, and half of what a creeping
+/// stream across it does (slender bodies, Cox 1970, J. Fluid Mech. 44:791; the first part of the normal law).
+inline double tangential_drag_coefficient(double normal_reynolds, double tangential_reynolds) {
+  const double re_t = std::max(tangential_reynolds, 1e-12), root = std::cbrt(normal_reynolds);
+  const double askew = 2 * std::numbers::pi * (0.55 * std::sqrt(normal_reynolds) + 0.084 * root * root) / re_t;
+  return std::max(askew, 0.005 * std::numbers::pi + 3.4 / std::pow(re_t, 0.89));
 }
 
 /// Three-point kernel of Roma, Peskin & Berger 1999, J. Comput. Phys. 153:509; r in cells. Sums to 1, and its squares

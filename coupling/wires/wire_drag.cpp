@@ -9,6 +9,7 @@
 #include "coupling/wires/wire_bonds.h"
 #include "coupling/wires/wire_crowding.h"
 #include "coupling/wires/wire_kernel.h"
+#include "lbm/grid/block_geometry.h"
 #include "lbm/grid/row_types.h"
 
 namespace lahar::coupling {
@@ -53,11 +54,11 @@ Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double length, double
   const Vec3 along = relative.dot(tangent) * tangent, across = relative - along;
   const double sampled = across.norm(), d = wire.diameter;
   const double speed = undisturbed_speed(sampled, wire);
-  const double re = speed * d / wire.kinematic_viscosity;
+  const double re = speed * d / wire.kinematic_viscosity, re_along = along.norm() * d / wire.kinematic_viscosity;
   const Vec3 normal_velocity = sampled > 0 ? Vec3(across * (speed / sampled)) : Vec3(Vec3::Zero());
   return 0.5 * density * d * length *
          (normal_drag_coefficient(re) * screen_factor(wire.screen) * speed * normal_velocity +
-          tangential_drag_coefficient(re) * along.norm() * along);
+          tangential_drag_coefficient(re, re_along) * along.norm() * along);
 }
 
 }  // namespace
@@ -97,7 +98,8 @@ std::size_t WireDrag<Real>::beads() const {
 }
 
 template <class Real>
-ExchangedMomentum WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields) {
+ExchangedMomentum WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields,
+                                        const GrainCoupling<Real>* grains) {
   find_pairs(fluid, particles);
   if (!pairs_.empty() && since_look_ >= kCrowdingEvery) look_at_neighbours(fluid, particles);
   ++since_look_;
@@ -105,7 +107,8 @@ ExchangedMomentum WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles&
   by_block_.for_each_block([&](std::size_t block) {
     for (const std::uint32_t k : by_block_.in(block)) sample(fluid, pairs_[k]);
   });
-  parallel_for(0, beads_.size(), kBeadsPerTask, [&](std::size_t k) { choose_force(fluid, particles, beads_[k]); });
+  parallel_for(0, beads_.size(), kBeadsPerTask,
+               [&](std::size_t k) { choose_force(fluid, particles, grains, beads_[k]); });
   by_block_.for_each_block([&](std::size_t block) {
     for (const std::uint32_t k : by_block_.in(block)) spread(fluid, pairs_[k]);
   });
@@ -218,9 +221,32 @@ void WireDrag<Real>::sample(const lbm::Fluid<Real>& fluid, BeadInBlock& pair) co
   pair.velocity = Vec3(sum_in_double(x), sum_in_double(y), sum_in_double(z));
 }
 
-/// Drag and buoyancy of what was sampled.
+/// Sum of the kernel's weights over wall cells.
 template <class Real>
-void WireDrag<Real>::choose_force(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, Bead& bead) const {
+double WireDrag<Real>::share_in_walls(const lbm::Fluid<Real>& fluid, const WireKernel& kernel) const {
+  const auto& grid = fluid.grid();
+  const Vec3i count = kernel.highest() - kernel.lowest();
+  double sum = 0;
+  for (int x = 0; x <= count.x(); ++x)
+    for (int y = 0; y <= count.y(); ++y)
+      for (int z = 0; z <= count.z(); ++z) {
+        const Vec3i cell = lbm::image_of(grid.domain(), kernel.lowest() + Vec3i(x, y, z));
+        const BlockIndex b = grid.topology().find(lbm::block_of(cell));
+        const lbm::CellType type =
+            b == kNoBlock
+                ? grid.domain().classify(cell)
+                : grid.block(b)
+                      .type[static_cast<std::size_t>(lbm::cell_index(cell.x() & 7, cell.y() & 7, cell.z() & 7))];
+        if (type == lbm::CellType::wall) sum += kernel.weight(0, x) * kernel.weight(1, y) * kernel.weight(2, z);
+      }
+  return sum;
+}
+
+/// Drag and buoyancy of what was sampled. At the surface wires within reach of it count as partly wet; in walls there
+/// is nothing that could be wet.
+template <class Real>
+void WireDrag<Real>::choose_force(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
+                                  const GrainCoupling<Real>* grains, Bead& bead) const {
   const auto& units = fluid.units();
   bead.weight = 0, bead.force = Vec3::Zero();
   Vec3 velocity = Vec3::Zero();
@@ -229,7 +255,11 @@ void WireDrag<Real>::choose_force(const lbm::Fluid<Real>& fluid, const dem::Part
   if (bead.weight < 1e-6) bead.weight = 0;
   if (bead.weight == 0) return;
   const dem::ParticleIndex i = particles.index(bead.id);
-  const Vec3 relative = units.velocity_to_si(1.0) * (velocity / bead.weight) - particles.velocity[i];
+  velocity /= bead.weight;
+  if (grains)
+    velocity =
+        grains->liquid_velocity((particles.position[i] - fluid.grid().domain().origin()) / units.cell_size, velocity);
+  const Vec3 relative = units.velocity_to_si(1.0) * velocity - particles.velocity[i];
   const double d = 2 * particles.radius[i], rho = fluid.options().density;
   const WireInCells wire{.diameter = d,
                          .diameter_cells = d / units.cell_size,
@@ -237,7 +267,10 @@ void WireDrag<Real>::choose_force(const lbm::Fluid<Real>& fluid, const dem::Part
                          .screen = bead.crowding};
   const Vec3 drag = wire_force(relative, tangent_of(particles, bead), bead.length, rho, wire);
   const Vec3 buoyancy = -rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
-  bead.force = std::min(1.0, bead.weight) * (drag + buoyancy) * units.force_to_lu(1.0);
+  constexpr double whole = 1 - 1e-3;
+  const WireKernel& kernel = kernels_[static_cast<std::size_t>(place_[bead.id])];
+  const double open = bead.weight < whole ? 1 - share_in_walls(fluid, kernel) : 1.0;
+  bead.force = std::min(1.0, bead.weight / std::max(open, 0.1)) * (drag + buoyancy) * units.force_to_lu(1.0);
 }
 
 /// Gives the opposite of the force to the cells, as they were sampled. The impulse of a cell is that of a full one: a

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/audit.h"
+#include "coupling/grains/grain_coupling.h"
 #include "coupling/pairs_by_block.h"
 #include "coupling/solid_fields.h"
 #include "coupling/wires/wire_crowding.h"
@@ -27,7 +28,8 @@ class WireDrag {
 
   /// Before the fluid step, after bodies are mapped: drag and buoyancy on every wet bead (added to its external force,
   /// SI) and the opposite impulses into the cells.
-  ExchangedMomentum apply(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields);
+  ExchangedMomentum apply(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields,
+                          const GrainCoupling<Real>* grains = nullptr);
 
   /// Beads that stand for a piece of wire.
   [[nodiscard]] std::size_t beads() const;
@@ -65,7 +67,9 @@ class WireDrag {
                       std::vector<BeadInBlock>& pairs);
   void allocate_fields(lbm::Fluid<Real>& fluid, SolidFields<Real>& fields);
   void sample(const lbm::Fluid<Real>& fluid, BeadInBlock& pair) const;
-  void choose_force(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, Bead& bead) const;
+  [[nodiscard]] double share_in_walls(const lbm::Fluid<Real>& fluid, const WireKernel& kernel) const;
+  void choose_force(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const GrainCoupling<Real>* grains,
+                    Bead& bead) const;
   void spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair) const;
 
   std::vector<Bead> beads_;          // by id, ascending

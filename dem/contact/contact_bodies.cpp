@@ -37,8 +37,12 @@ void for_each_number(EightBodies& e, const Particles& p, const std::vector<doubl
 
 }  // namespace
 
-void ContactBodies::make_room(const ContactParties& parties) {
+void ContactBodies::make_room(const Particles& particles, const ContactParties& parties) {
   const std::size_t places = parties.particle.size();
+  rails_.clear();
+  for (std::size_t n = 0; n < places && !particles.rails.empty(); ++n)
+    if (const Rail* rail = particles.rail_of(parties.particle[n]))
+      rails_.push_back({n, {rail->along.x(), rail->along.y(), rail->along.z()}});
   rows_.resize(4 * (places + 1));
   store_aligned(rows_[4 * places], Row<double>{kNowhere, kNowhere, kNowhere, 0, 0, 0, 0, 0});
   store_aligned(rows_[4 * places + 1], Row<double>{0, 0, 0, 0, 0, 0, 0, 1});
@@ -75,7 +79,12 @@ void ContactBodies::pack(const Particles& p, const ContactParties& parties, std:
     const Row<double>& r = e.radius;
     std::array<Row<double>, kRow> a{e.x[0], e.x[1], e.x[2], e.v[0], e.v[1], e.v[2], v_end[0], v_end[1]};
     const Row<double> rate = e.inverse_mass * e.damping, spare{};
-    std::array<Row<double>, kRow> b{v_end[2], e.w[0], e.w[1], e.w[2], rate, spare, spare, r};
+    Row<double> railed{};
+    for (auto rail = first_rail_from(places[n]); rail != rails_.end() && rail->place <= places[n + count - 1]; ++rail) {
+      const auto at = std::lower_bound(places.begin() + n, places.begin() + n + count, rail->place);
+      if (*at == rail->place) railed.set(static_cast<std::size_t>(at - places.begin()) - n, 1);
+    }
+    std::array<Row<double>, kRow> b{v_end[2], e.w[0], e.w[1], e.w[2], rate, railed, spare, r};
     std::array<Row<double>, kRow> c{r * e.w[0],   r * e.w[1],   r * e.w[2],     r * w_end[0],
                                     r * w_end[1], r * w_end[2], e.inverse_mass, r};
     transpose(a);
@@ -88,6 +97,25 @@ void ContactBodies::pack(const Particles& p, const ContactParties& parties, std:
       store_aligned(rows + 2 * kRow, c[l]);
     }
   }
+}
+
+std::vector<ContactBodies::RailedPlace>::const_iterator ContactBodies::first_rail_from(std::size_t place) const {
+  return std::lower_bound(rails_.begin(), rails_.end(), place,
+                          [](const RailedPlace& rail, std::size_t p) { return rail.place < p; });
+}
+
+ContactBodies::OnRails ContactBodies::on_rails(std::uint32_t owner_at, std::uint32_t partner_at,
+                                               const Triple& normal) const {
+  OnRails sum{0, 0};
+  for (const std::uint32_t at : {owner_at, partner_at}) {
+    const double* rows = data() + at;
+    const auto rail = first_rail_from(at / kStride);
+    double share = 1;
+    if (rows[kRow + 5] != 0) share = dot(normal, rail->along) * dot(normal, rail->along);
+    sum.inverse_mass += share * rows[2 * kRow + 6];
+    sum.damping_rate += share * rows[kRow + 4];
+  }
+  return sum;
 }
 
 }  // namespace lahar::dem

@@ -73,8 +73,13 @@ std::vector<std::uint32_t> ContactSlots::renumber(const Renumbering& change, boo
 
 bool ContactDetection::outdated(const Particles& particles) {
   ++asked_;
-  return refreshes_ == 0 || particles.size() != listed_at_.size() ||
-         any_moved(particles.position, listed_at_, move_limit2_);
+  if (refreshes_ > 0 && particles.size() == listed_at_.size() &&
+      !any_moved(particles.position, listed_at_, move_limit2_))
+    return false;
+  if (refreshes_ > 0 && asked_ < kFewSteps) narrow_share_ = std::min(1.0, 1.5 * narrow_share_);
+  if (asked_ > kManySteps) narrow_share_ = std::max(kThinnest, narrow_share_ / 1.5);
+  asked_ = 0;
+  return true;
 }
 
 void ContactDetection::rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded,
@@ -87,9 +92,6 @@ void ContactDetection::rebuild(const Particles& particles, const Walls& walls, c
 }
 
 void ContactDetection::refresh(const Particles& particles, const RateShare& share) {
-  if (refreshes_ > 0 && asked_ < kFewSteps) narrow_share_ = std::min(1.0, 1.5 * narrow_share_);
-  if (asked_ > kManySteps) narrow_share_ = std::max(kThinnest, narrow_share_ / 1.5);
-  asked_ = 0;
   remember_positions(particles, share);
   std::swap(pairs_, previous_pairs_);
   list_pairs(particles);

@@ -92,20 +92,25 @@ struct ContactParties {
 /// Two lists, one inside the other (as in molecular dynamics: Pall & Hess 2013, Comput. Phys. Commun. 184:2641): the
 /// neighbour list with a wide skin comes from cells and holds long; the slots are its pairs within a narrow skin, found
 /// by running through it. Of them the contact loop takes those that touch (active_contacts.h). The narrow skin widens
-/// where particles are fast and thins where they rest.
+/// where particles are fast and thins where they rest. What particles have moved since the neighbour list was built and
+/// what the slots let them move may not exceed the wide skin together.
 class ContactDetection {
  public:
   explicit ContactDetection(NeighbourOptions options = {}) : neighbours_(options) {}
 
-  /// True if the slots must be listed again (`refresh`, or `rebuild` where the neighbour list is outdated as well).
+  /// True if the slots must be listed again: by `rebuild`, or by `refresh` where the neighbour list holds.
   [[nodiscard]] bool outdated(const Particles& particles);
+  /// Whether the neighbour list has every pair that may touch before slots that are listed now are outdated.
+  [[nodiscard]] bool neighbours_hold(const Particles& particles) const {
+    return !neighbours_.outdated(particles, 1 - narrow_share_);
+  }
   /// From now on slots keep what rolling resistance remembers. To be called before the first list is built.
   void remember_rolling() {
     for (ContactSlots* slots : {&pairs_, &walls_, &previous_pairs_, &previous_walls_}) slots->rolls = true;
   }
   /// Builds all lists of the contacts in `share` anew and carries the histories over. Positions must be finite.
   void rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded, const RateShare& share = {});
-  /// Lists the slots anew from the neighbour list, which must not be outdated.
+  /// Lists the slots anew from the neighbour list, which must hold.
   void refresh(const Particles& particles, const RateShare& share = {});
 
   [[nodiscard]] ContactSlots& pairs() { return pairs_; }

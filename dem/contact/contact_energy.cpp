@@ -71,6 +71,7 @@ double normal_energy_of(ParticleIndex i, const Particles& p, const Materials& ma
                         const ContactDetection& contacts, const ContactLawChoice& law) {
   double energy = 0;
   const auto add = [&](ParticleIndex j) {
+    if (p.state[j] == ParticleState::removed) return;  // it took the energy of this contact with it
     const double overlap = p.radius[i] + p.radius[j] - (p.position[j] - p.position[i]).norm();
     energy += normal_energy(i, j, overlap, p, materials, law);
   };

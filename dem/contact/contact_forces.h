@@ -47,6 +47,9 @@ class ContactForces {
     change.move(damping_);
     noted_refresh_ = -1;
   }
+  /// Per particle: sum of the normal dampers of its contacts in the last step, N s/m. Others that act on the same
+  /// particles add theirs.
+  [[nodiscard]] std::vector<double>& damping() { return damping_; }
   /// State of a checkpoint; the histories lie with the contacts.
   void transfer(Archive& archive);
 

@@ -18,9 +18,11 @@ struct LinearSpringDashpot {
   double tangential_stiffness = 0;  ///< N/m; 0 = 2/7 of the normal one, which gives both modes the same period
   bool operator==(const LinearSpringDashpot&) const = default;
 
-  /// The duration of a contact of two equal spheres.
+  /// The duration of a contact of two equal spheres: half a period of the spring that swings faster. Of two spheres
+  /// that slide on each other the surfaces also yield by turning: 2/7 of the mass.
   [[nodiscard]] double time_limit(double radius, double density, const Material&) const {
-    return linear_contact_time(0.5 * std::numbers::pi / 6 * std::pow(2 * radius, 3) * density, normal_stiffness);
+    return linear_contact_time(0.5 * std::numbers::pi / 6 * std::pow(2 * radius, 3) * density,
+                               std::max(normal_stiffness, 3.5 * tangential_stiffness));
   }
 
   template <class V>

@@ -53,23 +53,25 @@ double NeighbourList::skin(const Particles& particles, std::size_t i) const {
   return std::max(options_.relative_skin * particles.radius[i], options_.minimum_skin);
 }
 
-bool any_moved(const Vec3Field& now, const Vec3Field& then, const std::vector<double>& limit2) {
+bool any_moved(const Vec3Field& now, const Vec3Field& then, const std::vector<double>& limit2, double share) {
   const double *x = now.x.data(), *y = now.y.data(), *z = now.z.data();
   const double *x0 = then.x.data(), *y0 = then.y.data(), *z0 = then.z.data(), *limit = limit2.data();
+  const double share2 = share * share;
   std::atomic<bool> moved{false};
   parallel_for_even_chunks(now.size(), 2048, [&](std::size_t first, std::size_t last) {
     long long any = 0;
     for (std::size_t i = first; i < last; ++i) {
       const double dx = x[i] - x0[i], dy = y[i] - y0[i], dz = z[i] - z0[i];
-      any |= dx * dx + dy * dy + dz * dz <= limit[i] ? 0 : 1;  // 1 also for a position that is not a number
+      any |= dx * dx + dy * dy + dz * dz <= share2 * limit[i] ? 0 : 1;  // 1 also for a position that is not a number
     }
     if (any != 0) moved = true;
   });
   return moved;
 }
 
-bool NeighbourList::outdated(const Particles& particles) const {
-  return builds_ == 0 || particles.size() != built_at_.size() || any_moved(particles.position, built_at_, move_limit2_);
+bool NeighbourList::outdated(const Particles& particles, double share) const {
+  return builds_ == 0 || particles.size() != built_at_.size() ||
+         any_moved(particles.position, built_at_, move_limit2_, share);
 }
 
 void NeighbourList::build(const Particles& particles, const PairSet& excluded, const RateShare& share) {

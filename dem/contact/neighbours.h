@@ -23,7 +23,8 @@ class PairSet {
 };
 
 /// True if any position is farther from where it was than the root of its limit (m^2), or not a number.
-[[nodiscard]] bool any_moved(const Vec3Field& now, const Vec3Field& then, const std::vector<double>& limit2);
+[[nodiscard]] bool any_moved(const Vec3Field& now, const Vec3Field& then, const std::vector<double>& limit2,
+                             double share = 1);
 
 /// A particle's skin is relative_skin x its radius, at least minimum_skin. Two particles are neighbours while their gap
 /// is below the mean of their skins; the list holds until one has moved half its own skin.
@@ -39,8 +40,9 @@ class NeighbourList {
  public:
   explicit NeighbourList(NeighbourOptions options = {}) : options_(options) {}
 
-  /// True if the list must be built again: a particle was added or has moved too far (or is not a number).
-  [[nodiscard]] bool outdated(const Particles& particles) const;
+  /// True if the list must be built again: a particle was added or has moved by more than this share of half the skin
+  /// (or is not a number).
+  [[nodiscard]] bool outdated(const Particles& particles, double share = 1) const;
   /// Lists the pairs of `share`. Positions must be finite.
   void build(const Particles& particles, const PairSet& excluded, const RateShare& share = {});
 

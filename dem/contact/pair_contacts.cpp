@@ -124,6 +124,7 @@ void PairContacts::note_slots(const Particles& p, const ContactDetection& contac
     partner_at_[k] = static_cast<std::uint32_t>(ContactBodies::kStride * parties.partner[k]);
   });
   active_.note_slots(contacts);
+  bodies_.make_room(p, parties);
   one_material_ = std::all_of(material_.begin(), material_.end(), [&](auto m) { return m == material_[0]; });
   const bool by_id = p.numbering.by_id();
   id_of_place_.clear();
@@ -137,7 +138,6 @@ void PairContacts::pack(const Particles& p, const ContactDetection& contacts, co
                         double dt, const MeanMotion* mean) {
   const std::size_t chunks = contacts.parties().first_place.size() - 1;
   parallel_for(0, chunks, 4, [&](std::size_t chunk) { active_.find_slots(p, contacts, chunk); });
-  bodies_.make_room(contacts.parties());
   parallel_for(0, chunks, 4, [&](std::size_t chunk) {
     active_.find_places(contacts, chunk);
     bodies_.pack(p, contacts.parties(), active_.places(chunk), damping, dt, mean);
@@ -171,6 +171,7 @@ void PairContacts::pack(const Particles& p, const ContactDetection& contacts, co
   c.effective_radius = radius_i * radius_j / b[7];
   c.set_spheres({a[0], a[1], a[2]}, b[7]);
   arms = {radius_i - 0.5 * c.overlap, radius_j - 0.5 * c.overlap};
+  if ((b[5] > 0).bits() != 0) give_way_along_rails(c, at);
 
   if (one_material_) {
     const double* m = materials[at.material[at.slot[0]]];
@@ -182,6 +183,17 @@ void PairContacts::pack(const Particles& p, const ContactDetection& contacts, co
     return load_aligned<Lanes>(materials[at.material[at.slot[l]]] + first);
   });
   c.modulus = m[0], c.shear_modulus = m[1], c.friction = m[2], c.damping_ratio = m[3];
+}
+
+/// Where one of the two is on a rail.
+void PairContacts::give_way_along_rails(ContactLanes& c, const Batch& at) const {
+  for (std::size_t l = 0; l < kContactLanes; ++l) {
+    const std::uint32_t k = at.slot[l];
+    const ContactBodies::OnRails along =
+        bodies_.on_rails(at.owner[k], at.partner[k], {c.normal.x[l], c.normal.y[l], c.normal.z[l]});
+    c.inverse_mass.set(l, along.inverse_mass);
+    c.damping_rate.set(l, along.damping_rate);
+  }
 }
 
 /// Rolling resistance, after the law: the torque on the owners.

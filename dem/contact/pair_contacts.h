@@ -51,6 +51,7 @@ class PairContacts {
   template <ContactLaw L>
   void evaluate_batch(const L& law, const Batch& at, const ContactMaterials& materials, double dt, ContactTally& tally);
   void gather(ContactLanes& contacts, Arms& arms, const Batch& at, const ContactMaterials& materials) const;
+  void give_way_along_rails(ContactLanes& contacts, const Batch& at) const;
   void prefetch(const std::uint32_t* slot, const double* history) const;
   [[nodiscard]] Lanes3 roll(const ContactLanes& contacts, const ContactHistoryOf<Lanes>& history,
                             const Lanes& stiffness_before, const Batch& at, const ContactMaterials& materials,

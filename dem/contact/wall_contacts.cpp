@@ -79,14 +79,16 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
   ContactLanes& c = contacts;
   c.touches.set(lane, distance < r);
   c.overlap.set(lane, std::max(0.0, r - distance));
-  set(c.normal, lane, -1.0 * triple(gradient_of(work.walls, w, p.position[i])));
+  const Triple normal = -1.0 * triple(gradient_of(work.walls, w, p.position[i]));
+  const double moved_mass = p.free_share(i, normal) * inverse_mass;  // along the normal
+  set(c.normal, lane, normal);
   set(c.slip, lane, v - wall_velocity);
   set(c.slip_end, lane, v_end - wall_velocity);
   set(c.spin, lane, spin);
   set(c.rim, lane, r * spin);  // a wall adds nothing: its spin is zero
   set(c.rim_end, lane, r * spin_end);
-  c.inverse_mass.set(lane, inverse_mass);
-  c.damping_rate.set(lane, inverse_mass * work.damping[i]);
+  c.inverse_mass.set(lane, moved_mass);
+  c.damping_rate.set(lane, moved_mass * work.damping[i]);
   c.effective_radius.set(lane, r);
   const double* m = work.materials[material[lane]];
   c.modulus.set(lane, m[0]), c.shear_modulus.set(lane, m[1]);
@@ -122,7 +124,7 @@ template <ContactLaw L>
       state.spin = lane_of(batch.contacts.spin, l);  // a wall has none
       state.spin_end = (1 / work.particles.radius[i]) * lane_of(batch.contacts.rim_end, l);
       const double inverse_inertia =
-          inverse_rolling_inertia(batch.contacts.inverse_mass[l], batch.contacts.effective_radius[l]);
+          inverse_rolling_inertia(work.particles.inverse_mass[i], batch.contacts.effective_radius[l]);
       state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
       answer.torque = answer.torque + roll_lane(batch.contacts, h, l, state, stiffness_before[l], work.dt,
                                                 work.slots.rolling[k], rolled);

@@ -32,12 +32,15 @@ struct SplineSegment {
     if (last) return {-0.5, 0.5, 0};
     return {t - 1, 1 - 2 * t, t};
   }
-  /// No point of the segment is farther from its own bead, m.
+  /// No point of the segment is farther from its own bead, m; and its square.
   [[nodiscard]] static double extent(const WireChains& chains, const Vec3Field& x, std::size_t k) {
+    return std::sqrt(extent2(chains, x, k));
+  }
+  [[nodiscard]] static double extent2(const WireChains& chains, const Vec3Field& x, std::size_t k) {
     double longest = 0;
     for (const ParticleIndex j : {chains.before(k), chains.behind(k)})
       if (j != WireChains::none) longest = std::max(longest, (x[j] - x[k]).squaredNorm());
-    return 0.5 * std::sqrt(longest);
+    return 0.25 * longest;
   }
 };
 
@@ -74,7 +77,7 @@ inline double nearest_on(const SplineSegment& p, const Triple& x, double low, do
     if (!(next >= low && next <= high)) next = 0.5 * (low + high);
     const double step = std::abs(next - t);
     t = next;
-    if (step < 1e-14) break;
+    if (step < 1e-8) break;  // the error is about the square of it
   }
   return t;
 }

@@ -19,7 +19,7 @@ struct Motion {
   double inverse_mass = 0;  // 1/kg
 };
 
-Motion motion_of(const WireSide& side, const Particles& p, double dt) {
+Motion motion_of(const WireSide& side, const Triple& normal, const Particles& p, double dt) {
   Motion m;
   for (std::size_t k = 0; k < side.count; ++k) {
     const ParticleIndex i = side.shares[k].particle;
@@ -30,7 +30,7 @@ Motion motion_of(const WireSide& side, const Particles& p, double dt) {
     const Triple w_end = w + (0.5 * dt * p.inverse_inertia(i)) * triple_at(p.torque, i);
     m.velocity = m.velocity + weight * v, m.velocity_end = m.velocity_end + weight * v_end;
     m.spin = m.spin + weight * w, m.spin_end = m.spin_end + weight * w_end;
-    m.inverse_mass += weight * weight * inverse;
+    m.inverse_mass += weight * weight * p.free_share(i, normal) * inverse;
   }
   return m;
 }
@@ -85,7 +85,7 @@ void describe(const WirePatch& patch, const SplineSegment& segment, const WirePa
 }
 
 void set_motion(const WireContact& c, const Particles& particles, double dt, ContactState& s) {
-  const Motion a = motion_of(c.wire, particles, dt), b = motion_of(c.partner, particles, dt);
+  const Motion a = motion_of(c.wire, c.normal, particles, dt), b = motion_of(c.partner, c.normal, particles, dt);
   s.overlap = c.overlap;
   s.normal_ij = c.normal;
   const Triple slip = a.velocity - b.velocity + cross(a.spin, c.wire.lever) - cross(b.spin, c.partner.lever);

@@ -21,7 +21,6 @@ struct WireSlot {
   ParticleIndex last = 0;     ///< bead of the run that it touched last; `partner` until then
   ContactHistory history;
   std::uint8_t touching = 0;  ///< 1 where history is in use
-  std::uint8_t near = 0;      ///< 1 where it may touch soon (WireForces::narrow)
 };
 
 /// Slots in the order of their segments' ids, spheres before runs. Spheres are particles that belong to no wire, and

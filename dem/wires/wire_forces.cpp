@@ -1,6 +1,8 @@
 #include "dem/wires/wire_forces.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 #include "core/parallel.h"
@@ -10,8 +12,8 @@ namespace lahar::dem {
 
 namespace {
 
-constexpr std::size_t kChunk = 16;     // slots; fixed, so that sums do not depend on the number of threads
-constexpr double kNarrowShare = 0.05;  // of a wire's radius; a narrowing costs about as much as ten steps
+constexpr std::size_t kChunk = 64;      // slots; fixed, so that sums do not depend on the number of threads
+constexpr double kSearchedShare = 0.1;  // of a wire's radius: how far beyond contact a partner is looked for
 
 /// The energy of a tangential spring.
 double stored_energy(const ContactHistory& h) {
@@ -27,6 +29,7 @@ struct WireForces::Scratch {
   WireSphere sphere;
   WirePatch patch;
   WireContact contact;
+  double gap = 0;  // m
 };
 
 WireForces::WireForces(const Materials& materials, ContactLawChoice law, NeighbourOptions options)
@@ -40,94 +43,90 @@ WireForces::WireForces(const Materials& materials, ContactLawChoice law, Neighbo
 
 void WireForces::rebuild(const Particles& particles, const Bonds& bonds) {
   chains_.build(bonds, particles);
-  energy_.friction += detection_.rebuild(particles, chains_);
-  ++builds_;
-  pick_near(particles);
+  relist(particles);
 }
 
 void WireForces::relist(const Particles& particles) {
   energy_.friction += detection_.rebuild(particles, chains_);
   ++builds_;
-  pick_near(particles);
-}
-
-void WireForces::narrow(const Particles& particles) {
-  if (any_moved(particles.position, narrowed_at_, narrow_limit2_)) pick_near(particles);
+  note_slots(particles);
 }
 
 void WireForces::renumber(const Renumbering& change) {
   chains_.renumber(change);
   detection_.renumber(change);
-  change.move(narrowed_at_);
-  change.move(damping_);
-  if (narrowed_at_.size() > 0) note_near();
+  change.move(position_before_);
+  change.move(counts_);
 }
 
-void WireForces::pick_near(const Particles& p) {
-  auto& slots = detection_.slots();
-  narrowed_at_ = p.position;
-  narrow_limit_ = std::numeric_limits<double>::infinity();
-  for (const WireSlot& s : slots) narrow_limit_ = std::min(narrow_limit_, kNarrowShare * p.radius[s.wire]);
-  parallel_for_chunks(slots.size(), kChunk, [&](std::size_t first, std::size_t last) {
-    static thread_local Scratch scratch;
-    for (std::size_t k = first; k < last; ++k)
-      slots[k].near = slots[k].touching != 0 || find_patch_of(slots[k], p, 2 * narrow_limit_, scratch) ? 1 : 0;
-  });
-  note_near();
-}
-
-/// What follows from the slots: which are near, and whose movement counts.
-void WireForces::note_near() {
-  const auto& slots = detection_.slots();
-  near_.clear();
-  narrow_limit2_.assign(narrowed_at_.size(), std::numeric_limits<double>::infinity());
-  const double limit2 = narrow_limit_ * narrow_limit_;
-  const auto counts = [&](ParticleIndex i) {
+/// Nothing is known yet of how far the slots are from touching.
+void WireForces::note_slots(const Particles& p) {
+  position_before_ = p.position;
+  moved_ = 0;
+  idle_to_.assign(slots().size(), 0.0);
+  counts_.assign(p.size(), 0.0);
+  const auto count = [&](ParticleIndex i) {
     for (const ParticleIndex k : {i, chains_.before(i), chains_.behind(i)})
-      if (k != WireChains::none) narrow_limit2_[k] = limit2;
+      if (k != WireChains::none) counts_[k] = 1;
   };
-  for (std::size_t k = 0; k < slots.size(); ++k) {
-    if (slots[k].near != 0) near_.push_back(static_cast<std::uint32_t>(k));
-    counts(slots[k].wire);
-    ParticleIndex j = slots[k].partner;
-    for (std::uint32_t n = 0; n<std::max(1U, slots[k].count); ++n, j = slots[k].count> 0 ? chains_.behind(j) : j)
-      counts(j);
+  for (const WireSlot& slot : slots()) {
+    count(slot.wire);
+    count(slot.partner);
+    ParticleIndex k = slot.partner;
+    for (std::uint32_t n = 1; n < slot.count; ++n) count(k = chains_.behind(k));
   }
 }
 
-/// Fills the scratch with the patch of a slot, with its reach longer by `margin`. False if there is none.
-bool WireForces::find_patch_of(const WireSlot& slot, const Particles& p, double margin, Scratch& x) const {
-  const double reach = p.radius[slot.wire] + p.radius[slot.partner] + margin;
+/// Adds to `moved_` how far the particles have come since the last time.
+void WireForces::note_movement(const Vec3Field& position) {
+  constexpr std::size_t kLanes = 8;
+  std::array<double, kLanes> farthest2{};
+  const Vec3Field &now = position, &then = position_before_;
+  const auto note = [&](std::size_t i, std::size_t lane) {
+    const double dx = now.x[i] - then.x[i], dy = now.y[i] - then.y[i], dz = now.z[i] - then.z[i];
+    const double way2 = counts_[i] * (dx * dx + dy * dy + dz * dz);
+    farthest2[lane] = way2 <= farthest2[lane] ? farthest2[lane] : way2;  // takes what is not a number, too
+  };
+  std::size_t i = 0;
+  for (; i + kLanes <= now.size(); i += kLanes)
+    for (std::size_t lane = 0; lane < kLanes; ++lane) note(i + lane, lane);
+  for (; i < now.size(); ++i) note(i, 0);
+  moved_ += std::sqrt(*std::max_element(farthest2.begin(), farthest2.end()));
+  position_before_ = position;
+}
+
+/// Fills the scratch with the contact of a slot. If it does not touch, false, and `scratch.gap` says how far it is from
+/// it at least.
+bool WireForces::find_contact(const WireSlot& slot, const Particles& p, Scratch& x) const {
+  const double r = p.radius[slot.wire], reach = r + p.radius[slot.partner];
+  x.gap = std::numeric_limits<double>::infinity();
   x.sphere = {slot.count == 0, slot.partner};
   if (slot.count == 0 && p.state[slot.partner] == ParticleState::removed) return false;
   const Triple own = triple_at(p.position, slot.wire);
   const double extent = SplineSegment::extent(chains_, p.position, slot.wire);
-  ParticleIndex near = slot.partner;
   std::uint32_t near_segment = 0;
-  double least = -1;
+  double least = x.gap, widest = 0;  // squares
   for (std::uint32_t n = 0, k = slot.partner; n < std::max(1U, slot.count); ++n) {
     const Triple d = triple_at(p.position, k) - own;
-    if (least < 0 || dot(d, d) < least) least = dot(d, d), near = k, near_segment = n;
-    if (slot.count > 0) k = chains_.behind(k);
+    if (dot(d, d) < least) least = dot(d, d), near_segment = n;
+    if (slot.count == 0) break;
+    widest = std::max(widest, SplineSegment::extent2(chains_, p.position, k));
+    k = chains_.behind(k);
   }
-  const double far = reach + extent + (slot.count > 0 ? SplineSegment::extent(chains_, p.position, near) : 0.0);
-  if (!(least < far * far)) return false;
+  x.gap = std::sqrt(least) - std::sqrt(widest) - reach - extent;
+  if (x.gap >= 0) return false;
   x.segment = spline_segment(chains_, p.position, slot.wire);
   x.partner.segments.clear();
   x.partner.centre = triple_at(p.position, slot.partner);
   for (std::uint32_t n = 0, k = slot.partner; n < slot.count; ++n, k = chains_.behind(k))
     x.partner.segments.push_back(spline_segment(chains_, p.position, k));
-  find_kinks(x.partner, reach);
-  const NearestPoint hint{x.partner.centre, slot.count > 0 ? near_segment : 0, 0.5};
-  return find_patch(x.segment, x.partner, reach, extent, hint, x.patch);
-}
-
-/// Fills the scratch with the contact of a slot. False if it does not touch.
-bool WireForces::find_contact(const WireSlot& slot, const Particles& p, Scratch& x) const {
-  if (!find_patch_of(slot, p, 0, x)) return false;
-  const double r = p.radius[slot.wire];
-  describe(x.patch, x.segment, x.partner, x.sphere, r + p.radius[slot.partner], r, x.contact);
-  return true;
+  double searched = slot.touching != 0 ? 0.0 : kSearchedShare * r;
+  if (slot.count == 0) searched = std::numeric_limits<double>::infinity();
+  find_kinks(x.partner, reach + searched);
+  const bool touches = find_patch(x.segment, x.partner, reach, extent, {x.partner.centre, near_segment, 0.5}, x.patch);
+  x.gap = std::min(x.patch.gap, searched);
+  if (touches) describe(x.patch, x.segment, x.partner, x.sphere, reach, r, x.contact);
+  return touches;
 }
 
 ContactState WireForces::material_state(const WireSlot& slot, const Particles& p) const {
@@ -145,8 +144,8 @@ ContactState WireForces::material_state(const WireSlot& slot, const Particles& p
 }
 
 template <ContactLaw L>
-void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p, double dt, Scratch& x,
-                               Chunk& chunk) const {
+void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p, const std::vector<double>& damping,
+                               double dt, Scratch& x, Chunk& chunk) const {
   if (!find_contact(slot, p, x)) {
     if (slot.touching != 0) chunk.energy.friction += stored_energy(slot.history);
     slot.history = {}, slot.touching = 0;
@@ -159,7 +158,8 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
   for (const WireSide* side : {&c.wire, &c.partner})
     for (std::size_t k = 0; k < side->count; ++k) {
       const WireShare& b = side->shares[k];
-      s.damping_rate += c.spread * b.weight * p.inverse_mass[b.particle] * damping_[b.particle];
+      s.damping_rate +=
+          c.spread * b.weight * p.free_share(b.particle, c.normal) * p.inverse_mass[b.particle] * damping[b.particle];
     }
   ContactState still = s;
   still.damping_ratio = 0;
@@ -192,21 +192,26 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
 }
 
 template <ContactLaw L>
-void WireForces::evaluate_with(const L& law, const Particles& p, double dt) {
+void WireForces::evaluate_with(const L& law, const Particles& p, const std::vector<double>& damping, double dt) {
   auto& slots = detection_.slots();
-  chunks_.resize((near_.size() + kChunk - 1) / kChunk);
-  parallel_for_chunks(near_.size(), kChunk, [&](std::size_t first, std::size_t last) {
+  chunks_.resize((slots.size() + kChunk - 1) / kChunk);
+  parallel_for_chunks(slots.size(), kChunk, [&](std::size_t first, std::size_t last) {
     static thread_local Scratch scratch;
     Chunk& chunk = chunks_[first / kChunk];
     chunk.answers.clear();
     chunk.energy = {}, chunk.worst = {};
-    for (std::size_t k = first; k < last; ++k) evaluate_slot(law, slots[near_[k]], p, dt, scratch, chunk);
+    for (std::size_t k = first; k < last; ++k) {
+      if (moved_ < idle_to_[k]) continue;
+      evaluate_slot(law, slots[k], p, damping, dt, scratch, chunk);
+      // Both sides may come nearer by as much as is moved.
+      idle_to_[k] = slots[k].touching != 0 ? 0 : moved_ + 0.5 * scratch.gap;
+    }
   });
 }
 
-void WireForces::evaluate(const Particles& p, double dt) {
-  damping_.resize(p.size());
-  std::visit([&](const auto& law) { evaluate_with(law, p, dt); }, law_);
+void WireForces::evaluate(const Particles& p, const std::vector<double>& damping, double dt) {
+  note_movement(p.position);
+  std::visit([&](const auto& law) { evaluate_with(law, p, damping, dt); }, law_);
   energy_.elastic_normal = energy_.elastic_tangential = energy_.damping_of_step = 0;
   worst_ = {};
   for (const Chunk& c : chunks_) {
@@ -215,13 +220,12 @@ void WireForces::evaluate(const Particles& p, double dt) {
   }
 }
 
-void WireForces::add_forces(Particles& p) {
-  std::fill(damping_.begin(), damping_.end(), 0.0);
+void WireForces::add_forces(Particles& p, std::vector<double>& damping) {
   for (const Chunk& c : chunks_)
     for (const Answer& a : c.answers) {
       p.force.x[a.particle] += a.force.x, p.force.y[a.particle] += a.force.y, p.force.z[a.particle] += a.force.z;
       p.torque.x[a.particle] += a.torque.x, p.torque.y[a.particle] += a.torque.y, p.torque.z[a.particle] += a.torque.z;
-      damping_[a.particle] += a.damper;
+      damping[a.particle] += a.damper;
     }
 }
 

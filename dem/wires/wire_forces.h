@@ -22,8 +22,6 @@ class WireForces {
   void rebuild(const Particles& particles, const Bonds& bonds);
   /// True if particles have moved so far that the contacts must be listed anew.
   [[nodiscard]] bool outdated(const Particles& particles) const { return detection_.outdated(particles); }
-  /// Picks out the slots that may touch before a particle has moved by a small share of the wires' radius, if one has.
-  void narrow(const Particles& particles);
   /// Lists the contacts anew. Positions must be finite.
   void relist(const Particles& particles);
 
@@ -31,10 +29,11 @@ class WireForces {
   void renumber(const Renumbering& change);
 
   /// Forces of all contacts after a step of dt (s) that brought the particles to where they are. Velocities must be
-  /// those of mid-step, `particles.force` still the sum of the step before. Wires of one body touch without friction.
-  void evaluate(const Particles& particles, double dt);
-  /// Adds what was evaluated, in the order of the contacts.
-  void add_forces(Particles& particles);
+  /// those of mid-step, `particles.force` still the sum of the step before, `damping` the sums of the particles' normal
+  /// dampers then (N s/m; those of their other contacts count, too). Wires of one body touch without friction.
+  void evaluate(const Particles& particles, const std::vector<double>& damping, double dt);
+  /// Adds what was evaluated to forces and dampers, in the order of the contacts.
+  void add_forces(Particles& particles, std::vector<double>& damping);
 
   [[nodiscard]] const WireChains& chains() const { return chains_; }
   [[nodiscard]] const std::vector<WireSlot>& slots() const { return detection_.slots(); }
@@ -70,15 +69,14 @@ class WireForces {
   struct Scratch;
 
   bool find_contact(const WireSlot& slot, const Particles& particles, Scratch& scratch) const;
-  bool find_patch_of(const WireSlot& slot, const Particles& particles, double margin, Scratch& scratch) const;
   [[nodiscard]] ContactState material_state(const WireSlot& slot, const Particles& particles) const;
   template <ContactLaw L>
-  void evaluate_with(const L& law, const Particles& particles, double dt);
+  void evaluate_with(const L& law, const Particles& particles, const std::vector<double>& damping, double dt);
   template <ContactLaw L>
-  void evaluate_slot(const L& law, WireSlot& slot, const Particles& particles, double dt, Scratch& scratch,
-                     Chunk& chunk) const;
-  void note_near();
-  void pick_near(const Particles& particles);
+  void evaluate_slot(const L& law, WireSlot& slot, const Particles& particles, const std::vector<double>& damping,
+                     double dt, Scratch& scratch, Chunk& chunk) const;
+  void note_slots(const Particles& particles);
+  void note_movement(const Vec3Field& position);
   [[nodiscard]] double energy_at_rest(const WireSlot& slot, const Particles& particles) const;
 
   ContactLawChoice law_;
@@ -86,12 +84,12 @@ class WireForces {
   std::vector<Pair> pairs_;
   WireChains chains_;
   WireDetection detection_;
-  std::vector<std::uint32_t> near_;  // slots that may touch soon
-  Vec3Field narrowed_at_;
-  std::vector<double> narrow_limit2_;
-  double narrow_limit_ = 0;  // m
-  std::vector<Chunk> chunks_;
-  std::vector<double> damping_;  // per particle: sum of the normal dampers of its contacts in the last step, N s/m
+  // Most slots do not touch, and cannot until what they join has moved by as much as lies between them.
+  Vec3Field position_before_;    // of the last evaluation
+  std::vector<double> counts_;   // per particle: 1 where a slot depends on it
+  double moved_ = 0;             // m, the farthest way of such a particle in each step, added up
+  std::vector<double> idle_to_;  // per slot: it does not touch while moved_ is less
+  std::vector<Chunk> chunks_;    // of kChunk slots each
   ContactEnergy energy_;
   WorstOverlap worst_;
   std::int64_t builds_ = 0;

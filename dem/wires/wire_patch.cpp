@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lahar::dem {
 
@@ -15,6 +16,10 @@ constexpr std::array<double, 4> kShare{0.17392742256872692, 0.32607257743127305,
 // Wires that lie nearly along each other may be nearest at several places of a segment.
 constexpr std::size_t kStretches = 4;
 static_assert(2 * kStretches * kPlace.size() <= std::tuple_size_v<decltype(WirePatch::nodes)>);
+
+// What lies beyond an edge adds the third power of the overlap there, as a share of the deepest. The deepest place only
+// has to lie in the patch: its overlap is short by at most a quarter (a stretch) of the slope left, over the reach.
+constexpr double kEdge = 1e-4, kDeepest = 1e-6;
 
 /// What is known of one place of the segment.
 struct Probe {
@@ -64,7 +69,7 @@ class Search {
     const double fall = deepest.overlap - outside.overlap;  // of a parabola
     const double s = deepest.s + (outside.s - deepest.s) * std::sqrt(deepest.overlap / fall);
     return root(
-               outside, deepest, [](const Probe& p) { return p.overlap; }, 1e-8 * deepest.overlap,
+               outside, deepest, [](const Probe& p) { return p.overlap; }, kEdge * deepest.overlap,
                probe(s, deepest.nearest))
         .s;
   }
@@ -91,14 +96,17 @@ class Search {
   }
 
   void around(const Probe& left, const Probe& deepest, const Probe& right) {
+    note_gap(-deepest.overlap - kDeepest * reach_);
     if (deepest.overlap <= 0) return;
     add_nodes(edge(left, deepest), edge(right, deepest), deepest.nearest);
   }
 
+  void note_gap(double gap) { patch_.gap = std::min(patch_.gap, gap); }
+
   /// The patch within one stretch of the segment, in which the distance has one extremum or none.
   void search(const Probe& a, const Probe& b) {
     const auto turn = [](const Probe& p) { return p.turn; };
-    const double tolerance = 1e-10 * reach_ * reach_;
+    const double tolerance = kDeepest * reach_ * reach_;
     if (a.turn < 0 && b.turn > 0) {
       const double s = a.s + (b.s - a.s) * a.turn / (a.turn - b.turn);
       return around(a, root(a, b, turn, tolerance, probe(s, a.nearest)), b);
@@ -118,7 +126,8 @@ class Search {
       const Probe b = probe(static_cast<double>(k) / kStretches, a.nearest);
       // The distance changes by no more than the way along the wire.
       const double way = std::max(length(segment_.along(a.s)), length(segment_.along(b.s))) / kStretches;
-      if (a.overlap + b.overlap + way > 0) search(a, b);
+      const double most = 0.5 * (a.overlap + b.overlap + way);
+      most > 0 ? search(a, b) : note_gap(-most);
       a = b;
     }
   }
@@ -135,16 +144,16 @@ class Search {
 namespace {
 
 /// The nearest of all points of the run. Each quarter of a segment holds at most one place that is nearer than those
-/// around it.
-NearestPoint nearest_point_of_all(const WirePartner& partner, const Triple& x) {
+/// around it. Segments whose balls are farther than what was found from `from` on are left out.
+NearestPoint nearest_point_of_all(const WirePartner& partner, const Triple& x, const NearestPoint& from) {
   NearestPoint best;
-  double least = -1;
+  double least = std::numeric_limits<double>::infinity(), distance = least;
   const auto consider = [&](std::size_t k, double t) {
     const Triple point = partner.segments[k].at(t);
     const double square = dot(point - x, point - x);
-    if (least < 0 || square < least) least = square, best = {point, static_cast<std::uint32_t>(k), t};
+    if (square < least) least = square, best = {point, static_cast<std::uint32_t>(k), t};
   };
-  for (std::size_t k = 0; k < partner.segments.size(); ++k) {
+  const auto consider_all_of = [&](std::size_t k) {
     const SplineSegment& p = partner.segments[k];
     const auto slope = [&](double t) { return dot(p.at(t) - x, p.along(t)); };
     consider(k, 0);
@@ -156,6 +165,14 @@ NearestPoint nearest_point_of_all(const WirePartner& partner, const Triple& x) {
       if (before < 0 && now > 0) consider(k, nearest_on(p, x, (n - 1.0) / parts, 1.0 * n / parts, (n - 0.5) / parts));
       before = now;
     }
+    distance = std::sqrt(least);
+  };
+  consider_all_of(from.segment);
+  for (std::size_t k = 0; k < partner.segments.size(); ++k) {
+    const WirePartner::Ball& ball = partner.balls[k];
+    const Triple d = ball.centre - x;
+    const double reaches = distance + ball.radius;
+    if (k != from.segment && dot(d, d) < reaches * reaches) consider_all_of(k);
   }
   return best;
 }
@@ -169,11 +186,20 @@ void find_kinks(WirePartner& partner, double reach) {
     const double bend = length(p.bend), along = std::max(0.0, length(p.slope + p.bend) - bend);
     partner.kinked = partner.kinked || along * along <= 2 * bend * (reach + length(p.slope));
   }
+  partner.balls.clear();
+  if (!partner.kinked) return;
+  for (const SplineSegment& p : partner.segments) {
+    // The segment lies within its control polygon: start, start + slope / 2, end.
+    const Triple middle = p.at(0.5);
+    const auto way2 = [&](const Triple& x) { return dot(x - middle, x - middle); };
+    partner.balls.push_back(
+        {middle, std::sqrt(std::max({way2(p.start), way2(p.start + 0.5 * p.slope), way2(p.at(1))}))});
+  }
 }
 
 NearestPoint nearest_point(const WirePartner& partner, const Triple& x, const NearestPoint& from) {
   if (partner.segments.empty()) return {partner.centre, 0, 0};
-  if (partner.kinked) return nearest_point_of_all(partner, x);
+  if (partner.kinked) return nearest_point_of_all(partner, x, from);
   const std::size_t count = partner.segments.size();
   std::size_t k = from.segment;
   for (int way = 0;;) {  // never back: at a joint rounding must not send it to and fro
@@ -203,7 +229,9 @@ bool find_patch(const SplineSegment& segment, const WirePartner& partner, double
   patch.count = 0;
   const Triple middle = segment.at(0.5);
   const NearestPoint nearest = nearest_point(partner, middle, hint);
-  if (length(nearest.point - middle) >= reach + extent) return false;
+  patch.gap = length(nearest.point - middle) - reach - extent;
+  if (patch.gap >= 0) return false;
+  patch.gap = std::numeric_limits<double>::infinity();
   Search(segment, partner, reach, patch).run(nearest);
   return patch.integral > 0;
 }

@@ -18,10 +18,15 @@ namespace lahar::dem {
 
 /// A run of segments that follow each other, or one sphere.
 struct WirePartner {
-  Triple centre{};                      ///< of the sphere, m
-  std::vector<SplineSegment> segments;  ///< of the run; empty for a sphere
+  struct Ball {
+    Triple centre{};
+    double radius = 0;
+  };
+  Triple centre{};                        ///< of the sphere, m
+  std::vector<SplineSegment> segments{};  ///< of the run; empty for a sphere
   /// Bent so sharply that from places within reach there may be several nearest points on it. To be set by find_kinks.
   bool kinked = false;
+  std::vector<Ball> balls{};  ///< around the segments, where it is kinked
 };
 
 /// Sets `kinked` for places up to `reach` (m) from the run.
@@ -49,6 +54,7 @@ struct PatchNode {
 struct WirePatch {
   double integral = 0;  ///< I, m^3
   double depth = 0;     ///< m, deepest overlap of a node
+  double gap = 0;       ///< m, what lies at least between the segment and its partner if they do not touch
   std::size_t count = 0;
   std::array<PatchNode, 32> nodes;
 };
@@ -56,8 +62,8 @@ struct WirePatch {
 /// Point of the partner nearest to x, going on from `from`.
 [[nodiscard]] NearestPoint nearest_point(const WirePartner& partner, const Triple& x, const NearestPoint& from);
 
-/// The patch of `segment` against its partner, `reach` the sum of the radii (m). False if they do not touch.
-/// `extent` (m): no point of the segment is farther from its middle; a hint for a quick answer.
+/// The patch of `segment` against its partner, `reach` the sum of the radii (m). False if they do not touch; then
+/// `patch.gap` holds as far as find_kinks looked. `extent` (m): no point of the segment is farther from its middle.
 bool find_patch(const SplineSegment& segment, const WirePartner& partner, double reach, double extent,
                 const NearestPoint& hint, WirePatch& patch);
 

@@ -10,18 +10,17 @@ void WireDetection::transfer(Archive& archive, const Particles& particles, const
   archive.list("move_limit2", move_limit2_);
   if (built_at_.size() != move_limit2_.size() || (!built_at_.x.empty() && built_at_.size() != particles.size()))
     archive.refuse("built_at", "is not there for every particle");
-  std::vector<std::uint32_t> names;  // six of each slot
+  std::vector<std::uint32_t> names;  // five of each slot
   for (const WireSlot& s : slots_)
-    for (const std::uint32_t x : {s.wire, s.partner, s.count, s.last, static_cast<std::uint32_t>(s.touching),
-                                  static_cast<std::uint32_t>(s.near)})
+    for (const std::uint32_t x : {s.wire, s.partner, s.count, s.last, static_cast<std::uint32_t>(s.touching)})
       names.push_back(x);
   archive.list("slots", names);
   if (archive.loading()) {
-    slots_.assign(names.size() / 6, {});
+    slots_.assign(names.size() / 5, {});
     const auto bad = [&](std::uint32_t i) { return i >= particles.size(); };
     for (std::size_t k = 0; k < slots_.size(); ++k) {
-      const std::uint32_t* n = &names[6 * k];
-      slots_[k] = {n[0], n[1], n[2], n[3], {}, static_cast<std::uint8_t>(n[4]), static_cast<std::uint8_t>(n[5])};
+      const std::uint32_t* n = &names[5 * k];
+      slots_[k] = {n[0], n[1], n[2], n[3], {}, static_cast<std::uint8_t>(n[4])};
       if (bad(n[0]) || bad(n[1]) || bad(n[3]) || chains.covered()[n[0]] == 0)
         archive.refuse("slots", "is no list of contacts");
       ParticleIndex b = n[1];  // a run must lie on one wire
@@ -64,11 +63,7 @@ void WireForces::transfer(Archive& archive, const Particles& particles, const Bo
   archive.value("builds", builds_);
   Slots slots{detection_, particles, chains_};
   archive.part("slots", slots);
-  archive.value("narrow_limit", narrow_limit_);
-  archive.list("narrowed_at", narrowed_at_);
-  archive.list_of("damping_of_particles", damping_, particles.size());
-  if (narrowed_at_.size() != particles.size()) archive.refuse("narrowed_at", "is not there for every particle");
-  if (archive.loading()) note_near();
+  if (archive.loading()) note_slots(particles);
 }
 
 }  // namespace lahar::dem

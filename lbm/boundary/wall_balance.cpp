@@ -27,6 +27,7 @@ double give(Block<Real>& block, WallPlacement placement, Real share) {
     Real& rest = block.f(0)[wall.cell];
     const Real before = rest;
     rest += share;
+    if (block.surface) block.surface->density[wall.cell] += share;
     arrived += static_cast<double>(rest) - static_cast<double>(before);
   }
   return arrived;

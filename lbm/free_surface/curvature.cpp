@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "lbm/grid/block_geometry.h"
+
 namespace lahar::lbm {
 
 template <class Real>
@@ -17,7 +19,11 @@ FillAround<Real>::FillAround(const FluidGrid<Real>& grid, BlockIndex b) {
         const int cell = cell_index(x & 7, y & 7, z & 7);
         Real& level = fill[at(x, y, z)];
         level = 0;
-        if (!block) continue;
+        if (!block) {  // beyond the outermost walls
+          const Vec3i place = image_of(grid.domain(), grid.lowest_cell(b) + Vec3i(x, y, z));
+          if (grid.domain().classify(place) == CellType::wall) level = wall;
+          continue;
+        }
         const CellType type = block->type[static_cast<std::size_t>(cell)];
         if (type == CellType::liquid) level = 1;
         if (type == CellType::interface) level = block->surface->fill_level[cell];

@@ -72,6 +72,7 @@ double Inflow<Real>::dose(FluidLevel<Real>& level, CellPlace place, double mass)
   Real& store = liquid ? block.f(0)[place.cell] : block.surface->mass[place.cell];
   const Real before = store;
   store += static_cast<Real>(mass);
+  if (liquid && block.surface) block.surface->density[place.cell] += static_cast<Real>(mass);
   // In a liquid cell the added density is at rest and wants its own momentum; in an interface cell the populations
   // stand for the mass there was, and take the velocity of the mixture.
   const double density = 1 + static_cast<double>(m.drho), held = std::max(1e-3, static_cast<double>(before));

@@ -16,7 +16,9 @@ void add_to_liquid(FluidGrid<Real>& grid, CellPlace place, Real mass, Parity par
     const Real of_density_one = static_cast<Real>(D3Q19::w(i)) + equilibrium(order, i, Real(0), m.u[0], m.u[1], m.u[2]);
     return mass * of_density_one;
   };
-  grid.block(place.block).f(0)[place.cell] += part(0);
+  Block<Real>& block = grid.block(place.block);
+  block.f(0)[place.cell] += part(0);
+  if (block.surface) block.surface->density[place.cell] += mass;
   for (int a = 1; a < D3Q19::q; a += 2) {
     const PairAccess<Real> pair = grid.access(place, a, parity);
     *pair.outgoing_a += part(a);

@@ -70,10 +70,11 @@ inline Materials steel(double friction = 0, double restitution = 1) {
 inline WireForces evaluate(Particles& p, const Bonds& bonds, const Materials& materials, double dt = 0) {
   WireForces forces(materials, HertzMindlin{}, {});
   forces.rebuild(p, bonds);
-  forces.evaluate(p, dt);
+  std::vector<double> damping(p.size());
+  forces.evaluate(p, damping, dt);
   p.force.fill(Vec3::Zero());
   p.torque.fill(Vec3::Zero());
-  forces.add_forces(p);
+  forces.add_forces(p, damping);
   return forces;
 }
 

@@ -23,7 +23,14 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"gravity.magnitude_m_s2=0"}, "fluid.max_speed_m_s", "nothing moves and nothing falls"},
         Rejection{{"wall[0].normal=[0, 0, 0]"}, "wall[0].normal", "is zero"},
         Rejection{{"wall[0].point_m=[0, 2, 0]"}, "domain lies in walls", "room beside them"},
-        Rejection{{"wall[0].velocity_m_s=[0, 1, 0]"}, "wall[0].velocity_m_s", "leaves the plane"},
+        Rejection{
+            {"wall[0].slip=no_slip", "wall[0].velocity_m_s=[0, 1, 0]"}, "wall[0].velocity_m_s", "leaves the plane"},
+        Rejection{
+            {"wall[0].slip=free_slip", "wall[0].velocity_m_s=[1, 0, 0]"}, "wall[0].velocity_m_s", "moves nothing"},
+        Rejection{{"wall[2].shape=box", "wall[2].slip=no_slip", "wall[2].lower_m=[0.7, -0.1, -0.1]",
+                   "wall[2].upper_m=[0.8, 0.4, 0.9]", "wall[2].velocity_m_s=[0.3, 0, 0]"},
+                  "wall[2].velocity_m_s",
+                  "leaves a face"},
         Rejection{{"wall[2].shape=box", "wall[2].lower_m=[0, 0, 0]", "wall[2].upper_m=[1, 0, 1]"},
                   "wall[2].upper_m",
                   "is not above"},
@@ -44,7 +51,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(CheckSpace, AWallOrAFluidThatMovesIsSpeedEnough) {
   const std::string no_gravity = "gravity.magnitude_m_s2=0";
-  EXPECT_TRUE(mistakes_in(case_file("dam_break/scene.toml"), {no_gravity, "wall[0].velocity_m_s=[1, 0, 0]"}).empty());
+  EXPECT_TRUE(mistakes_in(case_file("dam_break/scene.toml"),
+                          {no_gravity, "wall[0].slip=no_slip", "wall[0].velocity_m_s=[1, 0, 0]"})
+                  .empty());
   EXPECT_TRUE(
       mistakes_in(case_file("dam_break/scene.toml"), {no_gravity, "fluid.region[0].velocity_m_s=[1, 0, 0]"}).empty());
   EXPECT_TRUE(mistakes_in(case_file("dam_break/scene.toml"), {no_gravity, "fluid.max_speed_m_s=1"}).empty());

@@ -53,14 +53,14 @@ TEST(Estimates, CountsOfThePaper) {
 }
 
 TEST(Estimates, LimitsOfThePaper) {
-  // Rayleigh times 2.07e-5 s (40 mm grains) and 1.47e-5 s (beads); bonds sqrt(0.4 m / K) less 2 % damping.
+  // Rayleigh times 2.07e-5 s (40 mm grains) and 1.47e-5 s (beads); bonds sqrt(0.4 m / K) less the damping of 0.02.
   scene::Scene debris = scene::debris_flow();
   debris.barrier.net.bead_inertia_scale = 1;
   const SolidsLimits limits = solids_limits(debris);
   EXPECT_NEAR(limits.grain_rayleigh, 2.07e-5, 0.01e-5);
   EXPECT_NEAR(limits.bead_rayleigh, 1.47e-5, 0.01e-5);
   const double mass = 7800 * std::numbers::pi / 6 * std::pow(0.0061, 3), area = std::numbers::pi * 0.00305 * 0.00305;
-  const double damping = std::sqrt(1 + 0.02 * 0.02) - 0.02;
+  const double e = std::numbers::sqrt2 * 0.02, damping = std::sqrt(1 + e * e) - e;
   EXPECT_NEAR(limits.ring_bond, std::sqrt(0.4 * mass / (3e11 * area)) * damping, 1e-10);
   EXPECT_NEAR(limits.cable_bond, std::sqrt(0.4 * mass / (8e11 * area)) * damping, 1e-10);
 }
@@ -71,7 +71,8 @@ TEST(Estimates, SlowBeadsLengthenTheLimits) {
   EXPECT_EQ(debris.barrier.net.bead_inertia_scale, 4);
   const SolidsLimits limits = solids_limits(debris);
   const double mass = 7800 * std::numbers::pi / 6 * std::pow(0.0061, 3), area = std::numbers::pi * 0.00305 * 0.00305;
-  EXPECT_NEAR(limits.cable_bond, std::sqrt(mass / (8e11 * area)) * (std::sqrt(1 + 0.02 * 0.02) - 0.02), 1e-10);
+  const double e = std::numbers::sqrt2 * 0.02, damping = std::sqrt(1 + e * e) - e;
+  EXPECT_NEAR(limits.cable_bond, std::sqrt(mass / (8e11 * area)) * damping, 1e-10);
   debris.barrier.net.bead_mass_scale = 9;
   const SolidsLimits slow = solids_limits(debris);
   EXPECT_NEAR(slow.cable_bond / limits.cable_bond, 3, 1e-12);

@@ -100,6 +100,18 @@ radius_m = 0.08
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], volumes[k], 0.01 * volumes[k]) << k;
 }
 
+/// Beside the file that names it, also where that is a change of a base.
+TEST(LoadShapes, AChangedFileIsLookedForBesideTheScene) {
+  const ScratchFolder scratch;
+  scratch.write("base.toml", tank + region + ground);
+  std::filesystem::create_directory(scratch.path() / "maps");
+  scratch.write("maps/ground.txt", "0.2 0.1 0.0\n0.2 0.1 0.0\n");
+  const auto scene = scratch.write("scene.toml",
+                                   "[scene]\nname = \"changed\"\nbase = \"base.toml\"\nchanges = ["
+                                   "\"wall[0].file = \\\"maps/ground.txt\\\"\"]\n");
+  EXPECT_EQ(mistakes_in(scene).size(), 0U) << testing::PrintToString(mistakes_in(scene));
+}
+
 class WrongShape : public testing::TestWithParam<Rejection> {};
 
 /// A good scene with a mesh, a terrain and a liquid ball, changed in one way.

@@ -142,6 +142,12 @@ TEST(Sections, OnlyTheRectangleCounts) {
   EXPECT_NEAR(flux(Vec3(3, 0, 0)).volume, speed * width * height, 1e-9 * speed);
   EXPECT_NEAR(flux(Vec3(-1, 0, 0)).volume, -speed * width * height, 1e-9 * speed);
   EXPECT_NEAR(flux(Vec3(0, 1, 0)).volume, 0, 1e-9 * speed);
+  // On a face of the domain there are cells on one side only: all that goes through them counts.
+  for (const double x : {scene.domain.lower.x(), scene.domain.upper.x()}) {
+    const SectionFrame face = frame_of({"s", Vec3(x, 0.08, 0.2), Vec3::UnitX(), width, height}, scene.domain);
+    EXPECT_NEAR(liquid_flux(*view, nullptr, face, scene.domain, Vec3::UnitZ(), 0.2).volume, speed * width * height,
+                1e-9 * speed);
+  }
   // The section is centred at the datum: the potential energy that passes is 0, what is left is kinetic (the fall of
   // half a step included).
   const double fall = 0.5 * fluid.units().time_step * 9.81, rho = scene.fluid.density;

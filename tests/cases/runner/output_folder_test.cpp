@@ -54,9 +54,46 @@ TEST(OutputFolder, AFormerRunIsReplacedOnlyOnDemand) {
     scratch.write(name, "old");
   EXPECT_THROW((void)prepare_output(scratch.path(), false), InputError);
   EXPECT_EQ(count(scratch.path()), 8u);
-  (void)prepare_output(scratch.path(), true);
+  prepare_output(scratch.path(), true).former.remove();
   EXPECT_EQ(count(scratch.path()), 1u);
   EXPECT_TRUE(fs::exists(scratch.path() / "notes.txt"));
+}
+
+/// As when its grains turn out not to fit: what was there before is there again.
+TEST(OutputFolder, AFormerRunComesBackIfTheNewOneDoesNotBegin) {
+  const scene::ScratchFolder scratch;
+  const std::string resolved = std::string(scene::resolved_mark) + "\n";
+  scratch.write("scene.resolved.toml", resolved);
+  scratch.write("series.h5", "old");
+  scratch.write("notes.txt", "mine");
+  {
+    const PreparedFolder prepared = prepare_output(scratch.path(), true);
+    EXPECT_FALSE(fs::exists(scratch.path() / "series.h5"));
+    scratch.write("scene.resolved.toml", resolved + "new");
+    scratch.write("run.log", "new");
+  }
+  EXPECT_EQ(count(scratch.path()), 3u);
+  EXPECT_EQ(scene::file_text(scratch.path() / "scene.resolved.toml"), resolved);
+  EXPECT_EQ(scene::file_text(scratch.path() / "series.h5"), "old");
+}
+
+TEST(OutputFolder, AFormerRunComesBackAfterAKillBeforeTheNewOneBegan) {
+  const scene::ScratchFolder scratch;
+  const std::string resolved = std::string(scene::resolved_mark) + "\n";
+  scratch.write("scene.resolved.toml", resolved);
+  scratch.write("checkpoint.h5", "old");
+  const pid_t child = fork();
+  if (child == 0) {
+    const PreparedFolder prepared = prepare_output(scratch.path(), true);
+    scratch.write("scene.resolved.toml", resolved + "new");
+    _exit(0);  // nothing is put back
+  }
+  ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  EXPECT_FALSE(fs::exists(scratch.path() / "checkpoint.h5"));
+  FormerRun::recover(scratch.path());
+  EXPECT_EQ(scene::file_text(scratch.path() / "checkpoint.h5"), "old");
+  EXPECT_EQ(scene::file_text(scratch.path() / "scene.resolved.toml"), resolved);
+  EXPECT_EQ(count(scratch.path()), 2u);
 }
 
 /// What a user has made of a run's files, and named like them, is no part of the run.
@@ -68,7 +105,7 @@ TEST(OutputFolder, NamesThatRunsDoNotWriteStay) {
                                       "fluid_-00001.vdb",     "image_000001.PNG", "fluid_000001.vdb.gz"};
   for (const char* name : mine) scratch.write(name, "mine");
   scratch.write("fluid_1234567.vdb", "old");
-  (void)prepare_output(scratch.path(), true);
+  prepare_output(scratch.path(), true).former.remove();
   for (const char* name : mine) EXPECT_TRUE(fs::exists(scratch.path() / name)) << name;
   EXPECT_EQ(count(scratch.path()), mine.size());
 }
@@ -105,7 +142,7 @@ TEST(OutputFolder, ARunThatIsGoingOnKeepsItsFiles) {
         scratch.path().string() + ":1:1: a run is going on there, expected another folder, or the end of that run");
     EXPECT_EQ(count(scratch.path()), 1u);
   }
-  (void)prepare_output(scratch.path(), true);
+  prepare_output(scratch.path(), true).former.remove();
   EXPECT_EQ(count(scratch.path()), 0u);
 }
 

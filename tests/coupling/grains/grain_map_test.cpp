@@ -42,6 +42,21 @@ TEST_F(GrainMapTest, FindsTheBlocksInReachAndTheExactVolume) {
   }
 }
 
+/// A grain that reaches into a block which is not there yet is as large as it will be when the block is.
+TEST(GrainMap, VolumesDoNotDependOnWhichBlocksExist) {
+  lbm::FluidOptions options = tank(Vec3(16, 16, 16), 1, 1);
+  const auto volume_below = [&](double depth) {  // of the grain, in the lower blocks
+    lbm::Fluid<double> fluid(options);
+    fluid.fill({{Vec3::Zero(), Vec3(16, 16, depth)}});
+    dem::Particles particles;
+    particles.add(grain(Vec3(4.2, 4.4, 7.9), 1.5, 2500));
+    GrainMap<double> map;
+    map.update(fluid, particles, near);
+    return map.pairs()[map.grains()[0].first_pair].volume;
+  };
+  EXPECT_EQ(volume_below(5), volume_below(15));
+}
+
 TEST_F(GrainMapTest, TellsWhatChanged) {
   update();
   particles_.velocity.set(0, Vec3(0.1, 0, 0));

@@ -22,9 +22,9 @@ TEST(ContactBodies, SomePlacesArePackedAsAllAre) {
   const std::vector<std::uint32_t> some{0, 3, 7};
 
   ContactBodies all, few;
-  all.make_room(parties);
+  all.make_room(p, parties);
   all.pack(p, parties, every, damping, 1e-4);
-  few.make_room(parties);
+  few.make_room(p, parties);
   few.pack(p, parties, some, damping, 1e-4);
   for (const std::uint32_t place : some)
     for (std::size_t n = 0; n < 3 * kRow; ++n)

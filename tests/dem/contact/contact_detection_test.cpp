@@ -83,7 +83,7 @@ TEST(ContactDetection, slots_hold_every_pair_within_the_narrow_skin_while_they_l
   std::size_t touching = 0;
   for (int step = 0; step < 400; ++step) {
     for (std::size_t i = 0; i < p.size(); ++i) p.position.add(i, 2e-5 * p.velocity[i]);
-    if (contacts.outdated(p)) contacts.neighbours().outdated(p) ? contacts.rebuild(p, {}, {}) : contacts.refresh(p);
+    if (contacts.outdated(p)) contacts.neighbours_hold(p) ? contacts.refresh(p) : contacts.rebuild(p, {}, {});
     if (step % 20 != 0) continue;
     std::set<std::pair<std::uint32_t, std::uint32_t>> listed;
     for (std::size_t k = 0; k < contacts.pairs().size(); ++k)
@@ -97,6 +97,27 @@ TEST(ContactDetection, slots_hold_every_pair_within_the_narrow_skin_while_they_l
   }
   EXPECT_GT(touching, 1000u);
   EXPECT_GT(contacts.refreshes(), contacts.neighbours().builds() + 5);
+}
+
+/// Two spheres alone head on, at many speeds and from many gaps: they may never overlap without being listed.
+TEST(ContactDetection, pairs_that_were_far_when_the_neighbour_list_was_built_are_listed_in_time) {
+  int touched = 0;
+  for (const double speed : {0.5, 1.0, 2.0, 4.0, 8.0})
+    for (int n = 0; n < 40; ++n) {
+      Particles p;
+      p.add(testing::sphere({0, 0, 0}, 0.02, 2650, {speed, 0, 0}));
+      p.add(testing::sphere({0.04 + 2e-4 * n, 0, 0}, 0.02, 2650, {-speed, 0, 0}));
+      ContactDetection contacts;
+      contacts.rebuild(p, {}, {});
+      while (p.position.x[1] - p.position.x[0] > 0.038) {
+        for (std::size_t i = 0; i < 2; ++i) p.position.add(i, 1.37e-5 * p.velocity[i]);
+        if (contacts.outdated(p)) contacts.neighbours_hold(p) ? contacts.refresh(p) : contacts.rebuild(p, {}, {});
+        if (p.position.x[1] - p.position.x[0] >= 0.04) continue;
+        ++touched;
+        ASSERT_EQ(contacts.pairs().size(), 1u) << speed << " m/s from " << 2e-4 * n << " m";
+      }
+    }
+  EXPECT_GT(touched, 1000);
 }
 
 TEST(ContactDetection, a_contact_that_parts_at_once_stays_listed_until_its_end_was_seen) {
