@@ -10,7 +10,12 @@ double depth_over(const FluidView& fluid, const Vec3& point, double top) {
   constexpr int longest_gap = 1;  // cells: a bubble
   double depth = 0;
   int gap = 0;
-  for (double z = point.z() + dx / 2; z < top && gap <= longest_gap; z += dx)
+  const auto in_a_wall = [&](double z) {
+    return fluid.domain().classify(fluid.domain().cell_at({point.x(), point.y(), z})) == lbm::CellType::wall;
+  };
+  double from = point.z() + dx / 2;
+  while (from < top && in_a_wall(from)) from += dx;  // below the ground
+  for (double z = from; z < top && gap <= longest_gap; z += dx)
     if (const auto cell = fluid.cell_at({point.x(), point.y(), z})) {
       depth += cell->fill_level * dx;
       gap = 0;

@@ -35,8 +35,7 @@ void Grains::sample(double) {
       kinetic_ += move, potential_ += fall;
       front_ = std::max(front_, p.position.x[i] + p.radius[i]);
     }
-    if (!run_.section) continue;
-    const bool beyond = gone || p.position.x[i] > *run_.section + run_.scene.measure.outflow_distance;
+    const bool beyond = gone || (run_.section && p.position.x[i] > *run_.section + run_.scene.measure.outflow_distance);
     if (beyond && !crossed_[id]) {
       crossed_[id] = 1;
       energy_out_ += move + fall, kinetic_out_ += move;

@@ -8,7 +8,9 @@ namespace lahar::cases {
 class RingLinks final : public Observer {
  public:
   explicit RingLinks(const Observed& run) : Observer(run), at_start_(now()) {}
-  static bool applies(const Observed& run) { return run.simulation.net() != nullptr; }
+  static bool applies(const Observed& run) {
+    return run.simulation.net() != nullptr && !run.simulation.net()->rings.empty();
+  }
   [[nodiscard]] std::string_view name() const override { return "ring_links"; }
   [[nodiscard]] std::vector<ResultCheck> checks(const Metrics&) const override {
     const bool kept = warning().empty();

@@ -216,6 +216,28 @@ void add_heightmaps(const scene::Scene& s, List& list) {
   }
 }
 
+/// Whether the centre of a cell lies in a box: without one it is no wall to the liquid.
+bool has_a_cell(const scene::WallSettings& box, const scene::Scene& s) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double from = std::max(box.lower[axis], s.domain.lower[axis]), dx = s.fluid.cell_size;
+    const double first = std::floor((from - s.domain.lower[axis]) / dx + 0.5);  // whose centre lies beyond `from`
+    if (s.domain.lower[axis] + (first + 0.5) * dx >= std::min(box.upper[axis], s.domain.upper[axis])) return false;
+  }
+  return true;
+}
+
+/// Boxes so thin that they fall between the centres of cells.
+void add_thin_walls(const scene::Scene& s, List& list) {
+  for (const scene::WallSettings& w : s.walls) {
+    if (w.shape != scene::WallShape::box) continue;
+    const bool inside =
+        (w.upper.array() > s.domain.lower.array()).all() && (w.lower.array() < s.domain.upper.array()).all();
+    if (inside && !has_a_cell(w, s))
+      list.push_back(fmt::format("wall \"{}\" has no cell of its own (of {:g} m): the liquid does not feel it", w.name,
+                                 s.fluid.cell_size));
+  }
+}
+
 /// Faces of the domain and walls along the axes that fall between the faces of cells.
 void add_rounded_walls(const scene::Scene& s, List& list) {
   const auto acts_at = [&](double x, int axis) {
@@ -242,7 +264,8 @@ void add_rounded_walls(const scene::Scene& s, List& list) {
     for (int axis = 0; axis < 3; ++axis) {
       if (w.shape == scene::WallShape::plane && std::abs(w.normal.normalized()[axis]) > 1 - 1e-9)
         tell(what, w.point[axis], axis);
-      if (w.shape == scene::WallShape::box) tell(what, w.lower[axis], axis), tell(what, w.upper[axis], axis);
+      if (w.shape == scene::WallShape::box && has_a_cell(w, s))
+        tell(what, w.lower[axis], axis), tell(what, w.upper[axis], axis);
     }
   }
 }
@@ -255,6 +278,7 @@ std::vector<std::string> warnings(const scene::Scene& scene, const CheckReport& 
   add_rows(scene, figures, list);
   add_places(scene, list);
   add_heightmaps(scene, list);
+  if (figures.fluid) add_thin_walls(scene, list);
   if (figures.fluid) add_rounded_walls(scene, list);
   if (figures.fluid) add_fluid(scene, *figures.fluid, list);
   if (figures.solids) add_solids(scene, *figures.solids, list);

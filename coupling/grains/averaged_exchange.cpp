@@ -182,12 +182,6 @@ ExchangedMomentum AveragedExchange<Real>::give_impulses(lbm::Fluid<Real>& fluid,
     for (const AveragingGrid::Share& s : grain.answers) nodes_[s.node].impulse += s.weight * grain.impulse;
     sum.to_solids -= grain.impulse;
   }
-  for (const WetGrain& grain : grains_) {
-    Vec3& pushed = states_[grain.id].pushed = Vec3::Zero();
-    for (const AveragingGrid::Share& s : grain.shares)
-      if (const Node& node = nodes_[s.node]; node.water > 0) pushed += s.weight / node.water * node.impulse;
-    pushed *= fluid.units().velocity_to_si(1.0) / fluid.units().time_step;
-  }
   sum.from_fluid = -push_cells(fluid, fields);
   return sum;
 }
@@ -394,13 +388,7 @@ void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, double stretc
   const double cell = units.cell_size * units.cell_size * units.cell_size;
   const double volume = around.held * grain.wet * cell;
   State& state = states_[grain.id];
-  // What cells send out holds half of a step's gravity and impulses, and half of the step's change lies in the mean of
-  // two steps.
-  const Vec3 half_step =
-      state.known
-          ? Vec3(0.5 * dt / (1 - around.solid_fraction) * (fluid.options().gravity + state.pushed - state.acceleration))
-          : Vec3(Vec3::Zero());
-  const Vec3 liquid_velocity = (state.known ? Vec3(0.5 * (around.liquid + state.sampled)) : around.liquid) - half_step;
+  const Vec3 liquid_velocity = state.known ? Vec3(0.5 * (around.liquid + state.sampled)) : around.liquid;
   const Vec3 velocity = particles.velocity[i], slip = liquid_velocity - velocity;
   const double beta = std::min(1.0, volume / sphere_volume(radius)) *
                       bed_drag(options_.drag, {.diameter = 2 * radius,
@@ -461,14 +449,13 @@ void AveragedExchange<Real>::transfer(Archive& archive) {
   std::size_t particles = states_.size();
   archive.value("particles", particles);
   states_.resize(particles);
-  archive.pieces<double>("grain", particles, 22, [&](std::size_t k, double* stored) {
+  archive.pieces<double>("grain", particles, 19, [&](std::size_t k, double* stored) {
     State& s = states_[k];
-    transfer_vectors(archive, {&s.velocity, &s.sampled, &s.liquid, &s.acceleration, &s.driven, &s.dragged, &s.pushed},
-                     stored);
+    transfer_vectors(archive, {&s.velocity, &s.sampled, &s.liquid, &s.acceleration, &s.driven, &s.dragged}, stored);
     if (archive.loading())
-      s.known = stored[21] != 0;
+      s.known = stored[18] != 0;
     else
-      stored[21] = s.known ? 1 : 0;
+      stored[18] = s.known ? 1 : 0;
   });
 }
 

@@ -76,7 +76,6 @@ class AveragedExchange final : public GrainExchange<Real> {
     Vec3 acceleration = Vec3::Zero();  ///< m/s^2, of that liquid, smoothed
     Vec3 driven = Vec3::Zero();        ///< m/s a step, of the slip but for the drag, smoothed
     Vec3 dragged = Vec3::Zero();       ///< m/s, that the drag of the last step took off the slip
-    Vec3 pushed = Vec3::Zero();        ///< m/s^2, of the cells around it, by all grains in the last step
     bool known = false;                ///< it was wet at the last step
   };
   /// Means around a grain, SI.

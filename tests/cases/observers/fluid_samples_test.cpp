@@ -42,6 +42,9 @@ TEST(FluidSamples, DepthWithoutDrops) {
   fluid.fill({slab(0, 0.10), slab(0.11, 0.20), slab(0.30, 0.32)});
   EXPECT_NEAR(depth_over(*view, Vec3(0.035, 0.035, 0), 0.4), 0.19, 1e-6);
   EXPECT_NEAR(depth_over(*view, Vec3(0.035, 0.035, 0.25), 0.4), 0, 1e-6);
+  // From within the ground: here the ball, over which the second slab goes on.
+  EXPECT_NEAR(depth_over(*view, Vec3(0.165, 0.085, 0.10), 0.4), depth_over(*view, Vec3(0.165, 0.085, 0.15), 0.4), 1e-6);
+  EXPECT_GT(depth_over(*view, Vec3(0.165, 0.085, 0.10), 0.4), 0.03);
 }
 
 /// Pressure is linear in the depth: its mean over a disc in a side wall is that of its centre, but where part of it is

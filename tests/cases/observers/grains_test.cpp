@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/files/series_reader.h"
 #include "cases/observers/observer_list.h"
 #include "tests/cases/observers/two_balls.h"
 
@@ -35,6 +36,24 @@ TEST(Grains, EnergyPassageAndRetention) {
   EXPECT_NEAR(grains.energy(), small * g * 0.2, 1e-9);
   EXPECT_NEAR(grains.energy_out(), small * g * 0.2 + 0.5 * large * 4 + large * g * 0.5, 1e-9);
   EXPECT_EQ(observers.metrics().at("retained_mass_ratio"), 0);
+}
+
+/// Also where nothing is measured: what is gone has passed.
+TEST(Grains, WhatIsGoneHasPassed) {
+  scene::Scene scene = scene::load_text(two_balls);
+  scene.measure.section_x.reset();
+  const auto simulation = build_simulation(scene);
+  ObserverList observers(scene, *simulation);
+  const scene::ScratchFolder scratch;
+  {
+    SeriesWriter series(scratch.path() / "series.h5");
+    observers.declare(series);
+    simulation->solids()->remove(0);
+    observers.sample(series);
+    series.close();
+  }
+  const double mass = 2500 * M_PI / 6 * 0.1 * 0.1 * 0.1;
+  EXPECT_NEAR(read_series(scratch.path() / "series.h5").find("grains_passed_kg")->values.back(), mass, 1e-9);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "cases/runner/check.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -261,6 +262,19 @@ TEST(Warnings, ThingsInWallsOrOverEachOther) {
   EXPECT_TRUE(warns(report(gauge), "probe[0] lies in a wall"));
   EXPECT_TRUE(warns(report([](S& s) { s.grains.packings.push_back(s.grains.packings[0]); }),
                     "grains.packing[0] and grains.packing[1] share space"));
+}
+
+/// The liquid feels a box by the cells whose centres lie in it.
+TEST(Warnings, WallsThinnerThanACell) {
+  const auto file = case_file("dam_break/scene.toml");
+  const auto plate = [&](double from, double to) {
+    return check_scene(
+        load(file, {"wall[2].shape=box", "wall[2].name=plate", fmt::format("wall[2].lower_m=[{}, -1, -1]", from),
+                    fmt::format("wall[2].upper_m=[{}, 1, 0.2]", to)}));
+  };
+  const double dx = load(file).fluid.cell_size;
+  EXPECT_TRUE(warns(plate(0.9 + 0.6 * dx, 0.9 + 0.9 * dx), "wall \"plate\" has no cell of its own"));
+  EXPECT_FALSE(warns(plate(0.9 + 0.6 * dx, 0.9 + 1.6 * dx), "has no cell of its own"));
 }
 
 TEST(Warnings, GrainsWithoutWalls) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <tuple>
 
@@ -295,26 +294,6 @@ double drag_on_a_wire(bool among_grains) {
 TEST(AveragedExchange, WiresFeelTheLiquidBetweenTheGrains) {
   const double phi = 4.0 / 3 * std::numbers::pi * 0.49 * 0.49 * 0.49;
   EXPECT_NEAR(drag_on_a_wire(true) / drag_on_a_wire(false), 1 - phi, 0.05);
-}
-
-// Across the stream pressure holds the water: grains feel buoyancy there, whatever the step.
-TEST(AveragedExchange, WhatHoldsTheWaterPushesNoGrain) {
-  constexpr int kSteps = 150;  // until the pressure holds the water
-  for (const double time_step : {1e-4, 4e-4}) {
-    StreamThroughGrains stream(0.32, Vec3(0, 0, -9.81), time_step);
-    for (int n = 0; n < kSteps; ++n) stream.step->advance();
-    const dem::Particles& p = stream.step->solids()->particles();
-    double lift = 0, grains = 0;
-    for (std::size_t i = 0; i < p.size(); ++i)
-      if (p.position.z[i] > 0.05 && p.position.z[i] < 0.27) lift += p.external_force.z[i], ++grains;
-    const double excess = lift / grains / StreamThroughGrains::sphere_volume() - kRho * 9.81;  // N/m^3
-    const double beta = stream.drag_by_the_law() * (1 - stream.solid_fraction) / StreamThroughGrains::kSpeed;
-    const double of_half_a_kick =
-        beta / StreamThroughGrains::sphere_volume() * 0.5 * 9.81 * time_step / (1 - stream.solid_fraction);
-    std::printf("    step %g s: lift beyond buoyancy %.1f N/m^3; of half a step's gravity it would be %.1f\n",
-                time_step, excess, of_half_a_kick);
-    EXPECT_LT(std::abs(excess), (time_step > 2e-4 ? 0.2 : 0.4) * of_half_a_kick);
-  }
 }
 
 TEST(AveragedExchange, StiffDragDoesNotOvershoot) {
