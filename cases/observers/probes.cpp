@@ -30,7 +30,9 @@ void Probes::declare_level(const scene::Probe& probe) {
   const std::size_t k = levels_.size();
   levels_.push_back({probe.position, 0.0});
   column(of_probe(probe.name, ""), "m",
-         "height probe: fill levels of the cells over the point, along z, times the cell size",
+         "height probe: fill levels of the cells over the point, along z, times the cell size; from the first cell "
+         "that is "
+         "no wall, until two cells are dry",
          [this, k] { return levels_[k].depth; })
       .peak(of_probe(probe.name, "_peak_m"), "m", "largest depth of the rows")
       .peak_time(of_probe(probe.name, "_peak_time_s"));
