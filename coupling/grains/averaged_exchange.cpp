@@ -236,7 +236,10 @@ void AveragedExchange<Real>::share_among_nodes(const lbm::Fluid<Real>& fluid, co
     if (weight <= 0) return;
     const auto known =
         std::find_if(grain.shares.begin(), grain.shares.end(), [&](const auto& s) { return s.node == node; });
-    known == grain.shares.end() ? grain.shares.push_back({node, weight}) : void(known->weight += weight);
+    if (known == grain.shares.end())
+      grain.shares.push_back({node, weight});
+    else
+      known->weight += weight;
   };
   if (!grain.in_cells) {
     const Vec3 centre = grain.place.array().floor() + 0.5;

@@ -62,6 +62,17 @@ TEST(SlipWall, FacesSlipAsWallsInTheirPlaceDo) {
   EXPECT_EQ(sheet(WallSlip::no_slip, {}), sheet(WallSlip::free_slip, WallSlip::no_slip));
 }
 
+/// Mean of `of` over all liquid by mass, in lattice units.
+template <class Of>
+double mass_mean(const Fluid<double>& fluid, const Of& of) {
+  double sum = 0, mass = 0;
+  fluid.for_each_wet_cell([&](const WetCell& c) {
+    const double m = c.liquid_volume * (1 + 3 * c.pressure);
+    sum += m * of(c), mass += m;
+  });
+  return sum / mass;
+}
+
 /// A sheet slides over a slipping bed: its centre of mass moves as fast as its momentum says, however thin it is, and
 /// it keeps its speed. (Where each cell gets back what it sent, it falls behind by 12 % and 7 %; the open surface
 /// leaves 3.)
@@ -74,20 +85,13 @@ TEST(SlipWall, LiquidMovesWithItsVelocity) {
     Fluid<double> fluid(o);
     fluid.fill({{Vec3(4, 0, 0), Vec3(28, 8 - 1e-9, height), Vec3(0.05, 0, 0)}});
     double travelled = 0;
-    const auto mean = [&](auto of) {
-      double sum = 0, mass = 0;
-      fluid.for_each_wet_cell([&](const WetCell& c) {
-        const double m = c.liquid_volume * (1 + 3 * c.pressure);
-        sum += m * of(c), mass += m;
-      });
-      return sum / mass;
-    };
-    const double start = mean([](const WetCell& c) { return c.centre.x(); });
+    const double start = mass_mean(fluid, [](const WetCell& c) { return c.centre.x(); });
     for (int s = 0; s < 400; ++s) {
       fluid.step();
-      travelled += mean([](const WetCell& c) { return c.velocity.x(); });
+      travelled += mass_mean(fluid, [](const WetCell& c) { return c.velocity.x(); });
     }
-    EXPECT_NEAR((mean([](const WetCell& c) { return c.centre.x(); }) - start) / travelled, 1, 0.05) << height;
+    EXPECT_NEAR((mass_mean(fluid, [](const WetCell& c) { return c.centre.x(); }) - start) / travelled, 1, 0.05)
+        << height;
     EXPECT_NEAR(travelled / 20, 1, 0.02) << height;
     EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
   }
@@ -110,20 +114,13 @@ TEST(SlipWall, LiquidMovesDownStepsWithItsVelocity) {
     }
     fluid.fill(slices);
     double travelled = 0;
-    const auto mean = [&](auto of) {
-      double sum = 0, mass = 0;
-      fluid.for_each_wet_cell([&](const WetCell& c) {
-        const double m = c.liquid_volume * (1 + 3 * c.pressure);
-        sum += m * of(c), mass += m;
-      });
-      return sum / mass;
-    };
-    const double start = mean([&](const WetCell& c) { return c.centre.dot(along); });
+    const double start = mass_mean(fluid, [&](const WetCell& c) { return c.centre.dot(along); });
     for (int s = 0; s < 400; ++s) {
       fluid.step();
-      travelled += mean([&](const WetCell& c) { return c.velocity.dot(along); });
+      travelled += mass_mean(fluid, [&](const WetCell& c) { return c.velocity.dot(along); });
     }
-    EXPECT_NEAR((mean([&](const WetCell& c) { return c.centre.dot(along); }) - start) / 20, 1, 0.01) << height;
+    EXPECT_NEAR((mass_mean(fluid, [&](const WetCell& c) { return c.centre.dot(along); }) - start) / 20, 1, 0.01)
+        << height;
     EXPECT_NEAR(travelled / 20, 1, 0.02) << height;
     EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
   }
