@@ -15,8 +15,8 @@ namespace lahar::study {
 /// What a run left in its folder, as far as the comparison asks for it.
 struct CaseRun {
   StudyCase study_case;
-  std::map<std::string, double> metrics;  ///< of summary.json
-  double grain_mass = 0;                  ///< kg, of the scene
+  std::map<std::string, double> metrics;    ///< of summary.json
+  double grain_mass = 0, grain_volume = 0;  ///< kg, m^3, of the scene
   cases::Series series;
 
   /// NaN where there is none.
@@ -82,13 +82,16 @@ const char* name_of(Agreement agreement);
 /// A trend that the paper states over its flows.
 struct Trend {
   std::string statement, sweep, coupling, preset;
-  std::size_t flows = 0;   ///< that have the quantity
-  double correlation = 0;  ///< Kendall's rank correlation of ours with the release distance; NaN below three flows
+  std::size_t flows = 0;  ///< that have the quantity
+  double measure = 0;     ///< what decides, by the kind of the statement (`trends`); NaN where there are too few flows
   Agreement agrees = Agreement::unknown;
 };
-/// Of every sweep with at least three flows of a preset and coupling (study's reading, lowest seed).
+/// Of every sweep with at least three flows of a preset and coupling (study's reading, lowest seed). What decides:
+/// of what rises or falls Kendall's rank correlation with the release distance; of what levels off from L = 6.35 m on
+/// the slope from there on over that before (none for the paper: yes below a quarter, mostly below a half); of what is
+/// the greater part in all flows its least share.
 std::vector<Trend> trends(const std::vector<CaseResult>& results);
-/// trend,sweep,coupling,preset,flows,correlation,agrees
+/// trend,sweep,coupling,preset,flows,measure,agrees
 std::string trends_csv(const std::vector<Trend>& all);
 
 }  // namespace lahar::study

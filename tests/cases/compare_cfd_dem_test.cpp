@@ -198,7 +198,7 @@ TEST(Comparison, HoldsTheirsAndOurs) {
   std::size_t agree = 0;
   const std::vector<Trend> found = trends(results);
   for (const Trend& t : found) agree += t.agrees == Agreement::yes;
-  EXPECT_EQ(found.size(), 7u);
+  EXPECT_EQ(found.size(), 12u);
   EXPECT_EQ(agree, 3u);  // retained mass and zeta fall, eta rises; of forces and of what passed nothing is known
   EXPECT_NE(
       trends_csv(found).find("\"eta rises (4.4), about the bed at the net\",matched,resolved,coarse,3,1.00,yes\n"),
@@ -213,13 +213,73 @@ TEST(Comparison, TrendsThatTurnAgreeMostly) {
   const auto agreement = [&](std::vector<double> sums) {
     for (std::size_t k = 0; k < 3; ++k) results[k].values["barrier_sum"] = sums[k];
     for (const Trend& t : trends(results))
-      if (t.statement.find("whole barrier") != std::string::npos) return std::pair(t.agrees, t.correlation);
+      if (t.statement.find("whole barrier") != std::string::npos) return std::pair(t.agrees, t.measure);
     return std::pair(Agreement::unknown, 0.0);
   };
   EXPECT_EQ(agreement({1, 2, 3}), std::pair(Agreement::yes, 1.0));
   EXPECT_EQ(agreement({1, 1, 3}), std::pair(Agreement::mostly, 2.0 / 3));
   EXPECT_EQ(agreement({2, 1, 3}), std::pair(Agreement::mostly, 1.0 / 3));
   EXPECT_EQ(agreement({1, 1, 1}), std::pair(Agreement::no, 0.0));
+}
+
+/// The paper's own numbers by our measures: they rise, level off and are mainly fluid as it says.
+TEST(Comparison, TrendsOfThePaperAgreeWithIt) {
+  std::vector<CaseResult> results;
+  for (const Flow& f : published_flows()) {
+    results.push_back(made_up(f.release, f.e_in, f.e_out));
+    results.back().values = {
+        {"eta_lower", f.eta}, {"zeta_lower", f.zeta}, {"e_b", f.e_b}, {"outflow_liquid_share", 0.9 - 0.01 * f.release}};
+  }
+  const auto agreement = [&](const char* part) {
+    for (const Trend& t : trends(results))
+      if (t.statement.find(part) != std::string::npos && t.flows > 0) return t.agrees;
+    return Agreement::unknown;
+  };
+  EXPECT_EQ(agreement("E_b rises"), Agreement::yes);
+  EXPECT_EQ(agreement("eta rises"), Agreement::mostly);  // it levels off
+  EXPECT_EQ(agreement("eta levels off"), Agreement::yes);
+  EXPECT_EQ(agreement("zeta falls"), Agreement::yes);
+  EXPECT_EQ(agreement("mainly fluid"), Agreement::yes);
+  for (CaseResult& c : results) c.values["eta_lower"] = 0.7 + 0.01 * c.study_case.release;
+  EXPECT_EQ(agreement("eta levels off"), Agreement::no);
+  for (CaseResult& c : results) c.values["outflow_liquid_share"] = 0.9 - 0.06 * c.study_case.release;
+  EXPECT_EQ(agreement("mainly fluid"), Agreement::mostly);  // below a half from L = 7.10 m on
+  std::erase_if(results, [](const CaseResult& c) { return c.study_case.release > 6.4; });
+  EXPECT_EQ(agreement("eta levels off"), Agreement::unknown) << "one flow beyond the bend";
+}
+
+/// 2 t of grains of 2 t/m^3 in 1 t of liquid: liquid in their place would have half of their energy.
+TEST(Comparison, PartsOfWhatLeavesAreThoseOfTheWhole) {
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", 4.1, 1};
+  run.grain_mass = 2000, run.grain_volume = 1;
+  run.metrics = {{"e_in_kJ", 50},
+                 {"e_out_kJ", 4},
+                 {"e_out_liquid_kinetic_kJ", 3},
+                 {"e_out_liquid_potential_kJ", -1},
+                 {"e_out_grains_kinetic_kJ", 2.5},
+                 {"e_out_grains_potential_kJ", -0.5},
+                 {"liquid_mass_start_kg", 1000},
+                 {"liquid_passed_kg", 900}};
+  run.series.time_s = {0, 1, 2};
+  run.series.columns = {{"grains_passed_kg", "kg", "", {0, 100, 300}},
+                        {"front_x_m", "m", "", {1, 3.95, 4.2}},
+                        {"grains_kinetic_J", "J", "", {0, 9000, 20000}},
+                        {"grains_potential_J", "J", "", {20000, 11000, 0}}};
+  const CaseResult result = result_of(run);
+  const auto value = [&](const char* name) { return result.value(name); };
+  const double lower = 9.81 * 0.746 / 1000;  // kJ/kg between the two beds
+  EXPECT_NEAR(value("e_in_lower"), 50 + 3000 * lower, 1e-9);
+  EXPECT_NEAR(value("e_out_lower"), 4 + 1200 * lower, 1e-9);
+  EXPECT_NEAR(value("out_liquid_kinetic"), 3 / value("e_in_lower"), 1e-12);
+  EXPECT_NEAR(value("out_grains_potential"), (-0.5 + 300 * lower) / value("e_in_lower"), 1e-12);
+  EXPECT_NEAR(value("out_liquid_kinetic") + value("out_liquid_potential") + value("out_grains_kinetic") +
+                  value("out_grains_potential"),
+              1 - value("eta_lower"), 1e-12);
+  EXPECT_NEAR(value("e_in_full_cells"), 50 + 10, 1e-9);
+  EXPECT_NEAR(value("e_out_full_cells"), 4 + 1, 1e-9);
+  run.series.columns.erase(run.series.columns.begin());
+  EXPECT_TRUE(std::isnan(result_of(run).value("eta_lower"))) << "what passed is not known";
 }
 
 /// A record gives back what is shown of a case; other files beside it are left alone.

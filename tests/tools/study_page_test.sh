@@ -32,7 +32,7 @@ expect_contains "$output" '| Quantity | matched-L4.10-coarse-resolved-seed1 agai
 expect_contains "$output" '| `depth` | +25.0 |'
 expect_lacks "$output" '## Over the flows'
 
-plant docs/results/study/trends.csv 'trend,sweep,coupling,preset,flows,correlation,agrees
+plant docs/results/study/trends.csv 'trend,sweep,coupling,preset,flows,measure,agrees
 eta rises (4.4),matched,resolved,coarse,3,1.00,yes
 eta rises (4.4),matched,averaged,coarse,4,-0.33,no
 zeta falls (4.4),matched,resolved,coarse,0,nan,-
