@@ -12,9 +12,7 @@ namespace lahar::cases {
 namespace {
 
 lbm::InflowOptions inflow_of(const scene::Inflow& s) {
-  lbm::InflowOptions inflow{s.name, s.lower, s.upper, s.velocity, {}};
-  for (const scene::TimeValue& point : s.discharge) inflow.discharge.points.push_back({point.time, point.value});
-  return inflow;
+  return {s.name, s.lower, s.upper, s.velocity, scene::hydrograph_of(s)};
 }
 
 lbm::FaceKind face_kind(const scene::Scene& scene, int face) {

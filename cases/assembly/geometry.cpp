@@ -42,6 +42,12 @@ std::optional<Shape> make_body(const FluidRegion& r) {
   return std::nullopt;
 }
 
+lbm::Hydrograph hydrograph_of(const Inflow& inflow) {
+  lbm::Hydrograph hydrograph;
+  for (const TimeValue& point : inflow.discharge) hydrograph.points.push_back({point.time, point.value});
+  return hydrograph;
+}
+
 Wall make_wall(const WallSettings& settings, int material) {
   return {settings.name, make_shape(settings), settings.slip, material, settings.velocity, settings.roughness};
 }

@@ -1,11 +1,12 @@
 #pragma once
-// The core objects that a scene describes: walls and materials.
+// The core objects that a scene describes: walls, hydrographs and materials.
 #include <optional>
 
 #include "cases/scene/scene.h"
 #include "core/geometry.h"
 #include "core/triangle_mesh.h"
 #include "dem/material.h"
+#include "lbm/free_surface/hydrograph.h"
 
 namespace lahar::scene {
 
@@ -14,6 +15,9 @@ Wall make_wall(const WallSettings& settings, int material);
 
 /// The body that a region of liquid fills, none for a box.
 std::optional<Shape> make_body(const FluidRegion& region);
+
+/// What an inflow box brings over time.
+lbm::Hydrograph hydrograph_of(const Inflow& inflow);
 
 /// All walls, in the order of the scene.
 Walls make_walls(const Scene& scene);

@@ -81,6 +81,7 @@ std::vector<std::string> own_names() {
                                  "solids_damping_kJ",
                                  "solids_energy_gap_J",
                                  "solids_energy_gap_max_J",
+                                 "solids_energy_turned_over_max_J",
                                  "solids_friction_J",
                                  "solids_friction_kJ",
                                  "solids_work_J",

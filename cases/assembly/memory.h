@@ -15,6 +15,9 @@ inline constexpr double kBytesPerParticle = 1000;
 /// Cells of the liquid at the start (the sum over regions; overlaps count twice).
 double liquid_cells(const Scene& scene);
 
+/// Of the liquid that inflow boxes bring by a time (s), if they can.
+double inflow_cells(const Scene& scene, double time);
+
 /// Physical memory of this machine, bytes.
 std::size_t physical_memory();
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "core/parallel.h"
+
 namespace lahar::cases {
 
 namespace {
@@ -33,8 +35,9 @@ double& at(std::vector<double>& v, std::size_t k) {
 
 /// What does not change from cell to cell.
 struct Look {
-  explicit Look(const Observed& observed)
+  Look(const Observed& observed, const Bed& bed_of_domain)
       : run(observed),
+        bed(bed_of_domain),
         dx(observed.scene.fluid.cell_size),
         rho(observed.scene.fluid.density),
         g(observed.scene.gravity.magnitude),
@@ -42,6 +45,7 @@ struct Look {
         outflow_x(observed.section.value_or(0.0) + observed.scene.measure.outflow_distance) {}
 
   const Observed& run;
+  const Bed& bed;
   double dx, rho, g;
   Vec3 lower;
   double outflow_x;
@@ -66,9 +70,8 @@ struct Look {
     f.volume[x] += c.fill_level * dx * dx * dx;
     f.liquid[x] += c.liquid_volume;
     f.flow[x] += c.liquid_volume * velocity.x();
-    if (c.fill_level > 0.5 && c.centre.z() - lower.z() < dx) {
+    if (c.fill_level > 0.5 && bed.holds(cell))
       f.foremost[y] = std::max(f.foremost[y], c.centre.x() + dx / 2 - lower.x());
-    }
     if (!run.section) return;
     f.beyond_outflow += mass * std::clamp((c.centre.x() - outflow_x) / dx + 0.5, 0.0, 1.0);
     if (std::abs(c.centre.x() - outflow_x) <= dx / 2) {
@@ -90,8 +93,18 @@ void find_deepest(const Profiles& profile, double dx, double width, FlowFigures&
 
 }  // namespace
 
-FlowFigures look_at_flow(const Observed& run) {
-  const Look look(run);
+Bed::Bed(const lbm::Domain& domain) : first_(domain.first()), row_(static_cast<std::size_t>(domain.cells().x())) {
+  const Vec3i end = first_ + domain.cells();
+  lowest_.resize(row_ * static_cast<std::size_t>(domain.cells().y()));
+  parallel_for(0, lowest_.size(), 1024, [&](std::size_t k) {
+    Vec3i cell = first_ + Vec3i(static_cast<int>(k % row_), static_cast<int>(k / row_), 0);
+    while (cell.z() < end.z() && domain.classify(cell) == lbm::CellType::wall) ++cell.z();
+    lowest_[k] = cell.z();
+  });
+}
+
+FlowFigures look_at_flow(const Observed& run, const Bed& bed) {
+  const Look look(run, bed);
   const FluidView& fluid = *run.simulation.fluid();
   std::vector<BlockFigures> blocks(fluid.wet_block_count());
   fluid.for_each_wet_block(
@@ -110,19 +123,21 @@ FlowFigures look_at_flow(const Observed& run) {
       foremost = std::max(foremost, block.foremost[k]);
     }
   }
-  const double width = run.scene.domain.upper.y() - look.lower.y();
-  for (const double x : profile.foremost) f.front += x * look.dx / width;
-  f.front += look.lower.x();
-  find_deepest(profile, look.dx, width, f);
+  const auto wet_rows = std::count_if(profile.foremost.begin(), profile.foremost.end(), [](double x) { return x > 0; });
+  f.front = look.lower.x();
+  if (wet_rows == 0) return f;
+  const double rows = static_cast<double>(wet_rows);
+  for (const double x : profile.foremost) f.front += x / rows;
+  find_deepest(profile, look.dx, rows * look.dx, f);
   return f;
 }
 
-Flow::Flow(const Observed& run) : Observer(run) {
+Flow::Flow(const Observed& run) : Observer(run), bed_(run.simulation.fluid()->domain()) {
   column("fluid_kinetic_J", "J", "kinetic energy of the liquid", [this] { return now_.kinetic; });
   column("fluid_potential_J", "J",
          "potential energy of the liquid about `measure.energy_datum_z_m` on the measured section",
          [this] { return now_.potential; });
-  column("front_x_m", "m", "front of the fluid: mean over the width of the foremost bed cell more than half full",
+  column("front_x_m", "m", "front of the fluid: mean over the wet width of the foremost bed cell more than half full",
          [this] { return now_.front; });
   if (run.section)
     event("front_arrival_s", "s", "first row with `front_x_m` at the measured section or beyond",

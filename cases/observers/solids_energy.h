@@ -1,5 +1,7 @@
 #pragma once
 // Where the energy of grains and barrier went: friction, dampers, the liquid; and whether the books close.
+#include <cmath>
+
 #include "cases/observers/observer.h"
 #include "dem/energy.h"
 
@@ -12,6 +14,7 @@ class SolidsEnergy final : public Observer {
   [[nodiscard]] std::string_view name() const override { return "solids_energy"; }
   void sample(double interval) override;
   void transfer(Archive& archive) override;
+  [[nodiscard]] std::vector<ResultCheck> checks(const Metrics& metrics) const override;
 
  private:
   /// J, of the last row, less what the first had: only what the run itself brought.
@@ -19,6 +22,9 @@ class SolidsEnergy final : public Observer {
   [[nodiscard]] double damping() const { return now_.contact_damping - damping_at_start_; }
   [[nodiscard]] double bonds() const { return now_.bonds.dissipated() - bonds_at_start_; }
   [[nodiscard]] double work() const { return now_.external_work - work_at_start_; }
+  [[nodiscard]] double turned_over() const {
+    return now_.kinetic + now_.rotational + friction() + damping() + bonds() + std::abs(work());
+  }
   [[nodiscard]] double gap() const { return now_.total() - total_at_start_; }
 
   dem::EnergyLedger now_;

@@ -39,6 +39,14 @@ double depth_of(const scene::Scene& scene) {
   return depth;
 }
 
+/// Of the liquid, mean over the run if none leaves.
+double mean_cells(const scene::Scene& scene) {
+  constexpr int times = 64;
+  double sum = 0;
+  for (int k = 0; k < times; ++k) sum += scene::inflow_cells(scene, scene.run.duration * (k + 0.5) / times);
+  return scene::liquid_cells(scene) + sum / times;
+}
+
 /// nu, tau, Ma, Re, Fr, Bo.
 void set_numbers(const scene::Scene& scene, FluidFigures& f) {
   const scene::Fluid& fluid = scene.fluid;
@@ -76,9 +84,11 @@ FluidFigures fluid_figures(const scene::Scene& scene) {
   const auto cells = ((scene.domain.upper - scene.domain.lower) / dx).array();
   f.domain_cells = cells.unaryExpr([](double n) { return std::ceil(n - 1e-9); }).prod();
   f.liquid_cells = scene::liquid_cells(scene);
+  f.inflow_cells = scene::inflow_cells(scene, scene.run.duration);
+  f.mean_cells = std::min(f.domain_cells, mean_cells(scene));
   f.start_blocks = blocks_at_start(scene);
   const double all_blocks = cells.unaryExpr([](double n) { return std::ceil((n + 2) / 8); }).prod();
-  f.expected_blocks = std::min(all_blocks, spreading * f.start_blocks);
+  f.expected_blocks = std::min(all_blocks, spreading * (f.start_blocks + f.inflow_cells / 512));
   f.start_bytes = f.start_blocks * bytes_per_block;
   f.expected_bytes = f.expected_blocks * bytes_per_block;
   f.max_speed = expected_max_speed(scene);
@@ -140,7 +150,7 @@ double checkpoint_bytes(const scene::Scene& scene, const CheckReport& report, do
 /// CPU seconds of one thread.
 double run_time(const scene::Scene& scene, const CheckReport& report) {
   double seconds = 0;
-  if (report.fluid) seconds += report.fluid->steps * report.fluid->liquid_cells / cells_per_second;
+  if (report.fluid) seconds += report.fluid->steps * report.fluid->mean_cells / cells_per_second;
   if (!report.solids) return seconds;
   const SolidsFigures& s = *report.solids;
   seconds += s.steps * static_cast<double>(s.grains + s.beads) / particles_per_second;
@@ -150,7 +160,7 @@ double run_time(const scene::Scene& scene, const CheckReport& report) {
   if (!report.fluid || !scene.coupling.enabled) return seconds;
   seconds += report.fluid->steps * static_cast<double>(s.beads) / wet_beads_per_second;
   if (averages_grains(scene))
-    return seconds + (s.grains > 0 ? report.fluid->steps * report.fluid->liquid_cells / averaged_cells_per_second : 0);
+    return seconds + (s.grains > 0 ? report.fluid->steps * report.fluid->mean_cells / averaged_cells_per_second : 0);
   double body_cells = 0;  // a cell is touched on either side of a grain
   const auto add = [&](double diameter, double count) {
     body_cells += count * std::pow(diameter / scene.fluid.cell_size + 2, 3);

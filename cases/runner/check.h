@@ -11,6 +11,7 @@ namespace lahar::cases {
 
 struct FluidFigures {
   double domain_cells = 0, liquid_cells = 0;     ///< of the whole domain; of the liquid at the start
+  double inflow_cells = 0, mean_cells = 0;       ///< that flow in; of the liquid, mean over the run if none leaves
   double start_blocks = 0, expected_blocks = 0;  ///< blocks of 8^3 cells
   double start_bytes = 0, expected_bytes = 0;
   double time_step = 0, steps = 0;  ///< s, -

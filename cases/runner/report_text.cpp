@@ -32,7 +32,8 @@ std::string layer_text(const scene::Scene& scene) {
 
 std::string fluid_text(const scene::Scene& scene, const FluidFigures& f) {
   std::string t = "fluid\n";
-  t += line("cells", fmt::format("{:.4g} in the domain, {:.4g} liquid at the start", f.domain_cells, f.liquid_cells));
+  t += line("cells", fmt::format("{:.4g} in the domain, {:.4g} liquid at the start{}", f.domain_cells, f.liquid_cells,
+                                 f.inflow_cells > 0 ? fmt::format(", {:.4g} flow in", f.inflow_cells) : ""));
   t += line("blocks of 8^3", fmt::format("{:.0f} at the start, up to about {:.0f}", f.start_blocks, f.expected_blocks));
   t += line("memory", fmt::format("{:.3g} GB at the start, up to about {:.3g} GB", f.start_bytes * 1e-9,
                                   f.expected_bytes * 1e-9));

@@ -29,6 +29,7 @@ Impact run_onto_wall(const scene::Scene& scene) {
   constexpr int every = 5;        // steps between two looks at the front
   const auto simulation = cases::build_simulation(scene);
   const cases::Observed run(scene, *simulation);
+  const cases::Bed bed(simulation->fluid()->domain());
   const Vec3 sensor = scene.probes.front().position;
   Impact found;
   for (int step = 1; simulation->time() < scene.run.duration; ++step) {
@@ -37,7 +38,7 @@ Impact run_onto_wall(const scene::Scene& scene) {
     found.pressure.push_back(cases::pressure_at(*simulation->fluid(), sensor) / kMillibar);
     if (step % every != 0) continue;
     found.front_time.push_back(simulation->time() * std::sqrt(scene.gravity.magnitude / height));
-    found.front.push_back(cases::look_at_flow(run).front / height);
+    found.front.push_back(cases::look_at_flow(run, bed).front / height);
   }
   return found;
 }

@@ -29,5 +29,17 @@ TEST_F(FlowOfHeap, HasArrivedAtASectionWithinIt) {
   EXPECT_NEAR(f.outflow_rate, 1000 * 0.5 * 0.16 * 0.3, 0.01 * f.outflow_rate);
 }
 
+/// A channel of half the domain's width, its floor 0.1 m above the domain's: front and depth are those of the channel.
+TEST_F(FlowOfHeap, ChannelsMayBeNarrowAndHigh) {
+  first_row(
+      {"wall=[{name = \"floor\", shape = \"box\", lower_m = [0, 0, 0], upper_m = [1, 0.16, 0.1]}, "
+       "{name = \"side\", shape = \"box\", lower_m = [0, 0.08, 0], upper_m = [1, 0.16, 0.42]}]",
+       "fluid.region=[{lower_m = [0, 0, 0.1], upper_m = [0.4, 0.08, 0.3], velocity_m_s = [0.5, 0, 0]}]"});
+  const FlowFigures& f = observers_->find<Flow>()->now();
+  EXPECT_NEAR(f.front, 0.4, 1e-9);
+  EXPECT_NEAR(f.deepest, 0.2, 2e-3);
+  EXPECT_NEAR(f.deepest_speed, 0.5, 1e-6);
+}
+
 }  // namespace
 }  // namespace lahar::cases

@@ -48,6 +48,21 @@ INSTANTIATE_TEST_SUITE_P(Check, SceneOfACase, testing::ValuesIn(scene_files()), 
   return name;
 });
 
+/// A ball of liquid is less than the box around it; 6 l that flow in over the first half of the run are there for half
+/// of it, and for a half on the mean before.
+TEST(Check, CountsLiquidByItsShapeAndWhatFlowsIn) {
+  const scene::Scene ball =
+      load(case_file("dam_break/scene.toml"),
+           {"fluid.region=[{shape = \"sphere\", centre_m = [0.3, 0.15, 0.4], radius_m = 0.1}]", "run.duration_s=2",
+            "fluid.inflow=[{name = \"in\", lower_m = [0, 0, 0], upper_m = [0.1, 0.3, 0.1], velocity_m_s = [1, 0, 0], "
+            "discharge_m3_s = [[0, 6e-3], [1, 6e-3]]}]"});
+  const FluidFigures f = check_scene(ball).fluid.value();
+  const double cell = 0.02 * 0.02 * 0.02, sphere = 4.0 / 3 * M_PI * 1e-3;
+  EXPECT_NEAR(f.liquid_cells, sphere / cell, 0.02 * sphere / cell);
+  EXPECT_NEAR(f.inflow_cells, 6e-3 / cell, 1e-6);
+  EXPECT_NEAR(f.mean_cells - f.liquid_cells, 0.75 * 6e-3 / cell, 1e-3 * 6e-3 / cell);
+}
+
 TEST(Check, FiguresOfTheDamBreak) {
   const scene::Scene dam = load(case_file("dam_break/scene.toml"));
   const CheckReport report = check_scene(dam);
