@@ -1,5 +1,7 @@
 #include "cases/assembly/build.h"
 
+#include <fmt/format.h>
+
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_sizes.h"
@@ -44,13 +46,24 @@ void add_placeholders(const dem::PackingSpec& packing, dem::Particles& particles
     }
 }
 
+/// Throws InputError, located at the packing, if its grains do not fit.
+std::vector<dem::ParticleSpec> packed(const scene::Scene& scene, std::size_t i) {
+  try {
+    return dem::pack(packing_spec(scene, i));
+  } catch (const InputError& e) {
+    const scene::WrittenAt& at = scene.grains.packings[i].written_at;
+    throw InputError(std::vector<InputMistake>{
+        {at.file, at.line, at.column, fmt::format("grains.packing[{}]: {}", i, e.mistakes().front().message)}});
+  }
+}
+
 void add_grains(const scene::Scene& scene, dem::Particles& particles, GrainStart start) {
   for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
     if (start == GrainStart::placeholders) {
       add_placeholders(packing_spec(scene, i), particles);
       continue;
     }
-    for (const dem::ParticleSpec& grain : dem::pack(packing_spec(scene, i))) particles.add(grain);
+    for (const dem::ParticleSpec& grain : packed(scene, i)) particles.add(grain);
   }
   for (const auto& s : scene.grains.spheres) {
     dem::ParticleSpec grain;

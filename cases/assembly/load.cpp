@@ -1,5 +1,7 @@
 #include "cases/assembly/load.h"
 
+#include <fmt/format.h>
+
 #include "cases/assembly/cross_checks.h"
 #include "cases/assembly/load_shapes.h"
 #include "cases/assembly/rigid_barrier.h"
@@ -30,6 +32,10 @@ Scene load(const std::filesystem::path& file, const std::vector<std::string>& ov
   Reader reader(root, "", findings);
   describe(reader, scene);
   reader.refuse_unknown();
+  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
+    const Place at = findings.place(fmt::format("grains.packing[{}]", i));
+    scene.grains.packings[i].written_at = {at.file, at.line, at.column};
+  }
   build_rigid_barrier(scene, findings);
   load_shapes(scene, findings);
   check_together(scene, findings);

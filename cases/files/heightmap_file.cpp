@@ -91,6 +91,8 @@ Heightmap parse_heightmap(const std::string& bytes, double spacing) {
   map.columns = rows.empty() ? 0 : rows[0].size();
   if (map.rows < 2 || map.columns < 2) throw ShapeFileError("has less than two rows of two heights");
   for (auto r = rows.rbegin(); r != rows.rend(); ++r) map.heights.insert(map.heights.end(), r->begin(), r->end());
+  if (!keys.empty() && spacing > 0)
+    throw ShapeFileError("has a header with its cellsize, expected no spacing_m with it");
   map.spacing = spacing;
   if (!keys.empty()) apply_header(keys, map);
   if (!(map.spacing > 0)) throw ShapeFileError("is a plain matrix, expected spacing_m above 0 with it");

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
+#include <variant>
 
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
@@ -216,23 +218,49 @@ void add_heightmaps(const scene::Scene& s, List& list) {
   }
 }
 
-/// Whether the centre of a cell lies in a box: without one it is no wall to the liquid.
-bool has_a_cell(const scene::WallSettings& box, const scene::Scene& s) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const double from = std::max(box.lower[axis], s.domain.lower[axis]), dx = s.fluid.cell_size;
-    const double first = std::floor((from - s.domain.lower[axis]) / dx + 0.5);  // whose centre lies beyond `from`
-    if (s.domain.lower[axis] + (first + 0.5) * dx >= std::min(box.upper[axis], s.domain.upper[axis])) return false;
+/// The box around a solid that stands in the domain; none of other walls.
+std::optional<Bounds> bounds_of(const scene::WallSettings& w) {
+  const Vec3 around = Vec3::Constant(w.radius);
+  switch (w.shape) {
+    case scene::WallShape::box:
+      return Bounds{w.lower, w.upper};
+    case scene::WallShape::sphere:
+      return Bounds{w.centre - around, w.centre + around};
+    case scene::WallShape::cylinder:
+      return Bounds{w.start.cwiseMin(w.end) - around, w.start.cwiseMax(w.end) + around};
+    case scene::WallShape::mesh:
+      return Bounds{w.file.sampled.grid->lower(), w.file.sampled.grid->upper()};
+    case scene::WallShape::plane:
+    case scene::WallShape::heightmap:
+      break;
   }
-  return true;
+  return std::nullopt;
 }
 
-/// Boxes so thin that they fall between the centres of cells.
+/// Whether the centre of a cell lies in a solid within some bounds: without one it is no wall to the liquid.
+bool has_a_cell(const scene::WallSettings& solid, const Bounds& bounds, const scene::Scene& s) {
+  const double dx = s.fluid.cell_size;
+  const Vec3 lower = bounds.lower.cwiseMax(s.domain.lower), upper = bounds.upper.cwiseMin(s.domain.upper);
+  const Vec3i first = ((lower - s.domain.lower) / dx - Vec3::Constant(0.5)).array().ceil().cast<int>();
+  const Vec3i end = ((upper - s.domain.lower) / dx - Vec3::Constant(0.5)).array().ceil().cast<int>();
+  const Shape shape = scene::make_wall(solid, -1).shape;
+  for (int z = first.z(); z < end.z(); ++z)
+    for (int y = first.y(); y < end.y(); ++y)
+      for (int x = first.x(); x < end.x(); ++x) {
+        const Vec3 centre = s.domain.lower + dx * (Vec3(x, y, z) + Vec3::Constant(0.5));
+        if (std::visit([&](const auto& body) { return body.distance(centre); }, shape) < 0) return true;
+      }
+  return false;
+}
+
+/// Solids so thin that they fall between the centres of cells.
 void add_thin_walls(const scene::Scene& s, List& list) {
   for (const scene::WallSettings& w : s.walls) {
-    if (w.shape != scene::WallShape::box) continue;
-    const bool inside =
-        (w.upper.array() > s.domain.lower.array()).all() && (w.lower.array() < s.domain.upper.array()).all();
-    if (inside && !has_a_cell(w, s))
+    const auto bounds = bounds_of(w);
+    if (!bounds) continue;
+    const bool inside = (bounds->upper.array() > s.domain.lower.array()).all() &&
+                        (bounds->lower.array() < s.domain.upper.array()).all();
+    if (inside && !has_a_cell(w, *bounds, s))
       list.push_back(fmt::format("wall \"{}\" has no cell of its own (of {:g} m): the liquid does not feel it", w.name,
                                  s.fluid.cell_size));
   }
@@ -264,7 +292,7 @@ void add_rounded_walls(const scene::Scene& s, List& list) {
     for (int axis = 0; axis < 3; ++axis) {
       if (w.shape == scene::WallShape::plane && std::abs(w.normal.normalized()[axis]) > 1 - 1e-9)
         tell(what, w.point[axis], axis);
-      if (w.shape == scene::WallShape::box && has_a_cell(w, s))
+      if (w.shape == scene::WallShape::box && has_a_cell(w, {w.lower, w.upper}, s))
         tell(what, w.lower[axis], axis), tell(what, w.upper[axis], axis);
     }
   }

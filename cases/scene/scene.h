@@ -228,7 +228,15 @@ struct SievedGrains {
   bool operator==(const SievedGrains&) const = default;
 };
 
+/// Where something is written, for what only a run finds wrong. It is nothing that scenes differ in.
+struct WrittenAt {
+  std::string file;
+  int line = 1, column = 1;
+  bool operator==(const WrittenAt&) const { return true; }
+};
+
 struct Packing {
+  WrittenAt written_at;                             ///< set by load
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  ///< m
   double target_height = 0;                         ///< m above the floor, 0 = as it comes
   std::vector<GrainSize> sizes;

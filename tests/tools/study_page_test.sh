@@ -31,6 +31,14 @@ expect_contains "$output" '| `depth` | m | - | 0.25 | - | 0.2 |'
 expect_contains "$output" '| Quantity | matched-L4.10-coarse-resolved-seed1 against matched-L4.10-standard-resolved-seed1 |'
 expect_contains "$output" '| `depth` | +25.0 |'
 expect_lacks "$output" '## Over the flows'
+expect_lacks "$output" 'momentum of the water'
+
+plant docs/results/study/matched-L4.10-coarse-averaged_ergun-seed1.json "$(cat "$scratch/tree/docs/results/study/matched-L4.10-coarse-resolved-seed1.json")"
+printf '%s\n' 'water_momentum,kNs,matched-L4.10-coarse-resolved-seed1,,2.251,,' \
+  'water_momentum,kNs,matched-L4.10-coarse-averaged_ergun-seed1,,2.239,,' >>"$scratch/tree/docs/results/study/comparison.csv"
+capture "$page"
+expect_contains "$output" "## matched, momentum of the water: resolved; Ergun's; Di Felice's"
+expect_contains "$output" '| `water_momentum` | kNs | 2.25; 2.24; - |'
 
 plant docs/results/study/trends.csv 'trend,sweep,coupling,preset,flows,measure,agrees
 eta rises (4.4),matched,resolved,coarse,3,1.00,yes

@@ -49,6 +49,11 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"measure.section_x_m=1.5"}, "measure.outflow_distance_m", "leads to x = 1.825"},
         Rejection{{"measure.section_x_m=0.1"}, "measure.inflow_distance_m", "leads to x = -0.05"}));
 
+TEST(CheckSpace, WallsOfOneName) {
+  expect_rejection(case_file("dam_break/scene.toml"),
+                   {{"wall[1].name=near_side"}, "wall[1].name", "the name of wall[0], expected one of its own"});
+}
+
 TEST(CheckSpace, AWallOrAFluidThatMovesIsSpeedEnough) {
   const std::string no_gravity = "gravity.magnitude_m_s2=0";
   EXPECT_TRUE(mistakes_in(case_file("dam_break/scene.toml"),

@@ -77,5 +77,23 @@ TEST(Simulation, PartsThatTheSceneLacksAreNull) {
   EXPECT_NE(simulation->solids(), nullptr);
 }
 
+/// More grains than a random packing can hold: found when they are packed, and said where they are written.
+TEST(Simulation, PackingsThatDoNotFitAreLocated) {
+  const scene::Scene scene = scene::load_text(scene::small_scene + R"([[grains.packing]]
+lower_m = [0, 0, 0]
+upper_m = [0.2, 0.2, 0.2]
+sizes = [{ diameter_m = 0.04, density_kg_m3 = 2500, count = 167, material = "rock" }]
+)");
+  try {
+    (void)build_simulation(scene);
+    FAIL();
+  } catch (const InputError& e) {
+    const InputMistake& m = e.mistakes().at(0);
+    EXPECT_TRUE(m.file.ends_with("scene.toml")) << m.text();
+    EXPECT_EQ(m.line, 16);
+    EXPECT_NE(m.message.find("grains.packing[0]: packing: the settled spheres stand"), std::string::npos) << m.text();
+  }
+}
+
 }  // namespace
 }  // namespace lahar::cases

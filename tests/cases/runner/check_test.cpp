@@ -290,6 +290,13 @@ TEST(Warnings, WallsThinnerThanACell) {
   const double dx = load(file).fluid.cell_size;
   EXPECT_TRUE(warns(plate(0.9 + 0.6 * dx, 0.9 + 0.9 * dx), "wall \"plate\" has no cell of its own"));
   EXPECT_FALSE(warns(plate(0.9 + 0.6 * dx, 0.9 + 1.6 * dx), "has no cell of its own"));
+  const auto rod = [&](double radius, double z) {  // between the centres of cells where z is a whole number of them
+    return check_scene(
+        load(file, {"wall[2].shape=cylinder", "wall[2].name=rod", fmt::format("wall[2].radius_m={}", radius),
+                    fmt::format("wall[2].start_m=[0.9, 0.1, {}]", z), fmt::format("wall[2].end_m=[0.9, 0.2, {}]", z)}));
+  };
+  EXPECT_TRUE(warns(rod(0.6 * dx, 10 * dx), "wall \"rod\" has no cell of its own"));
+  EXPECT_FALSE(warns(rod(0.8 * dx, 10 * dx), "has no cell of its own"));
 }
 
 TEST(Warnings, GrainsWithoutWalls) {
