@@ -208,11 +208,6 @@ void check_shapes(const Scene& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     check_wall(scene.walls[i], scene, fmt::format("wall[{}]", i), findings);
     check_heightmap(scene, i, findings);
-    for (std::size_t k = 0; k < i; ++k)
-      if (const std::string& name = scene.walls[i].name; !name.empty() && name == scene.walls[k].name)
-        findings.mistake(
-            fmt::format("wall[{}].name", i),
-            fmt::format("wall[{}].name is \"{}\", the name of wall[{}], expected one of its own", i, name, k));
   }
   if (findings.sound({"domain", "wall"}) && filled_by_walls(make_walls(scene), scene.domain.lower, scene.domain.upper))
     findings.mistake("domain", "domain lies in walls, expected room beside them");

@@ -64,6 +64,11 @@ void check_names(const Scene& scene, Findings& findings) {
     check_own(scene.probes[i].name, fmt::format("probe[{}].name", i));
   for (std::size_t i = 0; i < scene.sections.size(); ++i)
     check_own(scene.sections[i].name, fmt::format("section[{}].name", i));
+  std::set<std::string> walls;  // theirs are no names of files
+  for (std::size_t i = 0; i < scene.walls.size(); ++i)
+    if (const std::string& name = scene.walls[i].name; !name.empty() && !walls.insert(name).second)
+      findings.mistake(fmt::format("wall[{}].name", i),
+                       fmt::format("wall[{}].name is \"{}\" again, expected a name of its own", i, name));
 }
 
 void check_materials(const Scene& scene, Findings& findings) {

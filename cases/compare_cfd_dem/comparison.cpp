@@ -504,14 +504,16 @@ double slope(const Points& points) {
   return n < 2 ? kNone : (n * xy - x * y) / (n * xx - x * x);
 }
 
-/// The slope from `bend` on over that up to it; NaN where there are less than two flows on a side.
+/// The slope from `bend` on over that up to it; NaN where there are less than two flows on a side, infinite where it
+/// does not rise up to there.
 double slope_beyond(const Points& points, double bend) {
   Points before, beyond;
   for (const auto& p : points) {
     if (p.first <= bend + 1e-6) before.push_back(p);
     if (p.first >= bend - 1e-6) beyond.push_back(p);
   }
-  return slope(beyond) / slope(before);
+  const double rise = slope(before), rest = slope(beyond);
+  return rise <= 0 && !std::isnan(rest) ? INFINITY : rest / rise;
 }
 
 double least(const Points& points) {
@@ -559,7 +561,7 @@ double measure_of(Says says, const Points& points) {
 
 Agreement agreement_of(Says says, const Points& points) {
   const double measure = measure_of(says, points);
-  if (!std::isfinite(measure)) return Agreement::unknown;
+  if (std::isnan(measure)) return Agreement::unknown;
   const auto chosen = [](bool yes, bool mostly) {
     return yes ? Agreement::yes : mostly ? Agreement::mostly : Agreement::no;
   };

@@ -20,16 +20,18 @@ struct BlockFigures {
   std::size_t x = 0, y = 0;  ///< of the block's first cell
   /// m^3 of mixture and of liquid, m^4/s of the liquid's volume times velocity.
   std::array<double, kWidth> volume{}, liquid{}, flow{};
-  std::array<double, kWidth> foremost{};  ///< m from the domain's end: bed cells more than half full, by y
+  std::array<double, kWidth> foremost{};               ///< m from the domain's end: bed cells more than half full, by y
+  std::array<std::array<bool, kWidth>, kWidth> wet{};  ///< columns that hold liquid, by x and y
 };
 
 /// The same along the whole channel.
 struct Profiles {
   std::vector<double> volume, liquid, flow, foremost;
+  std::vector<std::vector<bool>> wet;  ///< columns that hold liquid, by x and y
 };
 
-double& at(std::vector<double>& v, std::size_t k) {
-  if (k >= v.size()) v.resize(k + 1, 0.0);
+decltype(auto) at(auto& v, std::size_t k) {
+  if (k >= v.size()) v.resize(k + 1);
   return v[k];
 }
 
@@ -67,6 +69,7 @@ struct Look {
     f.momentum += mass * velocity;
     const Vec3i cell = run.simulation.fluid()->domain().cell_at(c.centre);
     const std::size_t x = static_cast<std::size_t>(cell.x()) % kWidth, y = static_cast<std::size_t>(cell.y()) % kWidth;
+    f.wet[x][y] = true;
     f.volume[x] += c.fill_level * dx * dx * dx;
     f.liquid[x] += c.liquid_volume;
     f.flow[x] += c.liquid_volume * velocity.x();
@@ -82,9 +85,11 @@ struct Look {
   }
 };
 
-void find_deepest(const Profiles& profile, double dx, double width, FlowFigures& f) {
+/// Over the rows whose bed is wet, or all that hold liquid there where these are more: drops, a heap that falls.
+void find_deepest(const Profiles& profile, double dx, std::ptrdiff_t wet_rows, FlowFigures& f) {
   for (std::size_t x = 0; x < profile.volume.size(); ++x) {
-    const double depth = profile.volume[x] / (dx * width);
+    const auto rows = std::max(wet_rows, std::count(profile.wet[x].begin(), profile.wet[x].end(), true));
+    const double depth = profile.volume[x] / (dx * dx * static_cast<double>(rows));
     if (depth <= f.deepest || profile.liquid[x] <= 0) continue;
     f.deepest = depth;
     f.deepest_speed = profile.flow[x] / profile.liquid[x];
@@ -119,6 +124,9 @@ FlowFigures look_at_flow(const Observed& run, const Bed& bed) {
       at(profile.volume, block.x + k) += block.volume[k];
       at(profile.liquid, block.x + k) += block.liquid[k];
       at(profile.flow, block.x + k) += block.flow[k];
+      std::vector<bool>& wet = at(profile.wet, block.x + k);
+      for (std::size_t y = 0; y < kWidth; ++y)
+        if (block.wet[k][y]) at(wet, block.y + y) = true;
       double& foremost = at(profile.foremost, block.y + k);
       foremost = std::max(foremost, block.foremost[k]);
     }
@@ -126,9 +134,8 @@ FlowFigures look_at_flow(const Observed& run, const Bed& bed) {
   const auto wet_rows = std::count_if(profile.foremost.begin(), profile.foremost.end(), [](double x) { return x > 0; });
   f.front = look.lower.x();
   if (wet_rows == 0) return f;
-  const double rows = static_cast<double>(wet_rows);
-  for (const double x : profile.foremost) f.front += x / rows;
-  find_deepest(profile, look.dx, rows * look.dx, f);
+  for (const double x : profile.foremost) f.front += x / static_cast<double>(wet_rows);
+  find_deepest(profile, look.dx, wet_rows, f);
   return f;
 }
 

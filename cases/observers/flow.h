@@ -22,11 +22,11 @@ class Bed {
 };
 
 /// Sums over the wet cells at one moment. What is a mean over the width is one over the wet width: the rows of cells
-/// along x that have a bed cell more than half full.
+/// along x that have a bed cell more than half full anywhere. So it is that of a channel of one width.
 struct FlowFigures {
   double kinetic = 0, potential = 0;      ///< J, about the datum
   Vec3 momentum = Vec3::Zero();           ///< kg m/s
-  double front = 0;                       ///< m: mean over the width of the foremost bed cell more than half full
+  double front = 0;                       ///< m: mean over the wet width of the foremost bed cell more than half full
   double outflow_power = 0;               ///< W, energy flux through the outflow section
   double outflow_kinetic_power = 0;       ///< W, the kinetic part of it
   double outflow_rate = 0;                ///< kg/s through that section

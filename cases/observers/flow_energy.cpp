@@ -13,7 +13,7 @@ FlowEnergy::FlowEnergy(const Observed& run, const ObserverList& before)
   event("froude_deepest_section", "1",
         "speed of the deepest section over sqrt(g depth), g across the bed, at the row of `e_in_kJ`",
         [this] { return arrival_.froude_deepest; });
-  event("depth_at_inflow_m", "m", "depth of the deepest section at the row of `e_in_kJ`",
+  event("depth_at_inflow_m", "m", "depth of the deepest section, mean over the wet width, at the row of `e_in_kJ`",
         [this] { return arrival_.depth; });
   event("froude_mean_speed", "1",
         "mean speed of all liquid over sqrt(g depth), g across the bed, at the row of `e_in_kJ`",

@@ -21,7 +21,8 @@ SolidsEnergy::SolidsEnergy(const Observed& run) : Observer(run) {
       .peak_magnitude("solids_energy_gap_max_J", "largest `solids_energy_gap_J` of the rows, without its sign");
   hidden([this] { return turned_over(); })
       .peak("solids_energy_turned_over_max_J", "J",
-            "kinetic energy of grains and barrier + lost + work without its sign, the largest of the rows");
+            "kinetic energy of grains and barrier + lost + work and what was carried away, without signs, the largest "
+            "of the rows");
   in_kJ("solids_friction_kJ", "lost by sliding and rolling contacts", [this] { return friction(); });
   in_kJ("solids_damping_kJ", "lost by dampers of contacts", [this] { return damping(); });
   in_kJ("solids_work_kJ", "work of the liquid and of moving walls on grains and barrier", [this] { return work(); });
@@ -52,7 +53,8 @@ std::vector<ResultCheck> SolidsEnergy::checks(const Metrics& metrics) const {
   constexpr int first_steps = 1000;  // of what begins to move the error is 1/n of the energy after n steps, and more
   if (gap == metrics.end() || all == metrics.end() || run_.simulation.solids()->step_count() < first_steps) return {};
   constexpr double tolerance = 0.02;
-  const double share = all->second > 0 ? gap->second / all->second : gap->second;
+  if (all->second == 0) return {};
+  const double share = gap->second / all->second;
   return {{"solids_energy_ledger", share, 0, tolerance, share <= tolerance, "conservation of energy"}};
 }
 

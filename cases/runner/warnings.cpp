@@ -241,6 +241,7 @@ std::optional<Bounds> bounds_of(const scene::WallSettings& w) {
 bool has_a_cell(const scene::WallSettings& solid, const Bounds& bounds, const scene::Scene& s) {
   const double dx = s.fluid.cell_size;
   const Vec3 lower = bounds.lower.cwiseMax(s.domain.lower), upper = bounds.upper.cwiseMin(s.domain.upper);
+  if (!(lower.array() < upper.array()).all()) return false;
   const Vec3i first = ((lower - s.domain.lower) / dx - Vec3::Constant(0.5)).array().ceil().cast<int>();
   const Vec3i end = ((upper - s.domain.lower) / dx - Vec3::Constant(0.5)).array().ceil().cast<int>();
   const Shape shape = scene::make_wall(solid, -1).shape;

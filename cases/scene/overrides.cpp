@@ -86,9 +86,12 @@ void apply(toml::table& root, const std::string& text, std::string_view origin) 
   if (path.empty()) throw BadOverride(fmt::format("\"{}\" is no key path, expected a.b[0].c", text.substr(0, equals)));
   if (path.size() > kMostKeyParts || find_long_key(text) != std::string::npos)
     throw BadOverride(fmt::format("has a key of more than {} parts, expected a.b[0].c", kMostKeyParts));
-  if (path.size() > 1 && path[0].key == "scene" && (path[1].key == "base" || path[1].key == "changes"))
-    throw BadOverride(fmt::format("comes after bases are read, expected scene.{} in a scene file", path[1].key));
   toml::table holder = parse_value(trimmed(text.substr(equals + 1)), fmt::format("{}{}", origin, text));
+  for (const char* key : {"base", "changes"}) {  // of scene, which were read before
+    const bool whole = path.size() == 1 && holder["v"][key];
+    if (path[0].key == "scene" && (whole || (path.size() > 1 && path[1].key == key)))
+      throw BadOverride(fmt::format("comes after bases are read, expected scene.{} as a key of a scene file", key));
+  }
   toml::node* at = &root;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     toml::node* next = child_at(*at, path[i]);

@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(CheckSpace, WallsOfOneName) {
   expect_rejection(case_file("dam_break/scene.toml"),
-                   {{"wall[1].name=near_side"}, "wall[1].name", "the name of wall[0], expected one of its own"});
+                   {{"wall[1].name=near_side"}, "wall[1].name", "\"near_side\" again, expected a name of its own"});
 }
 
 TEST(CheckSpace, AWallOrAFluidThatMovesIsSpeedEnough) {

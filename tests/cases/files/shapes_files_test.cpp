@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadFile{"", grid_with("NROWS 2", "NROWS 4"), "expected 4 rows of 3"},
                     BadFile{"", grid_with("ncols 3", "ncols 4"), "ends inside a row"},
                     BadFile{"", grid_with("xllcorner 10\n", ""), "neither xllcorner nor xllcenter"},
-                    BadFile{"with spacing", grid_with("cellsize 2", "cellsize 2"), "expected no spacing_m with it"},
+                    BadFile{"with spacing", grid_text, "expected no spacing_m with it"},
                     BadFile{"", grid_with("cellsize 2", "cellsize 0"), "cellsize that is not above 0"},
                     BadFile{"", grid_with("5 6", "5 -9999"), "has 1 points without data"}));
 

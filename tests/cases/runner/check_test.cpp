@@ -297,6 +297,12 @@ TEST(Warnings, WallsThinnerThanACell) {
   };
   EXPECT_TRUE(warns(rod(0.6 * dx, 10 * dx), "wall \"rod\" has no cell of its own"));
   EXPECT_FALSE(warns(rod(0.8 * dx, 10 * dx), "has no cell of its own"));
+  const auto ball = [&](double radius) {
+    return check_scene(load(file, {"wall[2].shape=sphere", "wall[2].name=ball", "wall[2].centre_m=[0.9, 0.1, 0.2]",
+                                   fmt::format("wall[2].radius_m={}", radius)}));
+  };
+  EXPECT_TRUE(warns(ball(0.8 * dx), "wall \"ball\" has no cell of its own"));
+  EXPECT_FALSE(warns(ball(0.9 * dx), "has no cell of its own"));
 }
 
 TEST(Warnings, GrainsWithoutWalls) {

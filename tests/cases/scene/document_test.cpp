@@ -143,7 +143,11 @@ TEST(Document, BasesThatAreNotThereOrLeadRound) {
   const auto number = scratch.write("number.toml", small_scene + "[gravity]\n");
   for (const std::string key : {"base", "changes"})
     EXPECT_EQ(the_mistake(mistakes_in(number, {"scene." + key + "=3"})),
-              "--set scene." + key + "=3:1:1: comes after bases are read, expected scene." + key + " in a scene file");
+              "--set scene." + key + "=3:1:1: comes after bases are read, expected scene." + key +
+                  " as a key of a scene file");
+  EXPECT_EQ(
+      the_mistake(mistakes_in(number, {"scene={base=\"a.toml\"}"})),
+      "--set scene={base=\"a.toml\"}:1:1: comes after bases are read, expected scene.base as a key of a scene file");
 }
 
 constexpr const char* kBase = R"([scene]
