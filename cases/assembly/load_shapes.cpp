@@ -124,11 +124,21 @@ void load_file(ShapeFile& s, const std::string& key, Findings& findings, const L
   }
 }
 
+/// Nothing may look at shapes that are still in their files.
+void leave_files(const Scene& scene, Findings& findings) {
+  for (std::size_t i = 0; i < scene.walls.size(); ++i)
+    if (scene.walls[i].shape == WallShape::mesh || scene.walls[i].shape == WallShape::heightmap)
+      findings.not_read(fmt::format("wall[{}].file", i));
+  for (std::size_t i = 0; i < scene.fluid.regions.size(); ++i)
+    if (scene.fluid.regions[i].shape == RegionShape::mesh) findings.not_read(fmt::format("fluid.region[{}].file", i));
+}
+
 }  // namespace
 
 void load_shapes(Scene& scene, Findings& findings) {
-  if (!findings.sound({"domain", "fluid.cell_size_m", "grains"})) return;
-  if (!(scene.domain.upper.array() > scene.domain.lower.array()).all()) return;
+  if (!findings.sound({"domain", "fluid.cell_size_m", "grains"}) ||
+      !(scene.domain.upper.array() > scene.domain.lower.array()).all())
+    return leave_files(scene, findings);
   for (std::size_t i = 0; i < scene.walls.size(); ++i) {
     WallSettings& w = scene.walls[i];
     const std::string path = fmt::format("wall[{}]", i);

@@ -13,7 +13,6 @@ namespace {
 
 /// What a region has of the box around it, judged at the points of a lattice.
 double share_of_box(const FluidRegion& region) {
-  if (region.shape == RegionShape::mesh && !region.file.sampled.grid) return 1;  // it could not be read
   const auto body = make_body(region);
   if (!body) return 1;
   constexpr int n = 24;  // points along an edge

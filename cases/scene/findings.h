@@ -23,6 +23,8 @@ class Findings {
   /// Adds a mistake; its path is from now on not sound.
   void mistake(const std::string& path, std::string message);
   void mistake_at(const Place& place, std::string message);
+  /// What another mistake kept from being read: not sound, without a mistake of its own.
+  void not_read(const std::string& path) { unsound_.insert(path); }
   /// Whether the values of all these paths, and everything inside them, were read without a mistake.
   [[nodiscard]] bool sound(const std::vector<std::string>& paths) const;
   /// All mistakes, by file and line.

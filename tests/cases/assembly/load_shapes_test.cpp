@@ -52,6 +52,20 @@ TEST(LoadShapes, AMeshStandsWhereItIsPut) {
   EXPECT_EQ(make_walls(again).distance(0, Vec3(0.45, 0.2, 0.02)), walls.distance(0, Vec3(0.45, 0.2, 0.02)));
 }
 
+/// A mistake that keeps files from being read is the one that is reported, whatever stands in them.
+TEST(LoadShapes, AMistakeInGrainsLeavesFilesAlone) {
+  const ScratchFolder scratch;
+  scratch.write("block.stl", stl_text(box_mesh(Vec3(0, 0, -50), Vec3(200, 300, 150))));
+  const auto file = scratch.write("scene.toml", tank + region + block);
+  const auto all = mistakes_in(
+      file,
+      {"fluid.region=[{shape = \"mesh\", file = \"block.stl\", scale = 0.001}]",
+       "materials.rock={youngs_modulus_Pa = 1e9, poisson_ratio = 0.3}", "wall[0].material=rock",
+       "grains.sphere=[{position_m = [0.2, 0.2, 0.2], diameter_m = -1, density_kg_m3 = 2500, material = \"rock\"}]"});
+  ASSERT_EQ(all.size(), 1U) << all.back();
+  EXPECT_NE(all[0].find("grains.sphere[0].diameter_m is -1"), std::string::npos) << all[0];
+}
+
 TEST(LoadShapes, AHeightmapIsTheGround) {
   const ScratchFolder scratch;
   scratch.write("ground.txt", "0.2 0.1 0.0\n0.2 0.1 0.0\n");  // falls by 0.2 along x
