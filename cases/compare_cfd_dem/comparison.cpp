@@ -100,17 +100,25 @@ double e_b(const CaseRun& c) { return (c.metric("barrier_energy_end_J") - c.metr
 double mass(const CaseRun& c) { return c.metric("liquid_mass_start_kg") + c.grain_mass; }
 /// Energies about the bed 1.30 m downstream, which the paper's numbers ask for: all mass that counts is higher.
 double e_in_lower(const CaseRun& c) { return e_in(c) + mass(c) * kGravity * kLowerDatum / 1000; }
-double e_out_liquid_lower(const CaseRun& c) {
-  return c.metric("e_out_liquid_kinetic_kJ") + c.metric("e_out_liquid_potential_kJ") +
-         c.metric("liquid_passed_kg") * kGravity * kLowerDatum / 1000;
+double potential_of_liquid_lower(const CaseRun& c) {
+  return c.metric("e_out_liquid_potential_kJ") + c.metric("liquid_passed_kg") * kGravity * kLowerDatum / 1000;
 }
-double e_out_grains_lower(const CaseRun& c) {
+double potential_of_grains_lower(const CaseRun& c) {
   const auto* passed = c.series.find("grains_passed_kg");
   const double grains = passed && !passed->values.empty() ? passed->values.back() : kNone;
-  return c.metric("e_out_grains_kinetic_kJ") + c.metric("e_out_grains_potential_kJ") +
-         grains * kGravity * kLowerDatum / 1000;
+  return c.metric("e_out_grains_potential_kJ") + grains * kGravity * kLowerDatum / 1000;
+}
+double e_out_liquid_lower(const CaseRun& c) {
+  return c.metric("e_out_liquid_kinetic_kJ") + potential_of_liquid_lower(c);
+}
+double e_out_grains_lower(const CaseRun& c) {
+  return c.metric("e_out_grains_kinetic_kJ") + potential_of_grains_lower(c);
 }
 double e_out_lower(const CaseRun& c) { return e_out_liquid_lower(c) + e_out_grains_lower(c); }
+/// A part of it over what arrives, as Fig. 16 has them.
+Ours over_e_in(Ours part) {
+  return [part = std::move(part)](const CaseRun& c) { return part(c) / e_in_lower(c); };
+}
 double e_d_lower(const CaseRun& c) { return e_in_lower(c) - e_out_lower(c); }
 
 /// s: the first row in which a column is at least `level`.
@@ -302,19 +310,13 @@ std::vector<Compared> make_quantities() {
   add(
       "outflow_liquid_share", "1", "share of the liquid in E_out, about the bed 1.30 m downstream",
       [](const CaseRun& c) { return e_out_liquid_lower(c) / e_out_lower(c); }, not_given, "Fig. 16");
-  add(
-      "out_liquid_kinetic", "1", "kinetic energy of the liquid that leaves, of E_in about the bed 1.30 m downstream",
-      [](const CaseRun& c) { return c.metric("e_out_liquid_kinetic_kJ") / e_in_lower(c); }, not_given, "Fig. 16");
-  add(
-      "out_liquid_potential", "1", "its potential energy, both about the bed 1.30 m downstream",
-      [](const CaseRun& c) { return (e_out_liquid_lower(c) - c.metric("e_out_liquid_kinetic_kJ")) / e_in_lower(c); },
-      not_given, "Fig. 16");
-  add(
-      "out_grains_kinetic", "1", "kinetic energy of the grains that leave, of the same",
-      [](const CaseRun& c) { return c.metric("e_out_grains_kinetic_kJ") / e_in_lower(c); }, not_given, "Fig. 16");
-  add(
-      "out_grains_potential", "1", "their potential energy, of the same",
-      [](const CaseRun& c) { return (e_out_grains_lower(c) - c.metric("e_out_grains_kinetic_kJ")) / e_in_lower(c); },
+  add("out_liquid_kinetic", "1", "kinetic energy of the liquid that leaves, of E_in about the bed 1.30 m downstream",
+      over_e_in(metric("e_out_liquid_kinetic_kJ")), not_given, "Fig. 16");
+  add("out_liquid_potential", "1", "its potential energy, both about the bed 1.30 m downstream",
+      over_e_in(potential_of_liquid_lower), not_given, "Fig. 16");
+  add("out_grains_kinetic", "1", "kinetic energy of the grains that leave, of the same",
+      over_e_in(metric("e_out_grains_kinetic_kJ")), not_given, "Fig. 16");
+  add("out_grains_potential", "1", "their potential energy, of the same", over_e_in(potential_of_grains_lower),
       not_given, "Fig. 16");
   add("retained_mass", "1", "share of the grains' mass that is held", metric("retained_mass_ratio"),
       of_ends(0.98, 0.90), "4.2: ends of the range");
@@ -478,150 +480,6 @@ std::string comparison_csv(const std::vector<CaseResult>& results) {
       text += fmt::format("{},{},{},{},{},{},{}\n", q.name, q.unit, c.study_case.name(), number(theirs), number(ours),
                           number(ours / theirs - 1), number(spread(q, c, results)));
     }
-  return text;
-}
-
-namespace {
-
-/// A quantity over the release distance.
-using Points = std::vector<std::pair<double, double>>;
-
-double kendall(const Points& points) {
-  double sum = 0, pairs = 0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const double a = points[i].first - points[j].first, b = points[i].second - points[j].second;
-      sum += b == 0 ? 0 : (a > 0) == (b > 0) ? 1 : -1, pairs += 1;
-    }
-  return points.size() < 3 ? kNone : sum / pairs;
-}
-
-/// Of a line through points by least squares; NaN for less than two.
-double slope(const Points& points) {
-  double x = 0, y = 0, xx = 0, xy = 0;
-  for (const auto& [a, b] : points) x += a, y += b, xx += a * a, xy += a * b;
-  const auto n = static_cast<double>(points.size());
-  return n < 2 ? kNone : (n * xy - x * y) / (n * xx - x * x);
-}
-
-/// The slope from `bend` on over that up to it; NaN where there are less than two flows on a side, infinite where it
-/// does not rise up to there.
-double slope_beyond(const Points& points, double bend) {
-  Points before, beyond;
-  for (const auto& p : points) {
-    if (p.first <= bend + 1e-6) before.push_back(p);
-    if (p.first >= bend - 1e-6) beyond.push_back(p);
-  }
-  const double rise = slope(before), rest = slope(beyond);
-  return rise <= 0 && !std::isnan(rest) ? INFINITY : rest / rise;
-}
-
-double least(const Points& points) {
-  double value = points.size() < 3 ? kNone : INFINITY;
-  for (const auto& p : points) value = std::min(value, p.second);
-  return value;
-}
-
-enum class Says { rises, falls, levels_off, is_greater_part };
-
-struct Statement {
-  const char *text, *quantity;
-  Says says;
-};
-
-constexpr Statement kStatements[] = {
-    {"retained mass falls with the Froude number (4.2)", "retained_mass", Says::falls},
-    {"the peak in the lower cable falls (4.3)", "lower_cable_sum", Says::falls},
-    {"the peak in the whole barrier rises (4.3)", "barrier_sum", Says::rises},
-    {"E_b rises (Table 5)", "e_b", Says::rises},
-    {"eta rises (4.4), about the bed at the net", "eta", Says::rises},
-    {"eta rises (4.4), about the bed 1.30 m downstream", "eta_lower", Says::rises},
-    {"eta levels off (4.4), about the bed 1.30 m downstream", "eta_lower", Says::levels_off},
-    {"zeta falls (4.4), about the bed at the net", "zeta", Says::falls},
-    {"zeta falls (4.4), about the bed 1.30 m downstream", "zeta_lower", Says::falls},
-    {"what leaves is mainly fluid, by its energy (4.4)", "outflow_liquid_share", Says::is_greater_part},
-    {"kinetic energy of the fluid that leaves rises, of E_in (4.4)", "out_liquid_kinetic", Says::rises},
-    {"its potential energy falls, of E_in (4.4)", "out_liquid_potential", Says::falls},
-};
-
-constexpr double kBend = 6.35;  // m: Fr = 5.866, from which on eta no longer rises (4.4)
-
-double measure_of(Says says, const Points& points) {
-  switch (says) {
-    case Says::levels_off:
-      return slope_beyond(points, kBend);
-    case Says::is_greater_part:
-      return least(points);
-    case Says::rises:
-    case Says::falls:
-      break;
-  }
-  return kendall(points);
-}
-
-Agreement agreement_of(Says says, const Points& points) {
-  const double measure = measure_of(says, points);
-  if (std::isnan(measure)) return Agreement::unknown;
-  const auto chosen = [](bool yes, bool mostly) {
-    return yes ? Agreement::yes : mostly ? Agreement::mostly : Agreement::no;
-  };
-  if (says == Says::levels_off) return chosen(std::abs(measure) < 0.25, std::abs(measure) < 0.5);
-  if (says == Says::is_greater_part) {
-    const auto above = std::count_if(points.begin(), points.end(), [](const auto& p) { return p.second > 0.5; });
-    return chosen(measure > 0.5, 2 * above > std::ssize(points));
-  }
-  const double with_the_paper = says == Says::rises ? measure : -measure;
-  constexpr double all_pairs = 1 - 1e-9;
-  return chosen(with_the_paper > all_pairs, with_the_paper > 0);
-}
-
-}  // namespace
-
-const char* name_of(Agreement agreement) {
-  switch (agreement) {
-    case Agreement::yes:
-      return "yes";
-    case Agreement::mostly:
-      return "mostly";
-    case Agreement::no:
-      return "no";
-    case Agreement::unknown:
-      break;
-  }
-  return "-";
-}
-
-std::vector<Trend> trends(const std::vector<CaseResult>& results) {
-  std::vector<Trend> all;
-  for (const Choice& sweep : sweeps())
-    for (const Choice& preset : presets())
-      for (const Choice& coupling : couplings()) {
-        std::map<double, const CaseResult*> flows;  // by distance, the lowest seed
-        for (const CaseResult& c : results) {
-          const StudyCase& s = c.study_case;
-          if (s.sweep != sweep.name || s.preset != preset.name || s.coupling != coupling.name ||
-              s.variant != variants().front().name)
-            continue;
-          const CaseResult*& kept = flows[s.release];
-          if (!kept || s.seed < kept->study_case.seed) kept = &c;
-        }
-        if (flows.size() < 3) continue;
-        for (const Statement& s : kStatements) {
-          Points points;
-          for (const auto& [release, c] : flows)
-            if (const double value = c->value(s.quantity); std::isfinite(value)) points.emplace_back(release, value);
-          all.push_back({s.text, sweep.name, coupling.name, preset.name, points.size(), measure_of(s.says, points),
-                         agreement_of(s.says, points)});
-        }
-      }
-  return all;
-}
-
-std::string trends_csv(const std::vector<Trend>& all) {
-  std::string text = "trend,sweep,coupling,preset,flows,measure,agrees\n";
-  for (const Trend& t : all)
-    text += fmt::format("\"{}\",{},{},{},{},{:.2f},{}\n", t.statement, t.sweep, t.coupling, t.preset, t.flows,
-                        t.measure, name_of(t.agrees));
   return text;
 }
 

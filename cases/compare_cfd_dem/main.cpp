@@ -11,6 +11,7 @@
 #include "cases/compare_cfd_dem/jobs.h"
 #include "cases/compare_cfd_dem/record.h"
 #include "cases/compare_cfd_dem/report.h"
+#include "cases/compare_cfd_dem/trends.h"
 #include "cases/files/output_file.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
