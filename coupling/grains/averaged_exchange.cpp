@@ -7,6 +7,7 @@
 #include "coupling/grains/sphere_rows.h"
 #include "coupling/solid_fields.h"
 #include "coupling/transfer_vectors.h"
+#include "coupling/yield_drag.h"
 #include "lbm/step/row_moments.h"
 
 namespace lahar::coupling {
@@ -393,12 +394,15 @@ void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, double stretc
   State& state = states_[grain.id];
   const Vec3 liquid_velocity = state.known ? Vec3(0.5 * (around.liquid + state.sampled)) : around.liquid;
   const Vec3 velocity = particles.velocity[i], slip = liquid_velocity - velocity;
-  const double beta = std::min(1.0, volume / sphere_volume(radius)) *
-                      bed_drag(options_.drag, {.diameter = 2 * radius,
-                                               .solid_fraction = around.solid_fraction,
-                                               .speed = slip.norm(),
-                                               .density = rho,
-                                               .viscosity = fluid.options().kinematic_viscosity});
+  const double beta =
+      std::min(1.0, volume / sphere_volume(radius)) *
+      bed_drag(options_.drag, {.diameter = 2 * radius,
+                               .solid_fraction = around.solid_fraction,
+                               .speed = slip.norm(),
+                               .density = rho,
+                               .viscosity = viscosity_past_sphere(
+                                   lbm::shear_law(fluid.options().rheology, fluid.options().kinematic_viscosity, rho),
+                                   2 * radius, slip.norm())});
   const double liquid = rho * volume * (1 - around.solid_fraction) / std::max(around.solid_fraction, 1e-6);
   const double mass = 1 / (particles.inverse_mass[i] + 1 / liquid);  // that a change of the slip moves
   const double wet = grain.wet * cell;

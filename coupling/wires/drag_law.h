@@ -5,7 +5,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/vector.h"
 #include "coupling/wires/wire_crowding.h"
+#include "coupling/yield_drag.h"
+#include "lbm/rheology/shear_law.h"
 
 namespace lahar::coupling {
 
@@ -65,17 +68,31 @@ inline double oseen_share(double s) {
     const double z = s * s / 2;
     return 1 + (1 / 8.0 - 3 / (128 * z)) / z - scale / (2 * s);
   }
-  const double small = std::max(s, 1e-3), z = small * small / 2;
-  return scale * (small / 4 * std::exp(z) * (std::cyl_bessel_k(0.0, z) + std::cyl_bessel_k(1.0, z)) - 1 / (2 * small));
+  const double small = std::max(s, 1e-3), z = small * small / 2;  // below: in proportion, as the drag is
+  return std::min(1.0, s / small) * scale *
+         (small / 4 * std::exp(z) * (std::cyl_bessel_k(0.0, z) + std::cyl_bessel_k(1.0, z)) - 1 / (2 * small));
 }
 
 /// A wire as the cells see it.
 struct WireInCells {
-  double diameter = 0;             ///< m
-  double diameter_cells = 0;       ///< the same in cells
-  double kinematic_viscosity = 0;  ///< m^2/s
-  Crowding screen = {};            ///< that it is part of
+  double diameter = 0;        ///< m
+  double diameter_cells = 0;  ///< the same in cells
+  lbm::ShearLaw fluid = {};
+  Crowding screen = {};  ///< that it is part of
+
+  [[nodiscard]] double reynolds(double u) const { return u * diameter / fluid.viscosity_at(u / diameter); }
 };
+
+/// What the yield stress adds to the drag per length, m^3/s^2 (over the liquid's density), at the undisturbed normal
+/// and the tangential velocity, whose directions share it: coupling/yield_drag.h across the wire, yield stress on its
+/// skin along it. It fades where the fluid would creep at its limit viscosity.
+inline Vec3 yield_drag(const WireInCells& w, const Vec3& normal, const Vec3& tangential) {
+  const double speed = (normal + tangential).norm();
+  if (w.fluid.yield_stress == 0 || speed == 0) return Vec3::Zero();
+  const double rate = speed / w.diameter, yielding = rate / (rate + w.fluid.yield_stress / w.fluid.limit);
+  return w.fluid.yield_stress * yielding * w.diameter / speed *
+         (cylinder_yield_coefficient(w.fluid.bingham(rate)) * normal + std::numbers::pi * tangential);
+}
 
 /// Share of the undisturbed speed u that the wire takes from the velocity sampled at itself. Half of the momentum
 /// deficit has built up where the wire is; to first order (Oseen) the share is
@@ -90,8 +107,14 @@ inline double self_induced_share(const WireInCells& w, double u) {
   const double excess = std::max(0.0, kRomaSquares / width - w.screen.parallel / w.diameter_cells);
   if (excess == 0) return 0;
   const double sigma = std::numbers::inv_sqrtpi * width / w.diameter_cells * w.diameter;
-  const double cd = normal_drag_coefficient(u * w.diameter / w.kinematic_viscosity) * screen_factor(w.screen);
-  const double s = u * sigma / w.kinematic_viscosity, g = oseen_share(s);
+  double cd = normal_drag_coefficient(w.reynolds(u)) * screen_factor(w.screen);
+  double nu = w.fluid.viscosity_at(u / w.diameter);
+  if (w.fluid.yield_stress > 0 && u > 0) {
+    const double yielding = yield_drag(w, u * Vec3::UnitX(), Vec3::Zero()).x();
+    cd += 2 * yielding / (w.diameter * u * u);
+    nu += yielding / u;  // what yields around the wire is about as viscous as its drag
+  }
+  const double s = u * sigma / nu, g = oseen_share(s);
   const double unit = cd * w.diameter_cells * excess / 4;
   double share = unit * g;
   for (int k = 0; k < 2; ++k) {

@@ -1,6 +1,7 @@
 #include "coupling/wires/wire_drag.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "core/parallel.h"
@@ -49,16 +50,21 @@ template <class Real>
   return select(wet, share, none);
 }
 
-/// Drag on a piece of wire, SI: normal and tangential parts by their own laws.
-Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double length, double density, const WireInCells& wire) {
+/// Drag on a piece of wire, SI: normal and tangential parts by their own laws. What the yield stress adds is friction:
+/// it does no more than stop the wire, of which `stop` is the force, N per m/s, in this step.
+Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double length, double density, const WireInCells& wire,
+                double stop) {
   const Vec3 along = relative.dot(tangent) * tangent, across = relative - along;
   const double sampled = across.norm(), d = wire.diameter;
   const double speed = undisturbed_speed(sampled, wire);
-  const double re = speed * d / wire.kinematic_viscosity, re_along = along.norm() * d / wire.kinematic_viscosity;
+  const double re = wire.reynolds(speed), re_along = wire.reynolds(along.norm());
   const Vec3 normal_velocity = sampled > 0 ? Vec3(across * (speed / sampled)) : Vec3(Vec3::Zero());
-  return 0.5 * density * d * length *
-         (normal_drag_coefficient(re) * screen_factor(wire.screen) * speed * normal_velocity +
-          tangential_drag_coefficient(re, re_along) * along.norm() * along);
+  const Vec3 drag = 0.5 * density * d * length *
+                    (normal_drag_coefficient(re) * screen_factor(wire.screen) * speed * normal_velocity +
+                     tangential_drag_coefficient(re, re_along) * along.norm() * along);
+  if (wire.fluid.yield_stress == 0) return drag;
+  const Vec3 friction = density * length * yield_drag(wire, normal_velocity, along);
+  return drag + std::min(1.0, stop * relative.norm() / std::max(friction.norm(), 1e-300)) * friction;
 }
 
 }  // namespace
@@ -263,9 +269,11 @@ void WireDrag<Real>::choose_force(const lbm::Fluid<Real>& fluid, const dem::Part
   const double d = 2 * particles.radius[i], rho = fluid.options().density;
   const WireInCells wire{.diameter = d,
                          .diameter_cells = d / units.cell_size,
-                         .kinematic_viscosity = fluid.options().kinematic_viscosity,
+                         .fluid = lbm::shear_law(fluid.options().rheology, fluid.options().kinematic_viscosity, rho),
                          .screen = bead.crowding};
-  const Vec3 drag = wire_force(relative, tangent_of(particles, bead), bead.length, rho, wire);
+  const double inverse_mass = particles.inverse_mass[i];
+  const double stop = inverse_mass > 0 ? 1 / (inverse_mass * units.time_step) : std::numeric_limits<double>::infinity();
+  const Vec3 drag = wire_force(relative, tangent_of(particles, bead), bead.length, rho, wire, stop);
   const Vec3 buoyancy = -rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
   constexpr double whole = 1 - 1e-3;
   const WireKernel& kernel = kernels_[static_cast<std::size_t>(place_[bead.id])];

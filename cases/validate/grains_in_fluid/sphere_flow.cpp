@@ -13,6 +13,7 @@ lbm::FluidOptions options_of(const Vec3i& cells, double viscosity, const Vec3& g
   o.weighting = immersion.weighting;
   o.solid_operator = immersion.solid_operator;
   o.smagorinsky = immersion.smagorinsky;
+  o.rheology = immersion.rheology;
   return o;
 }
 

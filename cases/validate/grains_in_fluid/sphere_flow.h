@@ -16,6 +16,7 @@ struct Immersion {
   double radius_shift =
       coupling::kRadiusShift;  ///< cells; fitted on the array of volume fraction 0.216 at 6 cells a diameter
   double smagorinsky = 0;
+  lbm::RheologyOptions rheology = {};
 };
 
 /// Row of an audit: what the bodies got against what the fluid gave, 1e-10 in double precision.

@@ -46,6 +46,7 @@ lbm::FluidOptions stream_options(const WireStream& s) {
   o.time_step = 1;
   o.density = 1;
   o.kinematic_viscosity = s.speed * s.diameter / s.reynolds;
+  o.rheology = s.rheology;
   o.gravity = s.expected_drag / s.cells.cast<double>().prod() * s.direction.normalized();
   return o;
 }

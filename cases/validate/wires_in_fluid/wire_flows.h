@@ -9,6 +9,7 @@
 #include "core/vector.h"
 #include "coupling/coupling_options.h"
 #include "dem/solids.h"
+#include "lbm/rheology/rheology.h"
 
 namespace lahar::validate {
 
@@ -24,7 +25,8 @@ dem::Solids held_wires(const std::vector<HeldWire>& wires, double diameter);
 struct WireStream {
   double diameter = 1;  ///< cells
   double reynolds = 100;
-  double speed = 0.1;  ///< lu
+  double speed = 0.1;                  ///< lu
+  lbm::RheologyOptions rheology = {};  ///< lattice units
   Vec3 direction = Vec3::UnitX();
   Vec3i cells{64, 64, 8};
   std::vector<HeldWire> wires;

@@ -53,7 +53,7 @@ TEST(DragLaw, KernelIsAPartitionWithConstantSquares) {
 }
 
 TEST(DragLaw, UndisturbedSpeedInvertsTheDeficit) {
-  WireInCells w{.diameter = 0.0061, .diameter_cells = 0.6, .kinematic_viscosity = 1e-6};
+  WireInCells w{.diameter = 0.0061, .diameter_cells = 0.6, .fluid = {1e-6}};
   for (const double cells : {0.1, 0.6, 2.0, 6.0})
     for (const double speed : {1e-4, 0.01, 2.0})
       for (const double area : {0.0, 0.3}) {
@@ -69,9 +69,48 @@ TEST(DragLaw, UndisturbedSpeedInvertsTheDeficit) {
 TEST(DragLaw, DenseScreenHasNoDeficitOfItsOwn) {
   const WireInCells w{.diameter = 0.0061,
                       .diameter_cells = 0.5,
-                      .kinematic_viscosity = 1e-6,
+                      .fluid = {1e-6},
                       .screen = {.area = 0.4, .parallel = 0.4, .solidity = 0.4}};
   EXPECT_EQ(undisturbed_speed(2.0, w), 2.0);
+}
+
+/// A wire in mud, m: yield stress 100 Pa and plastic viscosity 1 Pa s at 1800 kg/m^3.
+WireInCells wire_in_mud() {
+  return {.diameter = 0.03, .diameter_cells = 1.5, .fluid = {1 / 1800.0, 1, 100 / 1800.0, 1000}};
+}
+
+TEST(DragLaw, YieldStressAddsTheLimitOfAPlasticBodyToASlowWire) {
+  const WireInCells w = wire_in_mud();
+  const double slow = 1e-3;  // Bn = 3000
+  EXPECT_NEAR(yield_drag(w, slow * Vec3::UnitX(), Vec3::Zero()).x() / (w.fluid.yield_stress * w.diameter), 11.94, 0.2);
+  EXPECT_NEAR(yield_drag(w, Vec3::Zero(), slow * Vec3::UnitZ()).z() / (w.fluid.yield_stress * w.diameter),
+              std::numbers::pi, 0.01);
+  EXPECT_EQ(yield_drag(w, Vec3::Zero(), Vec3::Zero()), Vec3::Zero());
+}
+
+/// At rest mud is as viscous as its limit.
+TEST(DragLaw, YieldDragFadesAtRest) {
+  const WireInCells w = wire_in_mud();
+  const auto drag = [&](double u) { return yield_drag(w, u * Vec3::UnitX(), Vec3::Zero()).x(); };
+  EXPECT_NEAR(drag(2e-9) / drag(1e-9), 2, 0.01);
+  EXPECT_LT(drag(1e-9), 13 * w.fluid.limit * 1e-9);
+}
+
+TEST(DragLaw, DirectionsShareTheYieldStress) {
+  const WireInCells w = wire_in_mud();
+  const Vec3 normal(0.6, 0, 0), along(0, 0, 0.8);
+  const Vec3 askew = yield_drag(w, normal, along), across = yield_drag(w, Vec3::UnitX(), Vec3::Zero()),
+             endways = yield_drag(w, Vec3::Zero(), Vec3::UnitZ());
+  EXPECT_NEAR(askew.x() / across.x(), 0.6, 1e-12);
+  EXPECT_NEAR(askew.z() / endways.z(), 0.8, 1e-12);
+}
+
+TEST(DragLaw, MudSlowsTheWireThatItsDragSlows) {
+  const WireInCells w = wire_in_mud();
+  for (const double speed : {1e-3, 0.1, 3.0}) {
+    const double u = undisturbed_speed(speed, w);
+    EXPECT_NEAR(u * (1 - self_induced_share(w, u)) / speed, 1, 1e-3) << speed;
+  }
 }
 
 }  // namespace

@@ -48,9 +48,7 @@ TEST(WireDrag, FollowsTheLaw) {
     drag.apply(fluid, wire.particles, fields);
     Vec3 force = Vec3::Zero();
     for (std::size_t i = 0; i < wire.particles.size(); ++i) force += wire.particles.external_force[i];
-    const double speed = across ? undisturbed_speed(
-                                      u, {.diameter = d, .diameter_cells = d / 0.02, .kinematic_viscosity = nu})
-                                : u,
+    const double speed = across ? undisturbed_speed(u, {.diameter = d, .diameter_cells = d / 0.02, .fluid = {nu}}) : u,
                  re = across ? speed * d / nu : 0.0;
     const double coefficient = across ? normal_drag_coefficient(re) : tangential_drag_coefficient(re, u * d / nu);
     EXPECT_NEAR(force.x() / (0.5 * 1000 * d * length * coefficient * speed * speed), 1, 0.02);
