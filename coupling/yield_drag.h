@@ -1,12 +1,12 @@
 #pragma once
 // What the yield stress of mud adds to the drag on a lone sphere and on a long cylinder in creeping flow, fitted to the
-// fields that make the dissipation least (cases/validate/grains_in_fluid/sphere_in_mud_reference.py), within 1 % for
-// Bn = yield d / (mu u) from 0.01 (spheres: 1) to 1000:
-//   sphere:    F = 3 pi mu d u [1 + Bn (1.166 + 1.83 Bn^-0.535)],   2 pi R^2 yield / 0.143 as Bn -> infinity (Beris et
-//   al.
-//              1985, J. Fluid Mech. 158:219), mu u Bn^(1/2) as Bn -> 0 (Taylor-West & Hogg 2025, J. Fluid Mech.)
-//   cylinder:  F per length = F(yield = 0) + yield d (11.94 + 15.6 Bn^-0.575),   yield d (2 pi + 4 sqrt 2) as
-//              Bn -> infinity (Randolph & Houlsby 1984, Geotechnique 34:613)
+// fields that make the dissipation least (cases/validate/grains_in_fluid/drag_in_mud_reference.py), within 1 % for Bn =
+// yield d / (mu u) from 0.1 (spheres: 1) to 100:
+//   sphere    F = 3 pi mu d u [1 + Bn (1.166 + 1.83 Bn^-0.535)]
+//   cylinder  F per length = F(yield = 0) + yield d (11.94 + 15.6 Bn^-0.575), with F(yield = 0) near 2 mu u
+// As Bn -> infinity these are those of a plastic body, 2 pi R^2 yield / 0.143 (Beris et al. 1985, J. Fluid Mech.
+// 158:219) and yield d (2 pi + 4 sqrt 2) (Randolph & Houlsby 1984, Geotechnique 34:613); as Bn -> 0 a sphere's
+// correction goes with about Bn^(1/2), as it must (Taylor-West & Hogg 2025, J. Fluid Mech.).
 #include <algorithm>
 #include <cmath>
 

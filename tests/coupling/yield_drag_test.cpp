@@ -16,13 +16,18 @@ TEST(YieldDrag, SphereThatHardlySinks) {
   EXPECT_EQ(sphere_yield_factor(0), 1);
 }
 
-/// The fields that make the dissipation least, as printed by sphere_in_mud_reference.py.
+/// The fields that make the dissipation least, as printed by drag_in_mud_reference.py.
 TEST(YieldDrag, IsThatOfTheLeastDissipation) {
   EXPECT_NEAR(sphere_yield_factor(1), 3.995, 0.04);
   EXPECT_NEAR(sphere_yield_factor(10), 18.04, 0.18);
   EXPECT_NEAR(sphere_yield_factor(100), 133.4, 1.3);
   EXPECT_NEAR(10 * cylinder_yield_coefficient(10), 162.7 - 2, 2);
-  EXPECT_NEAR(1000 * cylinder_yield_coefficient(1000), 12250, 120);
+  EXPECT_NEAR(100 * cylinder_yield_coefficient(100), 1304 - 2, 13);
+}
+
+/// Randolph & Houlsby 1984.
+TEST(YieldDrag, CylinderInAPlasticBody) {
+  EXPECT_NEAR(cylinder_yield_coefficient(1e9), 2 * std::numbers::pi + 4 * std::numbers::sqrt2, 0.01);
 }
 
 TEST(YieldDrag, WaterIsWater) {

@@ -1,6 +1,6 @@
 // Drag of a fixed sphere in a slow stream of a yield-stress or shear-thinning fluid, as
 //   Cs = F / (3 pi K D^2 (U/D)^n),   Bn = yield (D/U)^n / K,
-// against the fields that make the dissipation least (sphere_in_mud_reference.py). The mud far from the sphere moves as
+// against the fields that make the dissipation least (drag_in_mud_reference.py). The mud far from the sphere moves as
 // a plug, so a small box will do; a slab at its start holds the plug at the velocity of the stream.
 #include <fmt/format.h>
 

@@ -127,16 +127,18 @@ INSTANTIATE_TEST_SUITE_P(GrainsInFluid, QuickEntry,
                                          "grains_in_fluid.water_entry_cavity", "grains_in_fluid.bouncing_sphere",
                                          "grains_in_fluid.momentum_audit", "grains_in_fluid.bed_permeability",
                                          "grains_in_fluid.wet_column_collapse", "grains_in_fluid.wet_rebound",
-                                         "grains_in_fluid.stream_into_bed", "grains_in_fluid.seepage_with_surface"),
+                                         "grains_in_fluid.stream_into_bed", "grains_in_fluid.seepage_with_surface",
+                                         "grains_in_fluid.sphere_in_mud"),
                          name_of);
 
 INSTANTIATE_TEST_SUITE_P(AveragedGrains, QuickEntry,
                          testing::Values("averaged_grains.bed_drag", "averaged_grains.hindered_settling"), name_of);
 
 INSTANTIATE_TEST_SUITE_P(WiresInFluid, QuickEntry,
-                         testing::Values("wires_in_fluid.wire_drag", "wires_in_fluid.resolved_wire_drag",
-                                         "wires_in_fluid.screen_loss", "wires_in_fluid.ring_net_loss",
-                                         "wires_in_fluid.jet_through_ring", "wires_in_fluid.crossing_wires"),
+                         testing::Values("wires_in_fluid.wire_drag", "wires_in_fluid.wire_in_mud",
+                                         "wires_in_fluid.resolved_wire_drag", "wires_in_fluid.screen_loss",
+                                         "wires_in_fluid.ring_net_loss", "wires_in_fluid.jet_through_ring",
+                                         "wires_in_fluid.crossing_wires"),
                          name_of);
 
 INSTANTIATE_TEST_SUITE_P(Dem, QuickEntry,

@@ -314,6 +314,23 @@ TEST(AveragedExchange, StiffDragDoesNotOvershoot) {
   EXPECT_LT(last, 0.005);
 }
 
+/// Mud of Bn = 10 in place of the same liquid without a yield stress.
+TEST(AveragedExchange, YieldStressDragsOnGrains) {
+  constexpr double speed = 0.1, plastic = 1e-3;
+  const auto slowed_by = [&](double yield) {
+    lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);
+    fluid.kinematic_viscosity = plastic;
+    if (yield > 0) fluid.rheology = {lbm::FlowLaw::bingham, yield, 0, 1, 10};
+    CoupledStep<double> step(fluid, grains_in_rows(Vec3::Zero()), averaged(0.08));
+    step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
+    dem::Particles& p = step.solids()->particles();
+    for (dem::ParticleIndex i = 0; i < p.size(); ++i) p.velocity.set(i, Vec3(speed, 0, 0));
+    for (int n = 0; n < 3; ++n) step.advance();
+    return speed - p.velocity[0].x();
+  };
+  EXPECT_GT(slowed_by(10 * kRho * plastic * speed / (2 * kRadius)), 3 * slowed_by(0));
+}
+
 /// Every bit, on one thread and on three.
 TEST(AveragedExchange, DoesNotDependOnThreads) {
   const auto end = [](int threads) {

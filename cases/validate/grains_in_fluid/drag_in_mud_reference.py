@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Drag of a sphere and of a long cylinder in creeping flow of a yield-stress fluid: the reference of
-grains_in_fluid.sphere_in_mud and of coupling/yield_drag.h.
+grains_in_fluid.sphere_in_mud, wires_in_fluid.wire_in_mud and coupling/yield_drag.h.
 
 The velocity field of a steady creeping flow makes the least of J = integral of K g^(n+1)/(n+1) + yield g among all
 fields without divergence that have the body's velocity on it (Prager 1954; g = sqrt(2 D_ab D_ab)), and the power of the
@@ -33,7 +33,8 @@ def hermite(nodes):
     """Radii and weights of the integration points; value, first and second derivative there of the elements."""
     x, w = np.polynomial.legendre.leggauss(4)
     t, h = (x + 1) / 2, np.diff(nodes)
-    shapes = [(2 * t**3 - 3 * t**2 + 1, 6 * t**2 - 6 * t, 12 * t - 6), (t**3 - 2 * t**2 + t, 3 * t**2 - 4 * t + 1, 6 * t - 4),
+    shapes = [(2 * t**3 - 3 * t**2 + 1, 6 * t**2 - 6 * t, 12 * t - 6),
+              (t**3 - 2 * t**2 + t, 3 * t**2 - 4 * t + 1, 6 * t - 4),
               (3 * t**2 - 2 * t**3, 6 * t - 6 * t**2, 6 - 12 * t), (t**3 - t**2, 3 * t**2 - 2 * t, 6 * t - 2)]
     rows, columns, entries = [], [], [[], [], []]
     for e, size in enumerate(h):
@@ -97,7 +98,8 @@ def power(body, n, yield_stress, least, outer, elements, first, modes):
     while True:
         for _ in range(60):
             along, g_now = [s @ u for s in strain], rate(u, e)
-            eta, bend = g_now ** (n - 1) + yield_stress / g_now, ((n - 1) * g_now ** (n - 2) - yield_stress / g_now**2) / g_now
+            eta = g_now ** (n - 1) + yield_stress / g_now
+            bend = ((n - 1) * g_now ** (n - 2) - yield_stress / g_now**2) / g_now
             if newtonian:
                 eta, bend = np.ones_like(g_now), np.zeros_like(g_now)
             slope = sum(s.T @ (w * eta * a) for s, a in zip(of_free, along))
