@@ -87,4 +87,14 @@ Vec3 foot_reaction(const Post& post, const dem::Particles& particles) {
   return sum;
 }
 
+Vec3 foot_moment(const Post& post, const dem::Particles& particles) {
+  const Vec3 foot = particles.position[particles.index(post.wire.first_bead)];
+  Vec3 sum = Vec3::Zero();
+  for (const dem::ParticleId bead : post.foot_beads) {
+    const dem::ParticleIndex i = particles.index(bead);
+    sum -= Vec3(particles.position[i] - foot).cross(Vec3(particles.force[i])) + Vec3(particles.torque[i]);
+  }
+  return sum;
+}
+
 }  // namespace lahar::barrier

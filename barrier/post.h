@@ -60,5 +60,7 @@ Post add_post(const PostSpec& spec, dem::Particles& particles, dem::Bonds& bonds
 
 /// What the ground does to the foot, N: the opposite of what acts on the fixed beads.
 [[nodiscard]] Vec3 foot_reaction(const Post& post, const dem::Particles& particles);
+/// The moment about the foot, Nm, that goes with it; of a hinged one about 0.
+[[nodiscard]] Vec3 foot_moment(const Post& post, const dem::Particles& particles);
 
 }  // namespace lahar::barrier

@@ -56,6 +56,7 @@ void add_reactions(const Wire& wire, const dem::Particles& particles, ComponentR
   const dem::ParticleId end = wire.first_bead + wire.beads;
   sum.start_reaction = anchored(particles, wire.first_bead);
   sum.end_reaction = anchored(particles, end - 1);
+  sum.anchor_force = std::max({sum.anchor_force, sum.start_reaction.norm(), sum.end_reaction.norm()});
   for (dem::ParticleId bead = wire.first_bead; bead < end; ++bead) sum.reaction += anchored(particles, bead);
   for (const dem::Rail& rail : particles.rails)
     if (rail.id >= wire.first_bead && rail.id < end) sum.reaction += rail.taken_up;
@@ -134,7 +135,11 @@ BarrierResponse response(const Net& net, const dem::Particles& particles, const 
   for (const Post& post : net.posts) {
     add_bonds(post.wire, bonds, part(Component::posts));
     for (const std::size_t b : post.joint) add_bond(b, bonds, part(Component::posts));
-    part(Component::posts).reaction -= foot_reaction(post, particles);
+    const Vec3 reaction = foot_reaction(post, particles);
+    part(Component::posts).reaction -= reaction;
+    part(Component::posts).anchor_force = std::max(part(Component::posts).anchor_force, reaction.norm());
+    part(Component::posts).anchor_moment =
+        std::max(part(Component::posts).anchor_moment, foot_moment(post, particles).norm());
   }
   for (std::size_t kind = 0; kind < net.elements.size(); ++kind)
     for (const Wire& wire : net.elements[kind]) {

@@ -41,6 +41,8 @@ struct ComponentResponse {
   Vec3 start_reaction = Vec3::Zero();  ///< N, that the anchors at a cable's two ends must hold; 0 if not fixed
   Vec3 end_reaction = Vec3::Zero();
   Vec3 reaction = Vec3::Zero();  ///< N, that all anchors of the component must hold, and the bed under a held cable
+  double anchor_force = 0;       ///< N, largest of a single anchor of an element, of a single foot of a post
+  double anchor_moment = 0;      ///< Nm, largest about a single foot of a post
   dem::BondEnergy energy;  ///< J: the elastic parts and `plastic`; damping and breakage are not told apart by component
   int broken_bonds = 0;
 };

@@ -5,9 +5,9 @@
 
 namespace lahar::coupling {
 
-/// Added to the radius (cells) at which the fluid comes to rest, with BodyWeighting::wall_distance; the volume stays
-/// that of the body. In creeping flow, fitted on arrays of spheres (docs/decisions/0021); and where the flow past the
-/// body is fast beside the cells, fitted on a packed bed (docs/decisions/0054).
+/// Added to the radius (cells) at which the fluid comes to rest, with BodyWeighting::wall_distance and inertial; the
+/// volume stays that of the body. In creeping flow, fitted on arrays of spheres (docs/decisions/0021); and where the
+/// flow past the body is fast beside the cells, fitted on a packed bed (docs/decisions/0054).
 inline constexpr double kRadiusShift = -0.06, kRadiusShiftFast = -0.2;
 
 /// The shift between them, cells: for a velocity of the flow past the body U with U dx / nu = `cell_reynolds`.

@@ -27,7 +27,8 @@ dem::PackingSpec packing_spec(const scene::Scene& scene, std::size_t i) {
   dem::PackingSpec spec;
   spec.lower = packing.lower;
   spec.upper = packing.upper;
-  spec.seed = static_cast<std::uint64_t>(scene.run.seed);
+  constexpr std::uint64_t stride = 0xD1B54A32D192ED03;  // no two packings are alike, and none is drawn as its sizes
+  spec.seed = static_cast<std::uint64_t>(scene.run.seed) + stride * i;
   spec.target_height = packing.target_height;
   for (const auto& s : scene::grain_sizes(scene, i))
     spec.classes.push_back(

@@ -352,6 +352,8 @@ void check_averaged(const Scene& scene, Findings& findings) {
                      fmt::format("coupling.averaging_length_m is {:g}, expected at least a cell (fluid.cell_size_m = "
                                  "{:g})",
                                  c.averaging_length, scene.fluid.cell_size));
+  else if (!findings.sound({"grains"}))
+    return;
   else if (const double largest = cases::largest_grain(scene); c.averaging_length < largest * (1 - 1e-9))
     findings.mistake("coupling.averaging_length_m",
                      fmt::format("coupling.averaging_length_m is {:g}, expected at least the diameter of the largest "
@@ -403,6 +405,13 @@ void check_uses(const Scene& scene, Findings& findings) {
     findings.mistake("coupling.body_weighting",
                      "coupling.body_weighting = \"inertial\" is for grains and lets too much through wires that are "
                      "resolved, expected \"wall_distance\", or no resolve_wires_from_cells");
+  if (scene.coupling.enabled && scene.coupling.grains == GrainFluid::resolved &&
+      scene.coupling.body_weighting == BodyWeighting::inertial && findings.sound({"coupling", "fluid"}) &&
+      scene.fluid.rheology.law != FlowLaw::newtonian)
+    findings.mistake(
+        "coupling.body_weighting",
+        "coupling.body_weighting = \"inertial\" lets the flow into bodies as far as its kinematic viscosity "
+        "allows, which says little of mud, expected \"wall_distance\" with this fluid.rheology.law");
   if (!scene.fluid.enabled && !scene.has_solids() && findings.sound({"fluid", "grains", "barrier"}))
     findings.mistake("scene", "the scene is empty, expected a fluid, grains or a barrier");
   check_section(scene, findings);

@@ -7,6 +7,7 @@
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/memory.h"
+#include "lbm/free_surface/inflow.h"
 
 namespace lahar::scene {
 namespace {
@@ -100,6 +101,15 @@ void check_inflow(const Scene& scene, std::size_t i, Findings& findings) {
           fmt::format("{}.discharge_m3_s: entry {} is not later than the one before, expected rising "
                       "times",
                       path, k + 2));
+  if (!findings.sound({"fluid", "domain", "gravity", "run"})) return;
+  double largest = 0;
+  for (const TimeValue& entry : in.discharge) largest = std::max(largest, entry.value);
+  const double takes = lbm::kLargestDose * (in.upper - in.lower).prod() / cases::fluid_time_step(scene);
+  if (largest > takes)
+    findings.mistake(path + ".discharge_m3_s",
+                     fmt::format("{}.discharge_m3_s reaches {:g} m^3/s, expected at most the {:g} m^3/s that "
+                                 "its box takes, or a larger box",
+                                 path, largest, takes));
 }
 
 void check_rheology(const Scene& scene, Findings& findings) {
@@ -118,7 +128,11 @@ void check_rheology(const Scene& scene, Findings& findings) {
     wrong(".consistency_Pa_s_n", " is 0, expected above 0 with this law");
   if (r.law == FlowLaw::bingham && (r.consistency > 0 || r.exponent != 1))
     wrong(".law", " is \"bingham\" with a consistency or an exponent, expected \"herschel_bulkley\"");
-  if (r.law == FlowLaw::bingham ? r.limit_viscosity <= scene.fluid.kinematic_viscosity : r.limit_viscosity == 0)
+  const bool plastic = r.law == FlowLaw::bingham;
+  const double of_flow = plastic           ? scene.fluid.kinematic_viscosity
+                         : r.exponent == 1 ? r.consistency / scene.fluid.density
+                                           : 0;  // it has no largest one
+  if (r.limit_viscosity <= of_flow)
     wrong(
         ".limit_viscosity_m2_s",
         fmt::format(" is {:g}, expected the viscosity below the yield stress, above that of flow", r.limit_viscosity));

@@ -70,6 +70,10 @@ std::vector<std::string> own_names() {
                                  "outflow_mass_kg",
                                  "particle_arrival_s",
                                  "peak_barrier_elastic_J",
+                                 "peak_posts_foot_kN",
+                                 "peak_posts_foot_kNm",
+                                 "posts_foot_force_N",
+                                 "posts_foot_moment_Nm",
                                  "retained_large_grains_ratio",
                                  "retained_mass_ratio",
                                  "retained_small_grains_ratio",
@@ -98,6 +102,10 @@ std::vector<std::string> own_names() {
   for (const char* cable : {"lower_cable", "upper_cable", "left_cable", "right_cable"}) {
     names.push_back(std::string(cable) + "_end_force_N");
     names.push_back("peak_" + std::string(cable) + "_end_kN");
+  }
+  for (const std::string_view part : barrier::Elements::components) {
+    names.push_back(std::string(part) + "_anchor_force_N");
+    names.push_back("peak_" + std::string(part) + "_anchor_kN");
   }
   for (const char* load : {"barrier_fluid_force_", "barrier_contact_force_", "grains_fluid_force_"})
     for (const char* axis : {"x", "y", "z"}) names.push_back(std::string(load) + axis + "_N");

@@ -170,8 +170,8 @@ double final_mean(const CaseRun& c, const char* column, double seconds) {
   return count > 0 ? sum / count : kNone;
 }
 
-/// Mean over the rows in which at least a litre a second passes, of a ratio of two columns.
-double mean_ratio(const CaseRun& c, const char* above, const char* below) {
+/// Sum of one column over that of another, of the rows in which at least a litre a second passes.
+double ratio_of_sums(const CaseRun& c, const char* above, const char* below) {
   const auto *a = c.series.find(above), *b = c.series.find(below), *q = c.series.find("net_discharge_m3_s");
   double sum_a = 0, sum_b = 0;
   for (std::size_t k = 0; a && b && q && k < a->values.size(); ++k)
@@ -257,8 +257,8 @@ double momentum_taken_out(const CaseRun& c) {
 }
 
 double water_share(const CaseRun& c) {
-  const double water = c.metric("barrier_fluid_impulse_Ns"), grains = c.metric("barrier_contact_impulse_Ns");
-  return water / (water + grains);
+  const double water = integral_after_arrival(c, "barrier_fluid_force_x_N");
+  return water / (water + integral_after_arrival(c, "barrier_contact_force_x_N"));
 }
 
 std::vector<Compared> make_quantities() {
@@ -363,13 +363,14 @@ std::vector<Compared> make_quantities() {
       "of what water gave grains and net in that second, what it never had: momentum that the cells at its surface "
       "made",
       momentum_made, not_given, "");
-  add("water_share", "1", "share of the water in the impulse on the net along the flow", water_share, not_given, "");
+  add("water_share", "1", "share of the water itself in the impulse on the net along the flow, in that second",
+      water_share, not_given, "");
   add(
       "velocity_through_net", "m/s", "velocity of the water in the plane where the net was built",
-      [](const CaseRun& c) { return mean_ratio(c, "net_discharge_m3_s", "net_liquid_area_m2"); }, not_given, "");
+      [](const CaseRun& c) { return ratio_of_sums(c, "net_discharge_m3_s", "net_liquid_area_m2"); }, not_given, "");
   add(
       "clogging", "1", "area of grains over that of grains and water in the plane of the net",
-      [](const CaseRun& c) { return 1 / (1 + 1 / mean_ratio(c, "net_grains_area_m2", "net_liquid_area_m2")); },
+      [](const CaseRun& c) { return 1 / (1 + 1 / ratio_of_sums(c, "net_grains_area_m2", "net_liquid_area_m2")); },
       not_given, "");
   add("water_left", "kg", "water that left the channel", metric("liquid_left_kg"), not_given, "");
   return q;

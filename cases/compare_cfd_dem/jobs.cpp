@@ -99,6 +99,20 @@ pid_t start(const std::vector<std::string>& command, const std::filesystem::path
   return pid;
 }
 
+/// The runs under way. None outlives the study: where it ends by an error they are told to stop, and write checkpoints.
+struct Runs : std::vector<Running> {
+  Runs() = default;
+  Runs(const Runs&) = delete;
+  Runs& operator=(const Runs&) = delete;
+  ~Runs() {
+    stop();
+    for (const Running& r : *this) waitpid(r.pid, nullptr, 0);
+  }
+  void stop() const {
+    for (const Running& r : *this) kill(r.pid, SIGTERM);
+  }
+};
+
 int exit_code_of(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status); }
 
 }  // namespace
@@ -108,14 +122,16 @@ std::vector<JobResult> run_all(const std::vector<StudyCase>& study_cases, const 
   using Clock = std::chrono::steady_clock;
   std::filesystem::create_directories(options.folder);
   std::vector<JobResult> results;
-  std::vector<Running> running;
+  std::vector<std::vector<std::string>> commands;  // all before the first is started: a folder may be refused
+  for (const StudyCase& c : study_cases)
+    commands.push_back(command_of(c, options.lahar, options.folder / c.name(), options.threads));
+  Runs running;
   std::size_t next = 0;
   bool stopping = false;
   while (!running.empty() || (next < study_cases.size() && !stopping)) {
     while (!stopping && next < study_cases.size() && running.size() < static_cast<std::size_t>(options.at_once)) {
+      const std::vector<std::string>& command = commands[next];
       const StudyCase& c = study_cases[next++];
-      const std::filesystem::path folder = options.folder / c.name();
-      const std::vector<std::string> command = command_of(c, options.lahar, folder, options.threads);
       results.push_back({c, 0});
       if (command.empty()) continue;
       tell(fmt::format("{}: {}", c.name(), command[1] == "resume" ? "goes on" : "begins"));
@@ -123,7 +139,7 @@ std::vector<JobResult> run_all(const std::vector<StudyCase>& study_cases, const 
     }
     if (!stopping && stop()) {
       stopping = true;
-      for (const Running& r : running) kill(r.pid, SIGTERM);
+      running.stop();
     }
     for (std::size_t k = 0; k < running.size();) {
       int status = 0;

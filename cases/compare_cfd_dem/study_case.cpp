@@ -160,11 +160,11 @@ std::vector<std::string> chosen(const char* option, const std::vector<Choice>& a
 
 std::vector<double> chosen_releases(const std::vector<double>& asked) {
   for (const double release : asked)
-    if (!(release >= 1.2 && release <= 20))
+    if (!(release >= 1.2 && release <= 20) || std::abs(100 * release - std::round(100 * release)) > 1e-6)
       throw InputError(std::vector<InputMistake>{
           {"command line", 1, 1,
-           fmt::format("--release {:g}: expected 1.2 to 20 m from the upstream end of the mixture, 0.75 m long, to the "
-                       "net",
+           fmt::format("--release {:g}: expected 1.2 to 20 m, in whole centimetres, from the upstream end of the "
+                       "mixture, 0.75 m long, to the net",
                        release)}});
   return asked.empty() ? release_distances() : asked;
 }
@@ -183,6 +183,10 @@ std::vector<StudyCase> cases_of(const Selection& s) {
       throw InputError(std::vector<InputMistake>{
           {"command line", 1, 1, fmt::format("--seed {}: expected at least 0, as run.seed of a scene", seed)}});
   std::vector<StudyCase> all;
+  const auto add = [&](const StudyCase& c) {  // what is asked for twice is run once
+    if (std::none_of(all.begin(), all.end(), [&](const StudyCase& other) { return other.name() == c.name(); }))
+      all.push_back(c);
+  };
   for (const auto& preset : preset_names)
     for (const auto& variant : variant_names)
       for (const int seed : seeds)
@@ -190,7 +194,7 @@ std::vector<StudyCase> cases_of(const Selection& s) {
           for (const double release : releases)
             for (const auto& coupling : coupling_names)
               if (coupling.starts_with(find(variants(), variant).coupling))
-                all.push_back({sweep, preset, coupling, variant, release, seed, s.further});
+                add({sweep, preset, coupling, variant, release, seed, s.further});
   for (const auto& variant : variant_names)
     if (std::none_of(all.begin(), all.end(), [&](const StudyCase& c) { return c.variant == variant; }))
       throw InputError(std::vector<InputMistake>{

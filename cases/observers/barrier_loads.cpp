@@ -4,27 +4,22 @@
 
 namespace lahar::cases {
 
-namespace {
-
-constexpr std::array<const char*, 3> kAxes{"x", "y", "z"};
-
-}  // namespace
-
 BarrierLoads::BarrierLoads(const Observed& run) : Observer(run) {
   impulse_.fill(Vec3::Zero()), mean_.fill(Vec3::Zero());
-  const std::array<std::pair<const char*, const char*>, loads> names{
-      {{"barrier_fluid_force_", "force of the liquid on the barrier, mean since the last row"},
-       {"barrier_contact_force_",
-        "force of grains and walls on the barrier, mean since the last row of its values after each fluid step"},
-       {"grains_fluid_force_", "force of the liquid on all grains, mean since the last row"}}};
-  for (std::size_t load = 0; load < loads; ++load)
-    for (std::size_t a = 0; a < kAxes.size(); ++a)
-      column({std::string(names[load].first) + kAxes[a] + "_N", std::string(names[load].first) + "AXIS_N"}, "N",
-             names[load].second, [this, load, a] { return mean_[load][static_cast<int>(a)]; });
-  result("barrier_fluid_impulse_Ns", "Ns", "impulse of the liquid on the barrier, along the flow",
-         [this] { return total_[water_on_net]; });
+  const auto declare = [this](Load load, const std::string& of, const char* meaning) {
+    for (const auto& [axis, a] : {std::pair{"x", 0}, std::pair{"y", 1}, std::pair{"z", 2}})
+      column({of + axis + "_N", of + "AXIS_N"}, "N", meaning, [this, load, a = a] { return mean_[load][a]; });
+  };
+  const bool wet = run.simulation.fluid() != nullptr;
+  if (wet) declare(of_water, "barrier_fluid_force_", "force of the liquid on the barrier, mean since the last row");
+  declare(of_contacts, "barrier_contact_force_",
+          "force of grains and walls on the barrier, mean since the last row of its values after each fluid step; "
+          "without a fluid, after each particle step");
+  if (wet)
+    result("barrier_fluid_impulse_Ns", "Ns", "impulse of the liquid on the barrier, along the flow",
+           [this] { return total_[of_water]; });
   result("barrier_contact_impulse_Ns", "Ns", "impulse of grains and walls on the barrier, along the flow",
-         [this] { return total_[contacts_on_net]; });
+         [this] { return total_[of_contacts]; });
 }
 
 /// Bonds, and beads that touch beads, cancel in the sum over all beads: what is left of it beside gravity and the
@@ -35,18 +30,13 @@ std::array<Vec3, BarrierLoads::loads> BarrierLoads::now() const {
   const dem::Particles& p = solids.particles();
   std::array<Vec3, loads> force;
   force.fill(Vec3::Zero());
-  for (dem::ParticleId id = 0; id < p.size(); ++id) {
+  for (dem::ParticleId id = net.first_bead; id < net.first_bead + net.beads; ++id) {
     const dem::ParticleIndex i = p.index(id);
     if (p.state[i] == dem::ParticleState::removed) continue;
-    const bool of_net = id >= net.first_bead && id < net.first_bead + net.beads;
-    if (of_net) {
-      force[water_on_net] += p.external_force[i];
-      force[contacts_on_net] += p.force[i] - p.external_force[i] - p.gravitational_mass[i] * solids.options().gravity;
-    } else if (p.kind[i] == dem::ParticleKind::grain) {
-      force[water_on_grains] += p.external_force[i];
-    }
+    force[of_water] += p.external_force[i];
+    force[of_contacts] += p.force[i] - p.external_force[i] - p.gravitational_mass[i] * solids.options().gravity;
   }
-  for (const dem::Rail& rail : p.rails) force[contacts_on_net] += rail.taken_up;
+  for (const dem::Rail& rail : p.rails) force[of_contacts] += rail.taken_up;
   return force;
 }
 

@@ -9,9 +9,12 @@ namespace lahar::cases {
 BarrierResponse::BarrierResponse(const Observed& run) : Observer(run) {
   for (const auto c : barrier::all_components)
     if (is_reported(c, *run.simulation.net())) declare_component(c);
-  for (const auto c : {barrier::Component::lower_cable, barrier::Component::upper_cable, barrier::Component::left_cable,
-                       barrier::Component::right_cable})
-    declare_ends(c);
+  if (run.simulation.net()->posts.empty())
+    for (const auto c : {barrier::Component::lower_cable, barrier::Component::upper_cable,
+                         barrier::Component::left_cable, barrier::Component::right_cable})
+      declare_ends(c);
+  else
+    declare_foundations();
   column("barrier_elongation_m", "m", "largest displacement of a bead along the flow", [this] {
     return now_.elongation;
   }).peak("max_elongation_m", "m", "largest `barrier_elongation_m` of the rows");
@@ -50,12 +53,33 @@ void BarrierResponse::declare_component(barrier::Component component) {
             1000);
 }
 
-/// Where a cable is fixed at its ends.
+/// Where no posts stand: a cable is fixed at its ends.
 void BarrierResponse::declare_ends(barrier::Component cable) {
   const std::string part(barrier::name(cable));
   column({part + "_end_force_N", "PART_end_force_N"}, "N", "larger one of the forces that hold a cable's two ends",
          [this, cable] { return std::max(now_[cable].start_reaction.norm(), now_[cable].end_reaction.norm()); })
       .peak({"peak_" + part + "_end_kN", "peak_PART_end_kN"}, "kN", "largest `PART_end_force_N` of the rows", 1000);
+}
+
+/// Where cables end at posts: what stands in the ground, and what is anchored in it.
+void BarrierResponse::declare_foundations() {
+  using barrier::Component;
+  column("posts_foot_force_N", "N", "largest force of the ground on the foot of a post", [this] {
+    return now_[Component::posts].anchor_force;
+  }).peak("peak_posts_foot_kN", "kN", "largest `posts_foot_force_N` of the rows", 1000);
+  column("posts_foot_moment_Nm", "Nm", "largest moment of the ground about the foot of a post", [this] {
+    return now_[Component::posts].anchor_moment;
+  }).peak("peak_posts_foot_kNm", "kNm", "largest `posts_foot_moment_Nm` of the rows", 1000);
+  for (std::size_t kind = 0; kind < barrier::Elements::components.size(); ++kind) {
+    const Component c = barrier::component_of_kind(kind);
+    if (!is_reported(c, *run_.simulation.net())) continue;
+    const std::string part(barrier::name(c));
+    column({part + "_anchor_force_N", "PART_anchor_force_N"}, "N",
+           "largest force that an anchor in the ground holds, of a part of the barrier that hangs on posts",
+           [this, c] { return now_[c].anchor_force; })
+        .peak({"peak_" + part + "_anchor_kN", "peak_PART_anchor_kN"}, "kN", "largest `PART_anchor_force_N` of the rows",
+              1000);
+  }
 }
 
 void BarrierResponse::sample(double) {

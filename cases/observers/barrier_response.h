@@ -20,6 +20,7 @@ class BarrierResponse final : public Observer {
  private:
   void declare_component(barrier::Component component);
   void declare_ends(barrier::Component cable);
+  void declare_foundations();
   /// J, elastic and potential.
   [[nodiscard]] double stored_energy() const {
     return now_[barrier::Component::barrier].energy.elastic() + now_.potential_energy;

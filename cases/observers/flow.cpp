@@ -44,13 +44,15 @@ struct Look {
         rho(observed.scene.fluid.density),
         g(observed.scene.gravity.magnitude),
         lower(observed.scene.domain.lower),
-        outflow_x(observed.section.value_or(0.0) + observed.scene.measure.outflow_distance) {}
+        outflow_x(observed.section.value_or(0.0) + observed.scene.measure.outflow_distance),
+        outflow_cell(run.simulation.fluid()->domain().cell_at(Vec3(outflow_x, lower.y(), lower.z())).x()) {}
 
   const Observed& run;
   const Bed& bed;
   double dx, rho, g;
   Vec3 lower;
   double outflow_x;
+  int outflow_cell;  ///< of the cells that the outflow section is in
 
   [[nodiscard]] BlockFigures at_block(std::span<const lbm::WetCell> cells) const {
     BlockFigures f;
@@ -77,7 +79,7 @@ struct Look {
       f.foremost[y] = std::max(f.foremost[y], c.centre.x() + dx / 2 - lower.x());
     if (!run.section) return;
     f.beyond_outflow += mass * std::clamp((c.centre.x() - outflow_x) / dx + 0.5, 0.0, 1.0);
-    if (std::abs(c.centre.x() - outflow_x) <= dx / 2) {
+    if (cell.x() == outflow_cell) {
       f.outflow_rate += mass * velocity.x() / dx;
       f.outflow_power += mass * (0.5 * square + g * height) * velocity.x() / dx;
       f.outflow_kinetic_power += mass * 0.5 * square * velocity.x() / dx;

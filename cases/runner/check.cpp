@@ -74,6 +74,7 @@ void set_flow_law_numbers(const scene::Scene& scene, FluidFigures& f) {
   f.bingham = r.yield_stress / viscous;
   f.hedstrom = f.bingham * f.reynolds;
   const LatticeUnits units{scene.fluid.cell_size, f.time_step, density};
+  f.least_limit_viscosity = (r.yield_stress + viscous) / (density * rate);
   f.limit_tau = 0.5 + 3 * units.viscosity_to_lu(r.limit_viscosity);
 }
 

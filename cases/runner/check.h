@@ -22,6 +22,8 @@ struct FluidFigures {
   /// Flow laws with a yield stress: Bm = yield / (K (u/h)^n), He = Bm Re, Re = rho u^2 / (K (u/h)^n); tau at the limit
   /// viscosity.
   double bingham = 0, hedstrom = 0, limit_tau = 0;
+  /// m^2/s, of the flow law at u/h: the limit viscosity has to be larger.
+  std::optional<double> least_limit_viscosity;
 };
 
 struct SolidsFigures {

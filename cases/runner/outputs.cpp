@@ -83,8 +83,16 @@ void Outputs::write_force_map(Simulation& run) {
   map.particles = &run.solids()->particles();
   map.bonds = &run.solids()->bonds();
   map.first_bond = net.first_bond, map.bond_count = net.bonds;
-  map.origin = scene_.barrier.net.origin, map.across = net.across, map.up = net.up;
-  map.width = static_cast<double>(net.spans) * scene_.barrier.net.width, map.height = scene_.barrier.net.height;
+  map.across = net.across, map.up = net.up;
+  Eigen::Array2d lower(0, 0),
+      upper(scene_.barrier.net.width, scene_.barrier.net.height);  // of a span; and of all built
+  for (std::size_t k = 0; k < net.start.size(); ++k) {
+    const Vec3 from_corner = net.start[k] - scene_.barrier.net.origin;
+    const Eigen::Array2d at(from_corner.dot(net.across), from_corner.dot(net.up));
+    lower = lower.min(at), upper = upper.max(at);
+  }
+  map.origin = scene_.barrier.net.origin + lower.x() * net.across + lower.y() * net.up;
+  map.width = upper.x() - lower.x(), map.height = upper.y() - lower.y();
   map.time_s = run.time();
   map.title = scene_.identity.title;
   write_png(folder_ / fmt::format("forces_{:06d}.png", force_maps_.done()), force_map(map));

@@ -66,7 +66,10 @@ RunResult run_to_folder(const scene::Scene& scene, const RunOptions& options, co
   for (const std::string& w : report.warnings) log.warn("{}", w);
   const ThreadLimit limit(threads);
   Progress progress(scene.run.duration, progress_style(options.quiet, stdout));
-  RunMonitor monitor{progress, log, start, [&] { folder.former.remove(); }};
+  RunMonitor monitor{progress, log, start, [&] {
+                       folder.former.remove();
+                       std::filesystem::remove(options.out / "summary.json");  // of the stretch until now
+                     }};
   try {
     RunResult result = runner(scene, options, monitor);
     progress.finish();

@@ -57,12 +57,83 @@ void add_fluid(const scene::Scene& s, const FluidFigures& f, List& list) {
         fmt::format("fluid.max_speed_m_s is {:g} m/s; liquid that falls without loss to the lowest of the domain "
                     "reaches {:.3g} m/s: Ma would be {:.2f}",
                     s.fluid.max_speed, drop, f.mach * drop / s.fluid.max_speed));
+  if (!s.fluid.inflows.empty() && f.inflow_cells == 0) list.push_back("inflows bring nothing in the time of the run");
+  constexpr double light = 500, heavy = 3000;  // kg/m^3
+  if (s.fluid.density < light || s.fluid.density > heavy)
+    list.push_back(fmt::format("fluid.density_kg_m3 is {:g}", s.fluid.density));
+  if (f.least_limit_viscosity && s.fluid.rheology.limit_viscosity < *f.least_limit_viscosity)
+    list.push_back(
+        fmt::format("fluid.rheology.limit_viscosity_m2_s is {:g}, less than the {:.3g} of the flow law where "
+                    "the liquid shears by its largest speed over its depth: the law is not felt",
+                    s.fluid.rheology.limit_viscosity, *f.least_limit_viscosity));
+  const bool models =
+      s.domain.slip == WallSlip::wall_model ||
+      std::any_of(s.walls.begin(), s.walls.end(), [](const auto& wall) { return wall.slip == WallSlip::wall_model; });
+  if (models && s.fluid.smagorinsky == 0)
+    list.push_back("slip = \"wall_model\" wants an eddy viscosity: fluid.smagorinsky is 0");
   if (f.depth < 4 * s.fluid.cell_size)
     list.push_back(fmt::format("the liquid is only {:.1f} cells deep", f.depth / s.fluid.cell_size));
   const auto have = static_cast<double>(scene::physical_memory());
   if (f.expected_bytes > 0.8 * have)
     list.push_back(fmt::format("the fluid may need {:.1f} GB of the {:.1f} GB of this machine", f.expected_bytes * 1e-9,
                                have * 1e-9));
+}
+
+/// Faces of the domain hold the liquid alone. Only where walls are planes, boxes, cylinders and spheres: what terrain
+/// and meshes hold cannot be told.
+void add_leaks(const scene::Scene& s, List& list) {
+  const auto guards = [&](const scene::WallSettings& w, const Vec3& inwards, int axis, double at) {
+    if (w.shape == scene::WallShape::plane) return w.normal.normalized().dot(inwards) > 0.05;
+    if (w.shape != scene::WallShape::box) return true;
+    return w.lower[axis] <= at + 1e-6 && w.upper[axis] >= at - 1e-6;
+  };
+  std::string faces;
+  for (int face = 0; face < 5; ++face) {  // not the top
+    const int axis = face / 2;
+    const bool upper = face % 2 == 1;
+    if (s.domain.open(static_cast<scene::Face>(face)) || s.domain.periodic(static_cast<scene::Axis>(axis))) continue;
+    Vec3 inwards = Vec3::Zero();
+    inwards[axis] = upper ? -1 : 1;
+    const double at = (upper ? s.domain.upper : s.domain.lower)[axis];
+    if (std::none_of(s.walls.begin(), s.walls.end(), [&](const auto& w) { return guards(w, inwards, axis, at); }))
+      faces += fmt::format("{}{}{}", faces.empty() ? "" : ", ", "xyz"[axis], upper ? '+' : '-');
+  }
+  if (!faces.empty())
+    list.push_back("faces of the domain hold liquid, not grains, which are lost through those without a [[wall]]: " +
+                   faces);
+}
+
+/// A grain that sinks into the ground under its own weight (Hertz): its modulus is not in Pa.
+void add_soft_grains(const scene::Scene& s, List& list) {
+  const auto look = [&](const std::string& name, double diameter, double density) {
+    const auto m =
+        std::find_if(s.materials.begin(), s.materials.end(), [&](const auto& one) { return one.name == name; });
+    if (m == s.materials.end()) return false;
+    const double radius = diameter / 2, modulus = s.solids.contact_modulus_scale * m->youngs_modulus /
+                                                  (2 * (1 - m->poisson_ratio * m->poisson_ratio));
+    const double weight = density * std::numbers::pi / 6 * std::pow(diameter, 3) * s.gravity.magnitude;
+    const double sunk = std::pow(0.75 * weight / (modulus * std::sqrt(radius)), 2.0 / 3) / radius;
+    constexpr double bearable = 0.05;
+    if (sunk > bearable)
+      list.push_back(
+          fmt::format("grains of \"{}\" sink into each other by {:.2g} of a radius under their own weight: "
+                      "youngs_modulus_Pa of {:g} Pa is small",
+                      name, sunk, m->youngs_modulus));
+    return sunk > bearable;
+  };
+  for (std::size_t i = 0; i < s.grains.packings.size(); ++i)
+    for (const scene::GrainSize& size : scene::grain_sizes(s, i))
+      if (look(size.material, size.diameter, size.density)) return;
+  for (const scene::GrainSphere& sphere : s.grains.spheres)
+    if (look(sphere.material, sphere.diameter, sphere.density)) return;
+}
+
+void add_barrier(const scene::Scene& s, List& list) {
+  const scene::Posts& posts = s.barrier.posts;
+  if (posts.enabled && posts.foot == scene::FootJoint::hinged && posts.elements.of<barrier::RetainingCable>().empty())
+    list.push_back("posts are hinged, and no [[barrier.posts.retaining]] holds them");
+  if (!posts.enabled && s.barrier.anchors.cable_places.empty())
+    list.push_back("barrier.anchors.cable_places is empty: no end of a cable is fixed");
 }
 
 void add_solids(const scene::Scene& s, const SolidsFigures& f, List& list) {
@@ -78,6 +149,9 @@ void add_solids(const scene::Scene& s, const SolidsFigures& f, List& list) {
   if (s.barrier.enabled && s.barrier.net.bead_mass_scale > 1)
     list.push_back(fmt::format("beads of the barrier are slow: inertia times {:g}", s.barrier.net.bead_mass_scale));
   if (s.walls.empty() && f.grains > 0) list.push_back("there are grains but no walls: nothing holds them");
+  if (!s.walls.empty() && f.grains > 0) add_leaks(s, list);
+  if (f.grains > 0) add_soft_grains(s, list);
+  if (s.barrier.enabled) add_barrier(s, list);
 }
 
 void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
@@ -147,6 +221,11 @@ bool only_walls(const scene::Scene& s, const std::string& a) {
 }
 
 void add_contacts(const scene::Scene& s, List& list) {
+  constexpr double steep = 3;
+  for (const scene::Contact& c : s.contacts)
+    if (c.friction > steep)
+      list.push_back(fmt::format("friction of \"{}\" and \"{}\" is {:g}: it is a coefficient, no angle", c.materials[0],
+                                 c.materials[1], c.friction));
   const std::set<std::string> names = materials_in_use(s);
   for (auto a = names.begin(); a != names.end(); ++a)
     for (auto b = a; b != names.end(); ++b) {
@@ -254,6 +333,21 @@ bool has_a_cell(const scene::WallSettings& solid, const Bounds& bounds, const sc
   return false;
 }
 
+/// Walls that stand beside the domain, and shapes that are sampled more coarsely than the cells.
+void add_lost_walls(const scene::Scene& s, List& list) {
+  for (const scene::WallSettings& w : s.walls) {
+    const auto bounds = bounds_of(w);
+    if (bounds && !((bounds->upper.array() > s.domain.lower.array()).all() &&
+                    (bounds->lower.array() < s.domain.upper.array()).all()))
+      list.push_back(fmt::format("wall \"{}\" stands outside the domain: nothing meets it", w.name));
+    if (s.fluid.enabled && w.file.resolution > s.fluid.cell_size)
+      list.push_back(
+          fmt::format("resolution_m of wall \"{}\" is {:g} m, more than a cell ({:g} m): what is smaller is "
+                      "smoothed away",
+                      w.name, w.file.resolution, s.fluid.cell_size));
+  }
+}
+
 /// Solids so thin that they fall between the centres of cells.
 void add_thin_walls(const scene::Scene& s, List& list) {
   for (const scene::WallSettings& w : s.walls) {
@@ -307,6 +401,7 @@ std::vector<std::string> warnings(const scene::Scene& scene, const CheckReport& 
   add_rows(scene, figures, list);
   add_places(scene, list);
   add_heightmaps(scene, list);
+  add_lost_walls(scene, list);
   if (figures.fluid) add_thin_walls(scene, list);
   if (figures.fluid) add_rounded_walls(scene, list);
   if (figures.fluid) add_fluid(scene, *figures.fluid, list);

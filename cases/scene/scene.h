@@ -339,7 +339,7 @@ struct Coupling {
   bool beads_as_grains = false;  ///< in place of the wires' own law
   BodyWeighting body_weighting = lbm::kBodyWeighting;
   SolidOperator solid_operator = lbm::kSolidOperator;
-  double radius_shift_cells = coupling::kRadiusShift;  ///< body_weighting = wall_distance only
+  double radius_shift_cells = coupling::kRadiusShift;  ///< body_weighting = wall_distance or inertial
   bool lubrication = false;
   bool wire_drag = true;
   std::optional<double> resolve_wires_from_cells;  ///< none: all wires by the drag law

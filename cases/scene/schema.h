@@ -161,8 +161,9 @@ void describe(V& v, Rheology& s) {
   v.value("yield_stress_Pa", s.yield_stress, {non_negative()}, "Shear stress below which the fluid only creeps.");
   v.value("consistency_Pa_s_n", s.consistency, {non_negative()}, "K of the stress yield + K rate^n.");
   v.value("exponent", s.exponent, {between(0.3, 2)}, "n: below 1 thinner, above 1 thicker in fast shear.");
-  v.value("limit_viscosity_m2_s", s.limit_viscosity, {non_negative()},
-          "Largest kinematic viscosity, that of the creep below the yield stress; needed with a yield stress law.");
+  v.value(
+      "limit_viscosity_m2_s", s.limit_viscosity, {non_negative()},
+      "Largest kinematic viscosity, that of the creep below the yield stress; needed with any law but `newtonian`.");
 }
 
 template <class V>
@@ -181,7 +182,10 @@ void describe(V& v, Fluid& s) {
   v.when_on(s.enabled, [&] {
     v.value("cell_size_m", s.cell_size, required(positive()), "Edge of a lattice cell.");
     v.value("density_kg_m3", s.density, {positive()}, "Density.");
-    v.value("kinematic_viscosity_m2_s", s.kinematic_viscosity, {positive()}, "Kinematic viscosity.");
+    v.value("kinematic_viscosity_m2_s", s.kinematic_viscosity, {positive()},
+            "Kinematic viscosity. With `law = \"herschel_bulkley\"` for lubrication, weighting of bodies and estimates "
+            "alone: "
+            "that of the mud where it flows round grains.");
     v.value("surface_tension_N_m", s.surface_tension, {non_negative()},
             "Surface tension (clean water: 0.0728); 0 = off. Walls are wetted at 90 degrees.");
     v.value("collision", s.collision, {}, "Collision operator.");

@@ -464,6 +464,13 @@ void AveragedExchange<Real>::transfer(Archive& archive) {
     else
       stored[18] = s.known ? 1 : 0;
   });
+  archive.pieces<double>("node", nodes_.size(), 5, [&](std::size_t k, double* stored) {  // what liquid_velocity reads
+    Node& node = nodes_[k];
+    const std::array<double*, 5> numbers{&node.water, &node.solid, &node.solid_momentum.x(), &node.solid_momentum.y(),
+                                         &node.solid_momentum.z()};
+    for (std::size_t n = 0; n < numbers.size(); ++n)
+      archive.loading() ? *numbers[n] = stored[n] : stored[n] = *numbers[n];
+  });
 }
 
 template class AveragedExchange<float>;

@@ -80,8 +80,22 @@ struct WireInCells {
   lbm::ShearLaw fluid = {};
   Crowding screen = {};  ///< that it is part of
 
-  [[nodiscard]] double reynolds(double u) const { return u * diameter / fluid.viscosity_at(u / diameter); }
+  /// Of a part `u` of the relative velocity, in the viscosity that the whole of it, `speed` (m/s), makes beside the
+  /// wire.
+  [[nodiscard]] double reynolds(double u, double speed) const {
+    return u * diameter / fluid.viscosity_at(speed / diameter);
+  }
 };
+
+/// Drag per length without a yield stress, m^3/s^2 (over the liquid's density), at the undisturbed normal and the
+/// tangential velocity.
+inline Vec3 viscous_drag(const WireInCells& w, const Vec3& normal, const Vec3& tangential) {
+  const double across = normal.norm(), along = tangential.norm(), speed = (normal + tangential).norm();
+  const double re = w.reynolds(across, speed), re_along = w.reynolds(along, speed);
+  return 0.5 * w.diameter *
+         (normal_drag_coefficient(re) * screen_factor(w.screen) * across * normal +
+          tangential_drag_coefficient(re, re_along) * along * tangential);
+}
 
 /// What the yield stress adds to the drag per length, m^3/s^2 (over the liquid's density), at the undisturbed normal
 /// and the tangential velocity, whose directions share it: coupling/yield_drag.h across the wire, yield stress on its
@@ -101,16 +115,18 @@ inline Vec3 yield_drag(const WireInCells& w, const Vec3& normal, const Vec3& tan
 /// (continuity), so only what the wakes are beyond their mean is a deficit. Wires that cross take as much on average as
 /// they cancel. To second order the deficit is carried off
 /// by the slower flow in itself, u_c = u (1 - 2/3 g^2 share) with g = oseen_share: momentum theory has 1 for 2/3; 2/3
-/// and the fading with g^2 are what the fluid itself shows around a force of known size (docs/decisions/0022).
-inline double self_induced_share(const WireInCells& w, double u) {
+/// and the fading with g^2 are what the fluid itself shows around a force of known size (docs/decisions/0022). What
+/// runs `along` the wire (m/s) shears the fluid too.
+inline double self_induced_share(const WireInCells& w, double u, double along = 0) {
   const double width = kernel_scale(w.diameter_cells);
   const double excess = std::max(0.0, kRomaSquares / width - w.screen.parallel / w.diameter_cells);
   if (excess == 0) return 0;
   const double sigma = std::numbers::inv_sqrtpi * width / w.diameter_cells * w.diameter;
-  double cd = normal_drag_coefficient(w.reynolds(u)) * screen_factor(w.screen);
-  double nu = w.fluid.viscosity_at(u / w.diameter);
+  const double speed = std::sqrt(u * u + along * along);
+  double cd = normal_drag_coefficient(w.reynolds(u, speed)) * screen_factor(w.screen);
+  double nu = w.fluid.viscosity_at(speed / w.diameter);
   if (w.fluid.yield_stress > 0 && u > 0) {
-    const double yielding = yield_drag(w, u * Vec3::UnitX(), Vec3::Zero()).x();
+    const double yielding = yield_drag(w, u * Vec3::UnitX(), along * Vec3::UnitY()).x();
     cd += 2 * yielding / (w.diameter * u * u);
     nu += yielding / u;  // what yields around the wire is about as viscous as its drag
   }
@@ -126,9 +142,9 @@ inline double self_induced_share(const WireInCells& w, double u) {
 
 /// Undisturbed normal speed from the speed sampled at the wire: u (1 - share(u)) = sampled, by the secant method; at
 /// most 8 times what is sampled.
-inline double undisturbed_speed(double sampled, const WireInCells& w) {
+inline double undisturbed_speed(double sampled, const WireInCells& w, double along = 0) {
   if (sampled <= 0) return 0;
-  const auto miss = [&](double u) { return u * (1 - self_induced_share(w, u)) - sampled; };
+  const auto miss = [&](double u) { return u * (1 - self_induced_share(w, u, along)) - sampled; };
   double before = sampled, miss_before = miss(before);
   double u = sampled - 1.3 * miss_before;
   for (int k = 0; k < 8 && u != before; ++k) {

@@ -55,13 +55,9 @@ template <class Real>
 Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double length, double density, const WireInCells& wire,
                 double stop) {
   const Vec3 along = relative.dot(tangent) * tangent, across = relative - along;
-  const double sampled = across.norm(), d = wire.diameter;
-  const double speed = undisturbed_speed(sampled, wire);
-  const double re = wire.reynolds(speed), re_along = wire.reynolds(along.norm());
+  const double sampled = across.norm(), speed = undisturbed_speed(sampled, wire, along.norm());
   const Vec3 normal_velocity = sampled > 0 ? Vec3(across * (speed / sampled)) : Vec3(Vec3::Zero());
-  const Vec3 drag = 0.5 * density * d * length *
-                    (normal_drag_coefficient(re) * screen_factor(wire.screen) * speed * normal_velocity +
-                     tangential_drag_coefficient(re, re_along) * along.norm() * along);
+  const Vec3 drag = density * length * viscous_drag(wire, normal_velocity, along);
   if (wire.fluid.yield_stress == 0) return drag;
   const Vec3 friction = density * length * yield_drag(wire, normal_velocity, along);
   return drag + std::min(1.0, stop * relative.norm() / std::max(friction.norm(), 1e-300)) * friction;

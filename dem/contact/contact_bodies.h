@@ -12,11 +12,14 @@
 namespace lahar::dem {
 
 /// The rows of particles that have a place among the parties of contacts (SI units; spin in rad/s):
-/// 0: position, velocity at mid-step, velocity at the end of the step (x, y)
-/// 1: velocity at the end (z), spin at mid-step, sum of the dampers of its contacts / mass, 1 if on a rail, spare,
-/// radius 2: radius x spin at mid-step, radius x spin at the end, inverse mass, radius 3: not packed: for the sums of
-/// its contacts Velocities at the end are predicted with the last known force. One more place, the last, belongs to
-/// nobody: a sphere that never touches.
+/// - 0: position, velocity at mid-step, velocity at the end of the step (x, y);
+/// - 1: velocity at the end (z), spin at mid-step, sum of the dampers of its contacts / mass, 1 if on a rail, spare,
+///   radius;
+/// - 2: radius x spin at mid-step, radius x spin at the end, inverse mass, radius;
+/// - 3: not packed: for the sums of its contacts.
+///
+/// Velocities at the end are predicted with the last known force. One more place, the last, belongs to nobody: a sphere
+/// that never touches.
 class ContactBodies {
  public:
   /// To be called before `pack`, when the parties are new.

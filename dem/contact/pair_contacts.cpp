@@ -75,7 +75,7 @@ struct PairContacts::Tail {
   alignas(64) std::array<double, kContactLanes * kRow> history{}, on_partner;
 
   Tail(const Batch& at, std::size_t count, std::uint32_t nobody) {
-    owner.fill(nobody), partner.fill(nobody), material.fill(at.material[at.slot[0]]);
+    owner.fill(at.owner[at.slot[0]]), partner.fill(nobody), material.fill(at.material[at.slot[0]]);
     copy(at, count, true);
     for (std::size_t l = 0; l < count; ++l) {
       const std::uint32_t k = at.slot[l];

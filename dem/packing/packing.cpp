@@ -12,7 +12,8 @@ namespace lahar::dem {
 
 namespace {
 
-constexpr double kFinalOverlap = 5e-4;  // largest overlap / radius to stop at
+constexpr double kFinalOverlap = 5e-4;     // largest overlap / radius to stop at
+constexpr double kBearableOverlap = 0.01;  // the same, above which a packing is refused: it would fly apart
 constexpr int kMaxTaps = 10;
 
 void check(const PackingSpec& spec) {
@@ -70,10 +71,18 @@ std::vector<ParticleSpec> pack(const PackingSpec& spec) {
   };
   settle(5);
   const double speed = 0.5 * std::sqrt(Relaxer::kGravity * relaxer.largest_radius());
-  for (int k = 0; k < kMaxTaps && spec.target_height > 0 && relaxer.surface_height() > spec.target_height; ++k) {
-    relaxer.tap(speed);
-    settle(1);
-  }
+  const auto tap_while = [&](const auto& needed) {
+    for (int k = 0; k < kMaxTaps && needed(); ++k) {
+      relaxer.tap(speed);
+      settle(1);
+    }
+  };
+  // Spheres that are jammed side by side on the floor find no way up without a kick.
+  tap_while([&] { return relaxer.max_relative_overlap() > kBearableOverlap; });
+  tap_while([&] { return spec.target_height > 0 && relaxer.surface_height() > spec.target_height; });
+  if (const double overlap = relaxer.max_relative_overlap(); overlap > kBearableOverlap)
+    throw InputError("packing: settled spheres still overlap by " + std::to_string(overlap) +
+                     " of a radius, expected fewer, or a larger box");
   for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].position = spec.lower + relaxer.position()[i];
   sort_along_cells(spec, spheres);
   const double top = relaxer.height(), limit = spec.upper.z() - spec.lower.z();

@@ -58,7 +58,8 @@ Relaxer::Relaxer(const PackingSpec& spec, const std::vector<ParticleSpec>& spher
 void Relaxer::place_at_random() {
   double volume = 0;
   for (const double r : radius_) volume += sphere_volume(r);
-  const double height = std::max(volume / (width_ * depth_) / kStartFraction, 2 * largest_radius());
+  // At least two of the largest: spheres at one height cannot push each other up.
+  const double height = std::max(volume / (width_ * depth_) / kStartFraction, 4 * largest_radius());
   for (std::size_t i = 0; i < size(); ++i) {
     const double r = radius_[i];
     const auto within = [&](double extent) { return r + random() * std::max(extent - 2 * r, 0.0); };

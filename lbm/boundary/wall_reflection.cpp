@@ -1,5 +1,7 @@
 #include "lbm/boundary/wall_reflection.h"
 
+#include <algorithm>
+
 #include "lbm/boundary/row_reflection.h"
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/boundary/surface_cells_at_walls.h"
@@ -142,10 +144,26 @@ void brake_surface_cells(FluidGrid<Real>& grid, BlockIndex b, Parity parity, con
   }
 }
 
-/// What went into the wall over the links of a cell and what came back.
+/// The part of a velocity whose momentum a wall gets: a mirror that of the part across it, but in a corner, which sends
+/// populations back.
+template <class Real>
+int given_to_wall(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, int i) {
+  if (!is_mirror(wall)) return i;
+  const MirrorLink& link = mirror_link(i, normal_axis(wall));
+  return link.along != 0 && grid.type(grid.neighbour(place, link.along)) != CellType::wall ? link.into : i;
+}
+
+/// What went into the wall over the links of a cell and what came back. Cells at the surface move as if they were full:
+/// of theirs the wall gets the part that is.
 template <class Real>
 void add_load(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, const std::uint8_t* links, Parity parity,
               BlockWallLoads& loads) {
+  const Block<Real>& block = grid.block(place.block);
+  const double full =
+      block.type[wall.cell] == CellType::interface ? std::clamp(
+                                                         static_cast<double>(block.surface->fill_level[wall.cell]), 0.0,
+                                                         1.0)
+                                                   : 1.0;
   const auto p = cell_position(place.cell);
   const Vec3i cell = grid.lowest_cell(place.block) + Vec3i(p[0], p[1], p[2]);
   const Vec3 centre = cell.cast<double>() + Vec3::Constant(0.5);
@@ -154,8 +172,10 @@ void add_load(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, cons
     const auto pair = grid.access(place, a, parity);
     const double sent = static_cast<double>(i == a ? *pair.outgoing_a : *pair.outgoing_b);
     const double back = static_cast<double>(i == a ? *pair.incoming_b : *pair.incoming_a);
-    const Vec3 c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
-    loads.add(wall.wall, centre + 0.5 * c, (sent + back) * c);
+    const auto* c = D3Q19::c[i];
+    const auto* given = D3Q19::c[given_to_wall(grid, place, wall, i)];
+    loads.add(wall.wall, centre + 0.5 * Vec3(c[0], c[1], c[2]),
+              full * (sent + back) * Vec3(given[0], given[1], given[2]));
   }
 }
 

@@ -3,9 +3,8 @@
 //
 // An operator is an empty struct with
 //   name, meaning           its word in a scene file and what it says of itself in docs/scene_reference.md
-//   bounds_stress           whether it keeps density, velocity and the deviator of the stress alone and takes the
-//   bounds
-//                           of stress_limit.h
+//   bounds_stress           whether it takes the bounds of stress_limit.h: it keeps density, velocity and the
+//                           deviator of the stress alone
 //   equilibrium_order       of what it relaxes to (equilibrium.h)
 //   takes_flow_laws         whether it is compiled for the flow laws of lbm/rheology
 //   stable_without_eddies   whether it is at small viscosities, without a Smagorinsky constant

@@ -14,8 +14,9 @@
 // the cell, from what is about to collide there: exact for any flow law, at least half a cell deep, so that nothing is
 // divided by a small number. Without liquid neighbours (spray, films of one cell) t is 0: the plain rule.
 //
-// The ratio of depths is bounded by 2, which it has where a cell is all but empty over a level liquid, and by 4/tau:
-// what the surface cell gets of the stress comes back to it through the stress. By the eigenvalues of a layer of 8
+// The ratio of depths is bounded by 1 inside the liquid, where the stress is no more than the measured one, and outside
+// by 2, which it has where a cell is all but empty over a level liquid; either way by 4/tau: what the surface cell gets
+// of the stress comes back to it through the stress. By the eigenvalues of a layer of 8
 // cells that is stable up to a ratio of 10 or more for tau from 0.5 to 1, 2.9 at tau = 2, 1.15 at 4, 0.32 at 18.5
 // (docs/decisions/0042).
 #include <algorithm>

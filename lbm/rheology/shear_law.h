@@ -2,6 +2,7 @@
 // The fluid for what has a shear rate of its own and no cell: wires, averaged grains.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lbm/rheology/rheology.h"
 
@@ -9,14 +10,14 @@ namespace lahar::lbm {
 
 /// Per density, SI.
 struct ShearLaw {
-  double viscosity = 0;     ///< m^2/s^(2-n): K / rho
-  double exponent = 1;      ///< n
-  double yield_stress = 0;  ///< m^2/s^2: over rho
-  double limit = 0;         ///< m^2/s, of a yield-stress fluid
+  double viscosity = 0;                                    ///< m^2/s^(2-n): K / rho
+  double exponent = 1;                                     ///< n
+  double yield_stress = 0;                                 ///< m^2/s^2: over rho
+  double limit = std::numeric_limits<double>::infinity();  ///< m^2/s: no viscosity is larger
 
   /// Kinematic viscosity at a shear rate (1/s) without the yield stress, m^2/s.
   [[nodiscard]] double viscosity_at(double rate) const {
-    return exponent == 1 ? viscosity : std::min(limit, viscosity * std::pow(std::max(rate, 1e-12), exponent - 1));
+    return std::min(limit, exponent == 1 ? viscosity : viscosity * std::pow(std::max(rate, 1e-12), exponent - 1));
   }
   /// Yield stress over the viscous stress.
   [[nodiscard]] double bingham(double rate) const {

@@ -39,7 +39,9 @@ TEST(StudyCases, NamesThatAreNoneAreRefused) {
     EXPECT_NE(e.mistakes().at(0).message.find("resolved, averaged"), std::string::npos);
   }
   EXPECT_THROW(cases_of({.releases = {0.5}}), InputError);
-  EXPECT_THROW(cases_of({.seeds = {1, -1}}), InputError);  // as scenes do
+  EXPECT_EQ(cases_of({.sweeps = {"matched"}, .couplings = {"resolved"}, .releases = {4.1, 4.1}}).size(), 1u);
+  EXPECT_THROW(cases_of({.releases = {4.123}}), InputError);  // names and scenes hold centimetres
+  EXPECT_THROW(cases_of({.seeds = {1, -1}}), InputError);     // as scenes do
   EXPECT_NO_THROW(cases_of({.seeds = {0}}));
 }
 
@@ -433,9 +435,12 @@ TEST(Jobs, GoOnAndAreNotRunTwice) {
   EXPECT_GT(result.curves.time_s.size(), 1u);
   EXPECT_EQ(result.curves.columns.size(), shown_columns().size());
   selection.further.push_back("solids.contact_safety=0.25");
+  selection.releases = {1.2, 1.85};
+  const std::vector<StudyCase> two = cases_of(selection);
   EXPECT_THROW(run_all(
-                   cases_of(selection), options, [] { return false; }, tell),
+                   two, options, [] { return false; }, tell),
                InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / two[0].name())) << "begun beside one that is refused";
 }
 
 }  // namespace

@@ -42,12 +42,5 @@ TEST(YieldDrag, MudIsNoMoreViscousThanItsLimit) {
   EXPECT_EQ(viscosity_past_sphere(mud, 0.1, 1e-9), 10);
 }
 
-/// K g^(n-1) without the yield stress; Bn is their ratio.
-TEST(YieldDrag, ShearThinningFluidsThin) {
-  const lbm::ShearLaw mud = lbm::shear_law({lbm::FlowLaw::herschel_bulkley, 40, 20, 0.5, 10}, 1e-6, 2000);
-  EXPECT_NEAR(mud.viscosity_at(4), 0.01 / 2, 1e-12);
-  EXPECT_NEAR(mud.bingham(4), 40 / (20 * 2.0), 1e-12);
-}
-
 }  // namespace
 }  // namespace lahar::coupling

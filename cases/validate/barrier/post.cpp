@@ -84,6 +84,8 @@ void ask_cantilever(double length, std::vector<Row>& rows) {
                               force / s.solids.particles().position.x[s.post.head()], stiffness, 0.01));
   rows.push_back(relative_row("clamped post: force of the foot, N", -foot_reaction(s.post, s.solids.particles()).x(),
                               force, 0.01));
+  rows.push_back(relative_row("clamped post: moment of the foot, N m", -foot_moment(s.post, s.solids.particles()).y(),
+                              force * length, 0.01));
   rows.push_back(ledger);
 }
 
@@ -104,6 +106,8 @@ void ask_held(double length, double anchor, std::vector<Row>& rows) {
                               force * std::hypot(length, anchor) / anchor, 0.01));
   rows.push_back(
       relative_row("hinged post: pressure on the foot, N", foot_reaction(s.post, p).z(), -tension * back.z(), 0.01));
+  rows.push_back(absolute_row("hinged post: moment of the foot, of load times height",
+                              foot_moment(s.post, p).norm() / (force * length), 0, 0.01));
   rows.push_back(ledger);
 }
 

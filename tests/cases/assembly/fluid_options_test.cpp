@@ -37,6 +37,10 @@ INSTANTIATE_TEST_SUITE_P(
             {"fluid.rheology.law=bingham", "fluid.rheology.limit_viscosity_m2_s=1", "fluid.rheology.exponent=0.5"},
             "fluid.rheology.law",
             "expected \"herschel_bulkley\""},
+        Rejection{{"fluid.rheology.law=herschel_bulkley", "fluid.rheology.consistency_Pa_s_n=10",
+                   "fluid.rheology.limit_viscosity_m2_s=0.001"},
+                  "fluid.rheology.limit_viscosity_m2_s",
+                  "above that of flow"},
         Rejection{{"fluid.rheology.law=herschel_bulkley", "fluid.rheology.limit_viscosity_m2_s=1"},
                   "fluid.rheology.consistency_Pa_s_n",
                   "is 0"},
@@ -54,6 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 1], [1, -1]]")}, "fluid.inflow[0].discharge_m3_s", "at least 0"},
         Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 1], [0, 1]]")}, "fluid.inflow[0].discharge_m3_s", "rising"},
         Rejection{{inflow("[0.2, 0.3, 0.01]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].upper_m", "thinner than a cell"},
+        Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 30], [1, 30]]")}, "fluid.inflow[0].discharge_m3_s", "its box takes"},
         Rejection{{inflow("[0.2, 0.3, 9.0]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0] lies", "outside the domain"},
         Rejection{{inflow("[0.2, 0.0, 0.2]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].upper_m", "is not above"}));
 

@@ -40,6 +40,7 @@ class HeapOfWater : public testing::Test {
     scene_ = scene::load_text(heap_of_water, set);
     simulation_ = build_simulation(scene_);
     observers_ = std::make_unique<ObserverList>(scene_, *simulation_);
+    series_.reset();  // the file of a row before
     series_ = std::make_unique<SeriesWriter>(scratch_.path() / "series.h5");
     observers_->declare(*series_);
     return take_row(0);

@@ -55,6 +55,20 @@ TEST(ObserverList, NamesAreThoseThatTheSceneIsCheckedFor) {
   for (const std::string& name : of_scene) EXPECT_TRUE(written.contains(name)) << name;
 }
 
+/// With posts there are foundations in place of the ends of cables, whose names are the program's too.
+TEST(ObserverList, TellsOfFoundations) {
+  const scene::Scene scene = scene::load(scene::case_file("two_spans/scene.toml"));
+  const auto simulation = build_simulation(scene, Beginning::checkpoint);
+  const ObserverList observers(scene, *simulation);
+  const std::vector<std::string> own = scene::own_names();
+  std::set<std::string> of_program(own.begin(), own.end()), written;
+  for (const Quantity* q : observers.quantities()) written.insert(q->label.name);
+  for (const char* name : {"posts_foot_force_N", "posts_foot_moment_Nm", "retaining_cables_anchor_force_N"})
+    EXPECT_TRUE(written.contains(name) && of_program.contains(name)) << name;
+  EXPECT_TRUE(written.contains("barrier_contact_force_x_N"));
+  EXPECT_FALSE(written.contains("upper_cable_end_force_N"));
+}
+
 /// The row of a moment, and the metrics that follow from it.
 TEST(ObserverList, ARowHoldsWhatIsThere) {
   const scene::Scene scene = everything();

@@ -1,6 +1,8 @@
 // Liquid and energy that pass a section: mass by the ledger, energy by what crosses.
 #include "cases/observers/outflow.h"
 
+#include <fmt/format.h>
+
 #include "tests/cases/observers/heap_of_water.h"
 
 namespace lahar::cases {
@@ -31,6 +33,14 @@ TEST_F(OutflowOfHeap, PassesTheOutflowSection) {
   // A rectangle of 0.3 m x 0.16 m at half a metre a second.
   EXPECT_NEAR(passed, 1000 * 0.3 * 0.16 * 0.5 * simulation_->time(), 0.15 * passed);
   EXPECT_NEAR(passed, mass, 0.1 * passed);  // cells of the surface are in both, by their levels
+}
+
+/// One layer of cells is in the section, also where it runs along their faces.
+TEST_F(OutflowOfHeap, OneLayerOfCellsIsInTheSection) {
+  for (const double section : {0.16, 0.18, 0.2, 0.22, 0.24, 0.26}) {
+    first_row({fmt::format("measure.section_x_m={:g}", section)});
+    EXPECT_NEAR(observers_->find<Flow>()->now().outflow_rate, 1000 * 0.5 * 0.16 * 0.3, 0.02 * 24) << section;
+  }
 }
 
 /// What leaves the domain has passed, whatever the rates say: never more than there was.

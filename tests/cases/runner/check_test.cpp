@@ -310,6 +310,55 @@ TEST(Warnings, GrainsWithoutWalls) {
   EXPECT_FALSE(warns(check_scene(load(case_file("bouncing_sphere/scene.toml"))), "nothing holds them"));
 }
 
+TEST(Warnings, FacesThatGrainsFallOutOf) {
+  const auto report = [](const std::vector<std::string>& set) {
+    return check_scene(load(case_file("debris_flow/scene.toml"), set));
+  };
+  EXPECT_FALSE(warns(report({}), "which are lost"));
+  EXPECT_TRUE(
+      warns(report({"wall[3]={name='other', shape='plane', point_m=[0, 0, 0], normal=[0, 0, 1], material='wall'}"}),
+            "without a [[wall]]: y+"));
+}
+
+/// 50 GPa that were written as 50.
+TEST(Warnings, GrainsThatSinkInUnderTheirWeight) {
+  const auto report = [](const std::string& modulus) {
+    return check_scene(load(case_file("debris_flow/scene.toml"), {"materials.rock.youngs_modulus_Pa=" + modulus}));
+  };
+  EXPECT_FALSE(warns(report("50e9"), "sink into each other"));
+  EXPECT_TRUE(warns(report("50"), "of a radius under their own weight"));
+}
+
+TEST(Warnings, MudWhoseLimitHidesItsLaw) {
+  const auto report = [](const std::string& limit) {
+    return check_scene(load(case_file("dam_break/scene.toml"),
+                            {"fluid.rheology.law=herschel_bulkley", "fluid.rheology.yield_stress_Pa=50",
+                             "fluid.rheology.consistency_Pa_s_n=5", "fluid.rheology.exponent=0.5",
+                             "fluid.rheology.limit_viscosity_m2_s=" + limit}));
+  };
+  EXPECT_TRUE(warns(report("1e-5"), "the law is not felt"));
+  EXPECT_FALSE(warns(report("0.5"), "the law is not felt"));
+}
+
+TEST(Warnings, WallsBesideTheDomain) {
+  const auto report = [](const std::string& lower) {
+    return check_scene(
+        load(case_file("debris_flow/scene.toml"), {"wall[4]={name='dam', shape='box', material='wall', lower_m=[" +
+                                                   lower + ", 0, 0], upper_m=[2600, 1.8, 0.3]}"}));
+  };
+  EXPECT_TRUE(warns(report("2500"), "\"dam\" stands outside the domain"));
+  EXPECT_FALSE(warns(report("5.2"), "stands outside"));
+}
+
+TEST(Warnings, ValuesInOtherUnits) {
+  const auto report = [](const std::string& set) {
+    return check_scene(load(case_file("debris_flow/scene.toml"), {set}));
+  };
+  EXPECT_TRUE(warns(report("contact[0].friction=30"), "it is a coefficient"));
+  EXPECT_TRUE(warns(report("fluid.density_kg_m3=1.6"), "fluid.density_kg_m3 is 1.6"));
+  EXPECT_TRUE(warns(report("barrier.anchors.cable_places=[]"), "no end of a cable is fixed"));
+}
+
 TEST(ReportText, NamesFiguresAndWarnings) {
   scene::Scene debris = scene::debris_flow();
   debris.solids.contact_modulus_scale = 0.1;

@@ -10,6 +10,7 @@
 #include "cases/files/series_reader.h"
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/run.h"
+#include "cases/runner/summary.h"
 #include "core/check.h"
 #include "tests/cases/files/shape_texts.h"
 #include "tests/cases/scene/scene_files.h"
@@ -261,7 +262,9 @@ TEST_F(Resume, AFailedRunKeepsAndNamesItsLastCheckpoint) {
     EXPECT_NE(std::string(e.what()).find("checkpoint.h5 of t = "), std::string::npos) << e.what();
   }
   EXPECT_TRUE(last_checkpoint(folder("out")).has_value());
+  write_summary(folder("out"), {});
   EXPECT_THROW(resume("out"), NumericalFailure);  // it goes on, into the same failure
+  EXPECT_FALSE(std::filesystem::exists(folder("out") / "summary.json")) << "of the stretch before";
 }
 
 }  // namespace

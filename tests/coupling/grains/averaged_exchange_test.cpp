@@ -8,6 +8,7 @@
 #include "core/parallel.h"
 #include "coupling/coupled_step.h"
 #include "coupling/grains/bed_drag.h"
+#include "coupling/yield_drag.h"
 #include "tests/coupling/tanks.h"
 
 namespace lahar::coupling {
@@ -190,7 +191,6 @@ TEST(AveragedExchange, MomentumIsKeptAtTheSurface) {
   EXPECT_LT((of_water + on_grains).norm(), 1e-6 * on_grains.norm());
 }
 
-/// However stiff the drag, grain and liquid only come to one velocity.
 /// A stream of water `depth` (m) deep over a slipping bed through grains at rest that fill all of it evenly (one a cell
 /// of 2 cm), nodes 0.16 m apart.
 struct StreamThroughGrains {
@@ -296,6 +296,7 @@ TEST(AveragedExchange, WiresFeelTheLiquidBetweenTheGrains) {
   EXPECT_NEAR(drag_on_a_wire(true) / drag_on_a_wire(false), 1 - phi, 0.05);
 }
 
+/// However stiff the drag, grain and liquid only come to one velocity.
 TEST(AveragedExchange, StiffDragDoesNotOvershoot) {
   lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);
   fluid.kinematic_viscosity = 0.05;  // mud: the grain answers within a small part of the step
@@ -314,13 +315,14 @@ TEST(AveragedExchange, StiffDragDoesNotOvershoot) {
   EXPECT_LT(last, 0.005);
 }
 
-/// Mud of Bn = 10 in place of the same liquid without a yield stress.
-TEST(AveragedExchange, YieldStressDragsOnGrains) {
-  constexpr double speed = 0.1, plastic = 1e-3;
-  const auto slowed_by = [&](double yield) {
-    lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);
-    fluid.kinematic_viscosity = plastic;
-    if (yield > 0) fluid.rheology = {lbm::FlowLaw::bingham, yield, 0, 1, 10};
+/// Grains that begin to move: as in the Newtonian liquid that drags as much on a sphere. Liquid and grains together are
+/// at rest, so that liquid goes the other way.
+TEST(AveragedExchange, MudDragsAsItsFlowLawSays) {
+  constexpr double speed = 0.1, viscosity = 1e-3, side = kRadius / 0.064;
+  constexpr double slip = speed / (1 - 4.0 / 3 * std::numbers::pi * side * side * side), rate = slip / (2 * kRadius);
+  const auto slowed_by = [&](const lbm::RheologyOptions& law, double kinematic_viscosity) {
+    lbm::FluidOptions fluid = stream(16, 0.02, 1e-4);
+    fluid.kinematic_viscosity = kinematic_viscosity, fluid.rheology = law;
     CoupledStep<double> step(fluid, grains_in_rows(Vec3::Zero()), averaged(0.08));
     step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
     dem::Particles& p = step.solids()->particles();
@@ -328,7 +330,12 @@ TEST(AveragedExchange, YieldStressDragsOnGrains) {
     for (int n = 0; n < 3; ++n) step.advance();
     return speed - p.velocity[0].x();
   };
-  EXPECT_GT(slowed_by(10 * kRho * plastic * speed / (2 * kRadius)), 3 * slowed_by(0));
+  const double yield = 10 * kRho * viscosity * rate;  // Bn = 10
+  const double as_newtonian = slowed_by({}, viscosity * sphere_yield_factor(10));
+  EXPECT_GT(as_newtonian, 8 * slowed_by({}, viscosity));
+  EXPECT_NEAR(slowed_by({lbm::FlowLaw::bingham, yield, 0, 1, 10}, viscosity) / as_newtonian, 1, 0.02);
+  const double consistency = kRho * viscosity * std::sqrt(rate);  // the same viscosity at this rate
+  EXPECT_NEAR(slowed_by({lbm::FlowLaw::herschel_bulkley, yield, consistency, 0.5, 10}, 1e-6) / as_newtonian, 1, 0.02);
 }
 
 /// Every bit, on one thread and on three.

@@ -74,6 +74,18 @@ TEST(DragLaw, DenseScreenHasNoDeficitOfItsOwn) {
   EXPECT_EQ(undisturbed_speed(2.0, w), 2.0);
 }
 
+/// What runs along a wire feels the fluid as the flow across it has thinned it, and the other way round.
+TEST(DragLaw, FluidsThinByTheWholeVelocity) {
+  const WireInCells w{.diameter = 0.0061, .diameter_cells = 0.6, .fluid = {0.01, 0.5, 0, 10}};
+  const WireInCells thinned{.diameter = 0.0061, .diameter_cells = 0.6, .fluid = {0.01 / std::sqrt(1 / 0.0061)}};
+  for (const double slow : {1e-2, 1e-4}) {
+    const Vec3 x = Vec3::UnitX(), z = slow * Vec3::UnitZ();
+    EXPECT_NEAR(viscous_drag(w, x, z).z() / viscous_drag(thinned, x, z).z(), 1, 1e-3) << slow;
+    EXPECT_NEAR(viscous_drag(w, z, x).z() / viscous_drag(thinned, z, x).z(), 1, 1e-3) << slow;
+    EXPECT_NEAR(self_induced_share(w, slow, 1) / self_induced_share(thinned, slow), 1, 1e-3) << slow;
+  }
+}
+
 /// A wire in mud, m: yield stress 100 Pa and plastic viscosity 1 Pa s at 1800 kg/m^3.
 WireInCells wire_in_mud() {
   return {.diameter = 0.03, .diameter_cells = 1.5, .fluid = {1 / 1800.0, 1, 100 / 1800.0, 1000}};

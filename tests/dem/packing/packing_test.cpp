@@ -137,6 +137,17 @@ TEST(Packing, OneSphereLiesOnTheFloor) {
   EXPECT_TRUE(pack(spec).empty());
 }
 
+/// More than lie side by side on the floor, but no more than two layers: some must come to lie on others.
+TEST(Packing, FewSpheresHaveRoomAboveEachOther) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    PackingSpec spec;
+    spec.upper = {0.26, 0.36, 0.4};
+    spec.classes = {{0.05, 8, 2600, 0}};
+    spec.seed = seed;
+    EXPECT_LT(worst_overlap(pack(spec)), 1e-3) << seed;
+  }
+}
+
 TEST(Packing, RefusesWhatCannotBe) {
   const auto refused = [](const auto& spoil) {
     PackingSpec spec = two_sizes();

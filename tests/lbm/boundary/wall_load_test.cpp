@@ -94,6 +94,41 @@ TEST(WallLoad, IsHydrostaticAtRest) {
               0.02 * fluid.liquid_mass() * gravity);
 }
 
+/// Layers of some cells and a part, also of a part alone, at rest and down a bed that slips: its load is their weight,
+/// without friction.
+TEST(WallLoad, IsTheWeightOfLayers) {
+  for (const double cells : {0.3, 1.6, 3.3}) {
+    FluidOptions o = tank_options(Vec3(0.16, 0.16, 0.08), 0.01, 2.0);
+    o.kinematic_viscosity = 1e-3;
+    o.gravity = Vec3(2, 0, -9.81);
+    o.domain.faces[0] = o.domain.faces[1] = o.domain.faces[2] = o.domain.faces[3] = FaceKind::periodic;
+    o.domain.slip = WallSlip::free_slip;
+    Fluid<double> fluid(o);
+    fluid.fill({{Vec3::Zero(), Vec3(0.16, 0.16, 0.01 * cells)}});
+    for (int s = 0; s < 20; ++s) fluid.step();
+    fluid.measure_walls();
+    const double start = fluid.time();
+    for (int s = 0; s < 400; ++s) fluid.step();
+    const Vec3 load = sum_of(fluid.wall_loads()) / (fluid.time() - start), weight = fluid.liquid_mass() * o.gravity;
+    EXPECT_NEAR(load.z() / weight.z(), 1, 0.02) << cells;
+    EXPECT_NEAR(load.x() / weight.x(), 0, 0.01) << cells;
+  }
+}
+
+/// A heap that falls apart on a bed that slips: no friction, though cells at its ends send into the mirror what comes
+/// back to none.
+TEST(WallLoad, MirrorsTakeNoFriction) {
+  FluidOptions o = tank_options(Vec3(0.6, 0.1, 0.2), 0.01, 2.0);
+  o.domain.slip = WallSlip::free_slip;
+  Fluid<double> fluid(o);
+  fluid.fill({{Vec3(0.15, 0, 0), Vec3(0.25, 0.1, 0.1), Vec3(0.8, 0, 0)}});
+  fluid.measure_walls();
+  while (fluid.time() < 0.08) fluid.step();
+  const Vec3 bed = fluid.wall_loads()[4].impulse;
+  EXPECT_LT(bed.z(), -0.5 * fluid.liquid_mass() * 9.81 * fluid.time());
+  EXPECT_NEAR(bed.x(), 0, 1e-12 * std::abs(bed.z()));
+}
+
 /// A dam break on a box: the same bits with one and two threads, and the flow is the same whether it is measured or
 /// not.
 TEST(WallLoad, DoesNotDependOnThreadsNorChangeTheFlow) {
