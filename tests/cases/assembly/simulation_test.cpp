@@ -95,5 +95,36 @@ sizes = [{ diameter_m = 0.04, density_kg_m3 = 2500, count = 167, material = "roc
   }
 }
 
+std::string packing(const char* lower, const char* upper) {
+  return std::string("[[grains.packing]]\nlower_m = ") + lower + "\nupper_m = " + upper +
+         "\nsizes = [{ diameter_m = 0.04, density_kg_m3 = 2500, count = 40, material = \"rock\" }]\n";
+}
+
+TEST(Simulation, PackingsInEachOtherAreLocated) {
+  const scene::Scene scene = scene::load_text(scene::small_scene + packing("[0, 0, 0]", "[0.2, 0.2, 0.2]") +
+                                              packing("[0.1, 0, 0]", "[0.3, 0.2, 0.2]"));
+  try {
+    (void)build_simulation(scene);
+    FAIL();
+  } catch (const InputError& e) {
+    const InputMistake& m = e.mistakes().at(0);
+    EXPECT_EQ(m.line, 20) << m.text();
+    EXPECT_NE(m.message.find("grains.packing[1]: a grain at ("), std::string::npos) << m.text();
+    EXPECT_NE(m.message.find("lies in one of grains.packing[0]"), std::string::npos) << m.text();
+  }
+}
+
+/// The same grains in boxes of one size do not lie alike.
+TEST(Simulation, PackingsAreNoCopiesOfEachOther) {
+  const scene::Scene scene = scene::load_text(scene::small_scene + packing("[0, 0, 0]", "[0.2, 0.2, 0.2]") +
+                                              packing("[0.2, 0, 0]", "[0.4, 0.2, 0.2]"));
+  const auto simulation = build_simulation(scene);
+  const dem::Particles& p = simulation->solids()->particles();
+  ASSERT_EQ(p.size(), 81u);
+  double moved = 0;
+  for (std::size_t k = 0; k < 40; ++k) moved += (p.position[k + 40] - p.position[k] - Vec3(0.2, 0, 0)).norm();
+  EXPECT_GT(moved / 40, 0.01);
+}
+
 }  // namespace
 }  // namespace lahar::cases
