@@ -110,14 +110,19 @@ void check_law(const Scene& scene, const char* wire, Findings& findings) {
 
 }  // namespace
 
-void check_ring_stiffness(const Scene& scene, Findings& findings) {
-  const std::string key = "barrier.bonds.ring_stiffness_N_m3";
-  if (!findings.sound({key, "barrier.net.kind"})) return;
-  const double stiffness = scene.barrier.bonds.ring_stiffness;
-  if (scene.barrier.net.kind == NetKind::rings && stiffness == 0)
-    findings.mistake(key, key + " is 0 or missing, expected a number above 0");
-  if (scene.barrier.net.kind != NetKind::rings && stiffness > 0)
-    findings.mistake(key, key + " does not apply here, expected only with barrier.net.kind = \"rings\"");
+void check_ring_bonds(const Scene& scene, Findings& findings) {
+  const BarrierBonds& bonds = scene.barrier.bonds;
+  const std::string table = "barrier.bonds.", stiffness = table + "ring_stiffness_N_m3";
+  if (!findings.sound({stiffness, "barrier.net.kind"})) return;
+  if (scene.barrier.net.kind == NetKind::rings) {
+    if (bonds.ring_stiffness == 0)
+      findings.mistake(stiffness, stiffness + " is 0 or missing, expected a number above 0");
+    return;
+  }
+  for (const auto& [key, value] : {std::pair{stiffness, bonds.ring_stiffness},
+                                   std::pair{table + "ring_tensile_strength_Pa", bonds.ring_tensile_strength},
+                                   std::pair{table + "ring_shear_strength_Pa", bonds.ring_shear_strength}})
+    if (value > 0) findings.mistake(key, key + " does not apply here, expected only with barrier.net.kind = \"rings\"");
 }
 
 void check_hexagonal_net(const Scene& scene, Findings& findings) {

@@ -263,7 +263,7 @@ void check_grains(const Scene& scene, Findings& findings) {
 void check_barrier(const Scene& scene, Findings& findings) {
   if (!scene.barrier.enabled) return;
   check_dissipators(scene.barrier.bonds, findings);
-  check_ring_stiffness(scene, findings);
+  check_ring_bonds(scene, findings);
   check_bond_steps(scene, findings);
   if (!findings.sound({"barrier.net"}) || !check_directions(scene.barrier.net, findings)) return;
   check_frame(scene.barrier.net, findings);

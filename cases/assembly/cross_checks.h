@@ -22,7 +22,7 @@ void check_grains(const Scene& scene, Findings& findings);
 /// The net fits into the channel; dissipator stages.
 void check_barrier(const Scene& scene, Findings& findings);
 /// Rings have a stiffness, a mesh has laws of its own.
-void check_ring_stiffness(const Scene& scene, Findings& findings);
+void check_ring_bonds(const Scene& scene, Findings& findings);
 /// Tensile laws of a mesh rise, its twists fit into it.
 void check_hexagonal_net(const Scene& scene, Findings& findings);
 /// Posts are as tall as the net, slender, and stand with the anchors of their cables on the ground.

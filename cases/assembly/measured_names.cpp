@@ -16,6 +16,7 @@ std::vector<std::string> after(const std::string& name, std::initializer_list<co
 std::vector<std::string> own_names() {
   std::vector<std::string> names{"barrier_axial_J",
                                  "barrier_bending_J",
+                                 "barrier_broken_bonds",
                                  "barrier_contact_impulse_Ns",
                                  "barrier_elastic_J",
                                  "barrier_elongation_m",
@@ -27,6 +28,7 @@ std::vector<std::string> own_names() {
                                  "barrier_shear_J",
                                  "barrier_torsion_J",
                                  "bonds_lost_J",
+                                 "broken_bonds",
                                  "depth_at_inflow_m",
                                  "dissipator_elongation_m",
                                  "e_in_kJ",

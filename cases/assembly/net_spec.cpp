@@ -12,6 +12,13 @@ dem::BondSort wire(const Scene& scene, double stiffness) {
   return sort;
 }
 
+/// With the strengths of a scene, Pa, where 0 is none.
+dem::BondSort breakable(dem::BondSort sort, double tensile_strength, double shear_strength) {
+  if (tensile_strength > 0) sort.tensile_strength = tensile_strength;
+  if (shear_strength > 0) sort.shear_strength = shear_strength;
+  return sort;
+}
+
 /// Two or three stages; a stage that is not given continues the one before. Force limits are not scaled.
 dem::BondSort dissipator(const Scene& scene) {
   const BarrierBonds& bonds = scene.barrier.bonds;
@@ -85,9 +92,10 @@ barrier::RingNetSpec make_net_spec(const Scene& scene) {
   spec.bead_mass_scale = net.bead_mass_scale;
   spec.bead_inertia_scale = net.bead_inertia_scale;
   spec.material = material_index(scene, net.material);
-  spec.ring = wire(scene, scene.barrier.bonds.ring_stiffness);
-  spec.cable = wire(scene, scene.barrier.bonds.cable_stiffness);
-  if (!scene.barrier.bonds.dissipator_stiffness.empty()) spec.dissipator = dissipator(scene);
+  const BarrierBonds& bonds = scene.barrier.bonds;
+  spec.ring = breakable(wire(scene, bonds.ring_stiffness), bonds.ring_tensile_strength, bonds.ring_shear_strength);
+  spec.cable = breakable(wire(scene, bonds.cable_stiffness), bonds.cable_tensile_strength, bonds.cable_shear_strength);
+  if (!bonds.dissipator_stiffness.empty()) spec.dissipator = dissipator(scene);
   spec.upper.support = support(scene, anchors.cable_places);
   spec.lower.support = bottom_support(scene);
   std::vector<double> lateral = anchors.cable_places;

@@ -37,6 +37,9 @@ BarrierResponse::BarrierResponse(const Observed& run) : Observer(run) {
   column("dissipator_elongation_m", "m", "largest elongation of a dissipator", [this] {
     return now_.largest_dissipator_elongation;
   }).peak("max_dissipator_elongation_m", "m", "largest `dissipator_elongation_m` of the rows");
+  column("barrier_broken_bonds", "1", "bonds that are broken", [this] {
+    return static_cast<double>(now_[barrier::Component::barrier].broken_bonds);
+  }).peak("broken_bonds", "1", "bonds that are broken at the end");
   column("wet_beads", "1", "beads of rings and cables in the fluid",
          [this] { return static_cast<double>(run_.simulation.wet_beads()); });
 }

@@ -281,10 +281,12 @@ struct Net {
 };
 
 struct BarrierBonds {
-  double ring_stiffness = 0, cable_stiffness = 0;  ///< N/m^3
-  std::vector<double> dissipator_stiffness;        ///< N/m^3, empty = no dissipators
-  std::vector<double> dissipator_force_limit;      ///< N
-  std::vector<double> dissipator_places{0, 1};     ///< fractions of a cable's length
+  double ring_stiffness = 0, cable_stiffness = 0;               ///< N/m^3
+  double ring_tensile_strength = 0, ring_shear_strength = 0;    ///< Pa, 0 = does not break
+  double cable_tensile_strength = 0, cable_shear_strength = 0;  ///< the same
+  std::vector<double> dissipator_stiffness;                     ///< N/m^3, empty = no dissipators
+  std::vector<double> dissipator_force_limit;                   ///< N
+  std::vector<double> dissipator_places{0, 1};                  ///< fractions of a cable's length
   bool plastic_unloading = false;
   bool operator==(const BarrierBonds&) const = default;
 };

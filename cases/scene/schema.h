@@ -379,6 +379,16 @@ void describe(V& v, BarrierBonds& s) {
           "Normal and shear stiffness of ring bonds, per unit area; needed, and only allowed, with rings.");
   v.value("cable_stiffness_N_m3", s.cable_stiffness, required(positive()),
           "Normal and shear stiffness of cable bonds, per unit area.");
+  const auto strength = [&](const char* key, double& value, const char* meaning) {
+    v.value(key, value, {non_negative()}, meaning);
+  };
+  strength("ring_tensile_strength_Pa", s.ring_tensile_strength,
+           "Tensile stress at the rim of a ring bond, of force and bending over the round section of the wire, above "
+           "which it breaks; 0 = it does not. Only with rings.");
+  strength("ring_shear_strength_Pa", s.ring_shear_strength,
+           "The same of the shear stress, of shear force and torsion. Only with rings.");
+  strength("cable_tensile_strength_Pa", s.cable_tensile_strength, "As of rings, of cable bonds but dissipators.");
+  strength("cable_shear_strength_Pa", s.cable_shear_strength, "As of rings, of cable bonds but dissipators.");
   v.value("dissipator_stiffness_N_m3", s.dissipator_stiffness, {.range = positive(), .max_count = 3},
           "Stiffness of the two or three stages of the energy dissipators in the cables; empty = no dissipators.");
   v.value("dissipator_force_limit_N", s.dissipator_force_limit, {.range = positive(), .max_count = 2},

@@ -58,7 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"barrier.net.node_diameter_m=0.05"}, "barrier.net: nodes", "touch"},
         Rejection{{"barrier.net.width_m=0.175"}, "barrier.net: ", "would do"},
         Rejection{{"barrier.net.ring_pitch_m=0.06"}, "barrier.net.ring_pitch_m", "kind = \"rings\""},
-        Rejection{{"barrier.bonds.ring_stiffness_N_m3=3e11"}, "barrier.bonds.ring_stiffness_N_m3", "rings"}));
+        Rejection{{"barrier.bonds.ring_stiffness_N_m3=3e11"}, "barrier.bonds.ring_stiffness_N_m3", "rings"},
+        Rejection{{"barrier.bonds.ring_shear_strength_Pa=1e9"}, "barrier.bonds.ring_shear_strength_Pa", "rings"}));
 
 TEST(CheckPosts, SpansSpecHoldsWhatTheSceneSays) {
   const Scene scene = load(case_file("two_spans/scene.toml"), {"solids.bond_stiffness_scale=0.5"});

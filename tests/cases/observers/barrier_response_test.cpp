@@ -1,7 +1,10 @@
 // What is seen of a net.
 #include "cases/observers/barrier_response.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "cases/files/series_reader.h"
 #include "tests/cases/observers/small_net.h"
@@ -24,6 +27,33 @@ TEST_F(SmallNet, LoadsOfItsParts) {
   EXPECT_FALSE(metrics.contains("peak_mesh_sum_kN"));
   observers_.finish(scratch_.path());
   EXPECT_TRUE(std::filesystem::exists(scratch_.path() / "cable_forces.png"));
+}
+
+/// A cable tears with half the strength that its tension needs. Where it bends, by its own weight and at its ends, it
+/// needs more than ten times that, as a solid wire does; with a thousand times it holds.
+TEST(BarrierResponse, WiresTearAboveTheirStrength) {
+  const auto broken = [](double strength) {
+    const scene::Scene scene = scene::load(scene::case_file("hanging_net/scene.toml"),
+                                           {"barrier.net.width_m=0.38", "barrier.net.height_m=0.26",
+                                            fmt::format("barrier.bonds.cable_tensile_strength_Pa={}", strength)});
+    const auto simulation = build_simulation(scene);
+    double largest = 0;  // N
+    for (int s = 0; s < 400; ++s) {
+      simulation->advance();
+      const dem::Solids& solids = *simulation->solids();
+      const auto r = barrier::response(*simulation->net(), solids.particles(), solids.bonds(), scene.gravity.vector());
+      largest = std::max(largest, r[barrier::Component::upper_cable].max_tension);
+      if (r[barrier::Component::barrier].broken_bonds > 0) return std::pair{true, largest};
+    }
+    return std::pair{false, largest};
+  };
+  const double section =
+      M_PI / 4 * std::pow(scene::load(scene::case_file("hanging_net/scene.toml")).barrier.net.wire_diameter, 2);
+  const auto [never, tension] = broken(0);
+  EXPECT_FALSE(never);
+  EXPECT_FALSE(broken(1000 * tension / section).first);
+  EXPECT_TRUE(broken(10 * tension / section).first);
+  EXPECT_TRUE(broken(0.5 * tension / section).first);
 }
 
 /// Rings that were moved along the upper cable have slid by as much.
