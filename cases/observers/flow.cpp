@@ -45,7 +45,13 @@ struct Look {
         g(observed.scene.gravity.magnitude),
         lower(observed.scene.domain.lower),
         outflow_x(observed.section.value_or(0.0) + observed.scene.measure.outflow_distance),
-        outflow_cell(run.simulation.fluid()->domain().cell_at(Vec3(outflow_x, lower.y(), lower.z())).x()) {}
+        outflow_cell(cell_of(run.simulation.fluid()->domain(), outflow_x)) {}
+
+  /// Along x: at the end of the domain the last one.
+  static int cell_of(const lbm::Domain& domain, double x) {
+    const int last = domain.first().x() + domain.cells().x() - 1;
+    return std::min(last, domain.cell_at(Vec3(x, domain.origin().y(), domain.origin().z())).x());
+  }
 
   const Observed& run;
   const Bed& bed;

@@ -79,12 +79,13 @@ void add_fluid(const scene::Scene& s, const FluidFigures& f, List& list) {
                                have * 1e-9));
 }
 
-/// Faces of the domain hold the liquid alone. Only where walls are planes, boxes, cylinders and spheres: what terrain
-/// and meshes hold cannot be told.
+/// Faces of the domain hold the liquid alone: grains need a plane that faces inwards, or a box on the face. What
+/// terrain and meshes hold cannot be told; cylinders and spheres hold nothing back.
 void add_leaks(const scene::Scene& s, List& list) {
   const auto guards = [&](const scene::WallSettings& w, const Vec3& inwards, int axis, double at) {
     if (w.shape == scene::WallShape::plane) return w.normal.normalized().dot(inwards) > 0.05;
-    if (w.shape != scene::WallShape::box) return true;
+    if (w.shape != scene::WallShape::box)
+      return w.shape == scene::WallShape::heightmap || w.shape == scene::WallShape::mesh;
     return w.lower[axis] <= at + 1e-6 && w.upper[axis] >= at - 1e-6;
   };
   std::string faces;

@@ -43,6 +43,11 @@ TEST_F(OutflowOfHeap, OneLayerOfCellsIsInTheSection) {
   }
 }
 
+TEST_F(OutflowOfHeap, TheLastCellsAreInASectionAtTheEndOfTheDomain) {
+  first_row({"domain.upper_m=[0.4, 0.16, 0.5]", "measure.section_x_m=0.3"});
+  EXPECT_NEAR(observers_->find<Flow>()->now().outflow_rate, 1000 * 0.5 * 0.16 * 0.3, 0.02 * 24);
+}
+
 /// What leaves the domain has passed, whatever the rates say: never more than there was.
 TEST_F(OutflowOfHeap, WhatIsGoneHasPassed) {
   first_row({"measure.section_x_m=0.2", "domain.open_faces=[\"x+\", \"z+\"]"});

@@ -318,6 +318,9 @@ TEST(Warnings, FacesThatGrainsFallOutOf) {
   EXPECT_TRUE(
       warns(report({"wall[3]={name='other', shape='plane', point_m=[0, 0, 0], normal=[0, 0, 1], material='wall'}"}),
             "without a [[wall]]: y+"));
+  EXPECT_TRUE(warns(report({"wall[3]={name='pier', shape='cylinder', start_m=[3, 1, 0], end_m=[3, 1, 1], radius_m=0.1, "
+                            "material='wall'}"}),
+                    "without a [[wall]]: y+"));
 }
 
 /// 50 GPa that were written as 50.
