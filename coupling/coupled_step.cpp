@@ -152,6 +152,7 @@ void CoupledStep<Real>::give_impulses() {
   }
   if (thin_wires_) {
     const ScopedTimer timer(timers_.section("coupling.wires"));
+    thin_wires_->follow_breakage(solids_->bonds());
     impulses_ += thin_wires_->apply(*fluid_, particles, fields_, grains_ ? &*grains_ : nullptr);
   }
   if (field_writer_) field_writer_(*fluid_, fields_);

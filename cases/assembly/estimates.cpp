@@ -21,7 +21,19 @@ double highest(const Vec3& lower, const Vec3& upper, const Vec3& direction) {
   return (direction.array() > 0).select(upper, lower).dot(direction);
 }
 
+/// m^2, of a box seen along a direction; of its largest face where there is none.
+double face_across(const Vec3& extent, const Vec3& direction) {
+  const Vec3 faces = extent.prod() * extent.cwiseInverse();
+  return direction.norm() > 0 ? faces.dot(direction.normalized().cwiseAbs()) : faces.maxCoeff();
+}
+
 }  // namespace
+
+double inflow_speed(const scene::Inflow& inflow) {
+  double peak = 0;
+  for (const scene::TimeValue& entry : inflow.discharge) peak = std::max(peak, entry.value);
+  return std::max(inflow.velocity.norm(), peak / face_across(inflow.upper - inflow.lower, inflow.velocity));
+}
 
 double drop_speed(const scene::Scene& scene) {
   const Vec3 up = -scene.gravity.vector();
@@ -34,7 +46,7 @@ double drop_speed(const scene::Scene& scene) {
   }
   for (const scene::Inflow& i : scene.fluid.inflows) {
     const double fall = std::max(0.0, highest(i.lower, i.upper, up) - lowest);
-    fastest = std::max(fastest, std::sqrt(i.velocity.squaredNorm() + 2 * fall));
+    fastest = std::max(fastest, std::hypot(inflow_speed(i), std::sqrt(2 * fall)));
   }
   return fastest;
 }

@@ -7,8 +7,12 @@
 
 namespace lahar::cases {
 
-/// m/s: what liquid reaches that falls without loss from the highest point of its regions to the lowest of the domain,
-/// sqrt(v0^2 + 2 g h); never less than the speed of a wall.
+/// m/s, with which liquid comes out of an inflow's box: its velocity, or the peak of its discharge over the box's face
+/// across that (its largest face where it comes without a velocity), whichever is more.
+double inflow_speed(const scene::Inflow& inflow);
+
+/// m/s: what liquid reaches that falls without loss from the highest point of its regions and inflows to the lowest of
+/// the domain, sqrt(v0^2 + 2 g h); never less than the speed of a wall.
 double drop_speed(const scene::Scene& scene);
 
 /// m/s: fluid.max_speed_m_s, or the drop_speed where it is 0.

@@ -1,8 +1,22 @@
 #include "cases/assembly/fluid_view.h"
 
+#include <algorithm>
+
 namespace lahar::cases {
 
 namespace {
+
+/// How fast liquid of this velocity runs out of a cell through open faces of the domain, m/s summed over them.
+template <class Real>
+double outward_speed(const lbm::FluidGrid<Real>& grid, lbm::CellPlace place, const Vec3& velocity) {
+  double sum = 0;
+  for (int i = 1; i <= 6; ++i) {  // along the axes
+    if (grid.type(grid.neighbour(place, i)) != lbm::CellType::sink) continue;
+    const auto& c = lbm::D3Q19::c[i];
+    sum += std::max(0.0, velocity.dot(Vec3(c[0], c[1], c[2])));
+  }
+  return sum;
+}
 
 template <class Real>
 class ViewOf final : public FluidView {
@@ -41,6 +55,23 @@ class ViewOf final : public FluidView {
   }
   [[nodiscard]] std::optional<lbm::WetCell> cell_at(const Vec3& p) const override { return fluid_.cell_at(p); }
   [[nodiscard]] lbm::FluidSnapshot snapshot() const override { return fluid_.snapshot(); }
+  [[nodiscard]] std::optional<Vec3> leaving_velocity() const override {
+    const lbm::FluidGrid<Real>& grid = fluid_.grid();
+    Vec3 sum = Vec3::Zero();
+    double outflow = 0;
+    for (const lbm::BlockIndex b : grid.owned()) {
+      if (!grid.has_surface(b)) continue;  // cells at open faces never become full ones
+      const lbm::Block<Real>& block = grid.block(b);
+      for (int n = 0; n < lbm::kBlockCells; ++n) {
+        if (!block.at_rim[static_cast<std::size_t>(n)]) continue;
+        const auto cell = fluid_.cell_at(grid.centre(b, n));
+        if (!cell) continue;
+        const double flow = cell->liquid_volume * outward_speed(grid, {b, n}, cell->velocity);
+        outflow += flow, sum += flow * cell->velocity;
+      }
+    }
+    return outflow > 0 ? std::optional<Vec3>(sum / outflow) : std::nullopt;
+  }
 
  private:
   lbm::Fluid<Real>& fluid_;

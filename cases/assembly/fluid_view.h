@@ -70,6 +70,9 @@ class FluidView {
   /// The wet cell at a point, if any.
   [[nodiscard]] virtual std::optional<lbm::WetCell> cell_at(const Vec3& p) const = 0;
   [[nodiscard]] virtual lbm::FluidSnapshot snapshot() const = 0;
+  /// m/s, of the liquid that goes through open faces: mean over the cells beside them by what flows out of each; none
+  /// where nothing does.
+  [[nodiscard]] virtual std::optional<Vec3> leaving_velocity() const = 0;
 };
 
 /// The view of a fluid, which must outlive it.

@@ -71,6 +71,13 @@ barrier::HexagonalMesh mesh_of(const Scene& scene) {
   return mesh;
 }
 
+/// Of the net's plane, down the flow (x) whichever way the width runs. A net along the flow has the normal of its axes.
+Vec3 flow_side_normal(const Vec3& across, const Vec3& up) {
+  const Vec3 normal = across.cross(up);
+  constexpr double rounding = 1e-9;
+  return normal.x() < -rounding ? Vec3(-normal) : normal;
+}
+
 }  // namespace
 
 barrier::RingNetSpec make_net_spec(const Scene& scene) {
@@ -80,7 +87,7 @@ barrier::RingNetSpec make_net_spec(const Scene& scene) {
   spec.origin = net.origin;
   spec.across = net.width_direction.normalized();
   spec.up = net.height_direction.normalized();
-  spec.normal = spec.across.cross(spec.up);
+  spec.normal = flow_side_normal(spec.across, spec.up);
   spec.width = net.width;
   spec.height = net.height;
   if (net.kind == NetKind::hexagonal) spec.mesh = mesh_of(scene);

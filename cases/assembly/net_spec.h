@@ -7,7 +7,8 @@ namespace lahar::scene {
 
 /// What a net is built from, with posts that of the first span: frame, rings or mesh, bonds with stiffness scale and
 /// damping, anchors. Cable ends are fixed and have a dissipator next to them, but for a bottom cable that is fixed
-/// throughout. Without dissipator stiffnesses the cables have none.
+/// throughout. Without dissipator stiffnesses the cables have none. The normal points down the flow, along +x,
+/// whichever way the width runs.
 barrier::RingNetSpec make_net_spec(const Scene& scene);
 
 /// The same with posts, which the scene must have.

@@ -3,12 +3,14 @@
 #include "cases/assembly/build.h"
 #include "core/check.h"
 #include "core/parallel.h"
+#include "dem/time_step.h"
 
 namespace lahar::cases {
 
 namespace {
 
 constexpr int kSteps = 25;  // between two looks at the kinetic energy
+constexpr double kShareOfLimit = 0.8;
 
 double kinetic_energy(const dem::Particles& p) {
   return ordered_sum<double>(
@@ -39,6 +41,8 @@ scene::Scene barrier_alone(scene::Scene scene) {
 void settle_barrier(const scene::Scene& scene, const barrier::Net& net, dem::Particles& particles, dem::Bonds& bonds) {
   dem::Solids alone = build_solids(barrier_alone(scene)).solids;
   dem::Particles& beads = alone.particles();
+  const double limit = dem::bond_time_step(alone.bonds(), beads);  // of bonds between beads that do not touch, too
+  if (alone.options().time_step > limit) alone.set_time_step(kShareOfLimit * limit);
   double before = 0;
   while (alone.time() < scene.barrier.settle_time) {
     alone.advance(kSteps);

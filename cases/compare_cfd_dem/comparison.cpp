@@ -473,8 +473,8 @@ std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.6g}", x
 std::string comparison_csv(const std::vector<CaseResult>& results) {
   std::string text =
       "# Theirs: Li, Zhao & Kwan 2020. difference: (ours - theirs) / theirs. spread: half the range over seeds, "
-      "presets, time steps and stiffnesses of the same flow and coupling, over the mean.\n"
-      "quantity,unit,case,theirs,ours,difference,spread\n";
+      "presets, time steps and stiffnesses of the same flow and coupling, over the mean.\n" +
+      std::string(kComparisonColumns) + "\n";
   for (const Compared& q : compared_quantities())
     for (const CaseResult& c : results) {
       const double ours = c.value(q.name), theirs = q.theirs(c.study_case.release).value_or(kNone);

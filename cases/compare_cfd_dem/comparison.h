@@ -70,9 +70,13 @@ struct ShownColumn {
 };
 const std::vector<ShownColumn>& shown_columns();
 
-/// quantity,unit,case,theirs,ours,difference,spread: the difference over theirs; the spread is half the range of ours
-/// over the seeds, presets, time steps and stiffnesses that the study has of the same flow and coupling, over their
-/// mean (`counts_in_spread`).
+/// The table's name and columns.
+inline constexpr const char* kComparisonTable = "comparison.csv";
+inline constexpr const char* kComparisonColumns = "quantity,unit,case,theirs,ours,difference,spread";
+
+/// A comment, the columns, the rows. The difference is over theirs; the spread is half the range of ours over the
+/// seeds, presets, time steps and stiffnesses that the study has of the same flow and coupling, over their mean
+/// (`counts_in_spread`).
 std::string comparison_csv(const std::vector<CaseResult>& results);
 
 }  // namespace lahar::study

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <fstream>
@@ -14,9 +15,11 @@
 #include <thread>
 
 #include "cases/assembly/load.h"
+#include "cases/compare_cfd_dem/comparison.h"
 #include "cases/files/output_file.h"
 #include "cases/runner/options.h"
 #include "cases/runner/output_folder.h"
+#include "cases/runner/table_folder.h"
 #include "core/check.h"
 
 extern char** environ;
@@ -35,7 +38,26 @@ double simulated_seconds(const std::filesystem::path& summary) {
   }
 }
 
+/// Whether a study has made this: the folder of a case, its log or its record.
+bool is_of_a_case(const std::filesystem::directory_entry& entry) {
+  const std::filesystem::path name = entry.path().filename();
+  if (entry.is_directory()) return case_named(name.string(), {}).has_value();
+  return (name.extension() == ".log" || name.extension() == ".json") && case_named(name.stem().string(), {});
+}
+
 }  // namespace
+
+void require_study_folder(const std::filesystem::path& folder, const std::string& option) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (!fs::is_directory(folder, error) || fs::is_empty(folder, error)) return;
+  if (std::any_of(fs::directory_iterator(folder), {}, is_of_a_case)) return;
+  if (cases::holds_table(folder / kComparisonTable, kComparisonColumns)) return;
+  throw InputError(std::vector<InputMistake>{
+      {option + " " + folder.string(), 1, 1,
+       fmt::format("is not empty and holds no case and no {} of a study, expected a new, an empty or such a folder",
+                   kComparisonTable)}});
+}
 
 Standing standing_of(const StudyCase& c, const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) return Standing::to_do;

@@ -19,6 +19,10 @@ enum class Standing {
 /// Of the folder of a case. Throws FileError if its summary cannot be read.
 Standing standing_of(const StudyCase& study_case, const std::filesystem::path& folder);
 
+/// Throws InputError where a folder that a command-line option names is not empty and holds nothing of a study: no
+/// folder, log or record of a case, and no table of comparison. What is there stays as it is.
+void require_study_folder(const std::filesystem::path& folder, const std::string& option);
+
 /// The command that brings a case further; empty if it is done. Throws InputError where something foreign is in its
 /// way.
 std::vector<std::string> command_of(const StudyCase& study_case, const std::filesystem::path& lahar,

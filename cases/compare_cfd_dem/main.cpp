@@ -82,7 +82,7 @@ void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   write_report(results, sitting, folder);
   if (a.records.empty()) return;
   const std::filesystem::path records = a.records;
-  cases::replace_text_file(records / "comparison.csv", comparison_csv(results));
+  cases::replace_text_file(records / kComparisonTable, comparison_csv(results));
   cases::replace_text_file(records / "trends.csv", trends_csv(trends(results)));
 }
 
@@ -92,7 +92,10 @@ int run(const Arguments& a) {
     throw InputError(std::vector<InputMistake>{
         {"command line", 1, 1,
          "--records with --set: records are of the study's own values, expected one of the two"}});
+  check_changes(study_cases);
   if (a.list) return list(study_cases, a), cases::exit_done;
+  require_study_folder(a.out, "--out");
+  if (!a.records.empty()) require_study_folder(a.records, "--records");
   cases::create_folder(a.out);
   if (!a.records.empty()) cases::create_folder(a.records, "--records");
   int code = cases::exit_done;

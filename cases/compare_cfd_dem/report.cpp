@@ -257,7 +257,7 @@ std::string ledger_lines(const std::vector<CaseResult>& results) {
 }  // namespace
 
 void write_report(const std::vector<CaseResult>& results, const Sitting& sitting, const std::filesystem::path& folder) {
-  cases::replace_text_file(folder / "comparison.csv", comparison_csv(results));
+  cases::replace_text_file(folder / kComparisonTable, comparison_csv(results));
   std::string html =
       "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Debris flows on a ring net: resolved and "
       "averaged</title><style>body{font:16px/1.5 sans-serif;max-width:75em;margin:2em auto;padding:0 1em}"

@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <sstream>
 #include <tuple>
 
+#include "cases/assembly/load.h"
 #include "cases/validate/reference_table.h"
 #include "core/check.h"
 
@@ -129,6 +131,15 @@ std::optional<StudyCase> case_named(const std::string& name, const std::vector<s
       std::sscanf(parts[4].c_str(), "seed%d", &c.seed) != 1)
     return std::nullopt;
   return c.name() == name ? std::optional(c) : std::nullopt;
+}
+
+void check_changes(const std::vector<StudyCase>& study_cases) {
+  std::set<std::string> checked;
+  for (StudyCase c : study_cases) {
+    if (c.further.empty()) continue;  // the study's own scenes
+    c.release = study_cases.front().release, c.seed = study_cases.front().seed;
+    if (checked.insert(c.name()).second) (void)scene::load(c.scene_file(), c.changes());
+  }
 }
 
 bool comes_before(const StudyCase& a, const StudyCase& b) {

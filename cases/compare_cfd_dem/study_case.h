@@ -44,6 +44,10 @@ struct StudyCase {
 /// The case whose name() this is; none where there is no such case.
 std::optional<StudyCase> case_named(const std::string& name, const std::vector<std::string>& further);
 
+/// Throws InputError where a change (--set) makes a scene that is refused. Scenes that differ in distance and seed
+/// alone are taken to be refused alike.
+void check_changes(const std::vector<StudyCase>& study_cases);
+
 /// Whether the case is one of the study's own flows, perhaps by other numerics: not a net, a law or averages read
 /// otherwise.
 bool counts_in_spread(const StudyCase& c);

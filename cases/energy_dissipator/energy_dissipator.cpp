@@ -160,7 +160,7 @@ void check(const EnergyDissipator& b) {
   if (!wrong.empty()) throw InputError(wrong);
 }
 
-BrakeCurve stretch(const EnergyDissipator& brake) {
+BrakeCurve stretch(const EnergyDissipator& brake, const std::function<bool()>& go_on) {
   check(brake);
   Chain chain = build(brake);
   Pull pull(chain);
@@ -170,12 +170,15 @@ BrakeCurve stretch(const EnergyDissipator& brake) {
   curve.time_step = dt;
 
   double time = 0;
-  for (std::int64_t k = 1; pull.force() < brake.last_force; ++k) {
+  for (std::int64_t k = 1; pull.force() < brake.last_force && !curve.interrupted; ++k) {
     const double until = end * static_cast<double>(k) / static_cast<double>(brake.samples);
     while (pull.moved() < until && pull.force() < brake.last_force)
       pull.step(brake.speed * std::min(1.0, (time += dt) / start_up));
     curve.loading.push_back(pull.point());
+    curve.interrupted = !go_on();
   }
+  curve.simulated = chain.solids.time();
+  if (curve.interrupted) return curve;
   // Stopped at once: what moves then is damped before the way back begins.
   for (int k = 0; k < 2000; ++k) pull.step(0);
   (void)pull.point();
@@ -190,11 +193,12 @@ BrakeCurve stretch(const EnergyDissipator& brake) {
 
   const double way_back = plastic ? brake.displacement_at(force) - brake.elongation_at(force) + force / law.k1 : end;
   const double slow = brake.speed * std::min(1.0, 10 * way_back / end);
-  for (std::int64_t k = 1; pull.force() > 0; ++k) {
+  while (pull.force() > 0 && !curve.interrupted) {
     const auto steps =
         static_cast<std::int64_t>(std::ceil(way_back / static_cast<double>(brake.samples) / (slow * dt)));
     for (std::int64_t s = 0; s < steps && pull.force() > 0; ++s) pull.step(-slow);
     curve.unloading.push_back(pull.point());
+    curve.interrupted = !go_on();
   }
   for (int k = 0; k < 2000; ++k) pull.step(0);
   curve.work_out = curve.work_in - pull.work();

@@ -2,6 +2,7 @@
 // An energy dissipator in a cable, stretched and let go (Li, Zhao & Kwan 2020, section 3.2, Fig. 5, Table 2, after
 // Grassl et al. 2003).
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "dem/bonds/bonds.h"
@@ -64,10 +65,13 @@ struct BrakeCurve {
   double largest_force = 0;          ///< N, in the dissipator when the pulled end stopped
   double largest_elongation = 0;     ///< m, then
   double ledger_gap = 0;             ///< J
+  bool interrupted = false;
 };
 
-/// Stretches the cable until the dissipator carries last_force, then lets it go to no force.
-[[nodiscard]] BrakeCurve stretch(const EnergyDissipator& brake);
+/// Stretches the cable until the dissipator carries last_force, then lets it go to no force. `go_on` is asked after
+/// each point; it returns false to stop.
+[[nodiscard]] BrakeCurve stretch(
+    const EnergyDissipator& brake, const std::function<bool()>& go_on = [] { return true; });
 
 /// Least squares slopes of the force at the pulled end over the dissipator's elongation and over the displacement of
 /// that end, in the inner nine tenths of a stage's forces, N/m.

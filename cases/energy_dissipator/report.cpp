@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cases/procedure/curves.h"
+#include "cases/runner/interrupt.h"
 #include "core/timers.h"
 
 namespace lahar::cases {
@@ -82,9 +83,8 @@ bool run_energy_dissipator(const EnergyDissipator& brake, const std::filesystem:
   BrakeCurve curve;
   {
     const ScopedTimer timer(timers.section("stretch"));
-    curve = stretch(brake);
+    curve = stretch(brake, [] { return !interrupted(); });
   }
-  draw_dissipator(folder / "energy_dissipator.png", curve, brake);
   std::vector<CurveColumn> columns{{"displacement_m", "m", "of the pulled end", {}},
                                    {"elongation_m", "m", "of the dissipator", {}},
                                    {"force_N", "N", "in the dissipator", {}},
@@ -98,6 +98,11 @@ bool run_energy_dissipator(const EnergyDissipator& brake, const std::filesystem:
     }
   write_series(folder, time, columns);
   summary.simulated_seconds = curve.simulated;
+  summary.timers = timers.seconds();
+  const double work = curve.simulated / curve.time_step * static_cast<double>(2 * brake.cable_beads + 2);
+  summary.performance.dem_particle_steps_per_second = work / summary.timers.at("stretch");
+  if (curve.interrupted) return false;
+  draw_dissipator(folder / "energy_dissipator.png", curve, brake);
   summary.metrics = {{"largest_force_N", curve.largest_force},
                      {"largest_elongation_m", curve.largest_elongation},
                      {"work_in_J", curve.work_in},
@@ -108,9 +113,6 @@ bool run_energy_dissipator(const EnergyDissipator& brake, const std::filesystem:
                      {"cable_energy_J", curve.cable_energy},
                      {"time_step_s", curve.time_step}};
   summary.checks = dissipator_checks(curve, brake);
-  summary.timers = timers.seconds();
-  const double work = curve.simulated / curve.time_step * static_cast<double>(2 * brake.cable_beads + 2);
-  summary.performance.dem_particle_steps_per_second = work / summary.timers.at("stretch");
   return true;
 }
 

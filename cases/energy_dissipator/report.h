@@ -14,7 +14,8 @@ namespace lahar::cases {
 /// Chart of force over elongation, there and back, with the law.
 void draw_dissipator(const std::filesystem::path& file, const BrakeCurve& curve, const EnergyDissipator& brake);
 
-/// Runs energy_dissipator into a folder.
+/// Runs energy_dissipator into a folder. Returns false if it was interrupted: then there is the curve until there, no
+/// more.
 bool run_energy_dissipator(const EnergyDissipator& brake, const std::filesystem::path& folder, Summary& summary);
 
 }  // namespace lahar::cases

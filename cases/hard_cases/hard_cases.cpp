@@ -73,11 +73,6 @@ const std::vector<HardCase>& found_here() {
   return cases;
 }
 
-/// A field in double quotes where it holds a comma.
-std::string quoted(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : fmt::format("\"{}\"", text);
-}
-
 }  // namespace
 
 std::vector<HardCase> hard_cases() {
@@ -140,16 +135,16 @@ std::string result_text(const HardCaseResult& result) {
 }
 
 std::string results_csv(const std::vector<HardCaseResult>& results, const Context& context, const std::string& date) {
-  std::string text = fmt::format("# {}, commit {}, {}, {} form\n{}\n", cases::machine_name(), cases::commit(), date,
-                                 context.quick ? "quick" : "full", kHardCasesColumns);
+  std::string text = fmt::format("# {}, commit {}, {}, {} form, {}\n{}\n", cases::machine_name(), cases::commit(), date,
+                                 context.quick ? "quick" : "full", name_of(context.precision), kHardCasesColumns);
   for (const HardCaseResult& result : results)
     for (const Outcome& o : result.outcomes) {
       const HardCase& c = result.hard_case;
-      const std::string start = fmt::format("{},{},{},{}", c.id, quoted(c.question), quoted(c.criterion), o.name);
+      const std::string start = fmt::format("{},{},{},{}", c.id, csv_field(c.question), csv_field(c.criterion), o.name);
       for (const Row& r : o.rows)
-        text += fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.2f}\n", start, quoted(r.label), r.value,
+        text += fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.2f}\n", start, csv_field(r.label), r.value,
                             r.reference, r.error, r.tolerance, r.pass, o.seconds);
-      if (!o.failure.empty()) text += fmt::format("{},{},,,,,false,{:.2f}\n", start, quoted(o.failure), o.seconds);
+      if (!o.failure.empty()) text += fmt::format("{},{},,,,,false,{:.2f}\n", start, csv_field(o.failure), o.seconds);
     }
   return text;
 }

@@ -39,7 +39,7 @@ inline constexpr const char* kHardCasesTable = "hard_cases.csv";
 inline constexpr const char* kHardCasesColumns =
     "id,case,criterion,entry,row,value,reference,error,tolerance,pass,seconds";
 
-/// Machine, commit, date and form, then the columns, then a row for each row of an entry.
+/// Machine, commit, date, form and precision, then the columns, then a row for each row of an entry.
 std::string results_csv(const std::vector<HardCaseResult>& results, const Context& context, const std::string& date);
 
 }  // namespace lahar::validate

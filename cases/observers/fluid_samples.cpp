@@ -65,9 +65,10 @@ Vec3 normal_near(const lbm::Domain& domain, const Vec3& point) {
   const WallPoint wall = domain.walls().nearest(point);
   double nearest = wall.wall >= 0 ? std::abs(wall.distance) : std::numeric_limits<double>::infinity();
   Vec3 normal = wall.wall >= 0 ? wall.normal : Vec3(Vec3::UnitZ());
-  const Vec3 upper = domain.origin() + domain.cell_size() * domain.cells().cast<double>();
+  const Vec3 lower = domain.origin() + domain.cell_size() * domain.first().cast<double>();
+  const Vec3 upper = lower + domain.cell_size() * domain.cells().cast<double>();
   for (int a = 0; a < 3; ++a)
-    for (const double face : {domain.origin()[a], upper[a]})
+    for (const double face : {lower[a], upper[a]})
       if (std::abs(point[a] - face) < nearest) nearest = std::abs(point[a] - face), normal = Vec3::Unit(a);
   return normal;
 }
@@ -92,11 +93,11 @@ double pressure_on_disc(const FluidView& fluid, const Vec3& point, double diamet
   return sum / places;
 }
 
-Vec3 velocity_at(const FluidView& fluid, const Vec3& point) {
+Vec3 velocity_at(const FluidView& fluid, const LiquidVelocity& velocity, const Vec3& point) {
   Vec3 sum = Vec3::Zero();
   double weights = 0;
   for_cells_around(fluid.domain(), point, [&](const Vec3& centre, double weight) {
-    if (const auto cell = fluid.cell_at(centre)) sum += weight * cell->velocity, weights += weight;
+    if (const auto cell = fluid.cell_at(centre)) sum += weight * velocity(*cell), weights += weight;
   });
   return weights > 0 ? Vec3(sum / weights) : Vec3(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
 }

@@ -4,11 +4,12 @@
 
 namespace lahar::cases {
 
-Grains::Grains(const Observed& run) : Observer(run), crossed_(run.simulation.solids()->particles().size(), 0) {
+Grains::Grains(const Observed& run) : Observer(run), way_(run.simulation.solids()->particles().size()) {
   column("grains_kinetic_J", "J", "translation and rotation of the grains", [this] { return kinetic_; });
   column("grains_potential_J", "J", "potential energy of the grains about the datum", [this] { return potential_; });
   column("grains_front_x_m", "m", "foremost point of the grains", [this] { return front_; });
-  column("grains_passed_kg", "kg", "mass of grains beyond the outflow section or gone", [this] { return passed_; });
+  column("grains_passed_kg", "kg", "mass of grains that came past the outflow section, or are gone",
+         [this] { return passed_; });
   if (run.section) {
     result("e_out_grains_kinetic_kJ", "kJ", "kinetic energy of grains that passed the outflow section",
            [this] { return kinetic_out_ / 1000; });
@@ -26,7 +27,7 @@ void Grains::sample(double) {
   front_ = run_.scene.domain.lower.x();
   for (dem::ParticleId id = 0; id < p.size(); ++id) {
     const dem::ParticleIndex i = p.index(id);
-    if (p.kind[i] != dem::ParticleKind::grain) continue;
+    if (!is_loose_grain(p, i)) continue;
     const double move =
         0.5 * p.mass[i] * p.velocity[i].squaredNorm() + 0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm();
     const double fall = p.mass[i] * g * run_.height(p.position[i]);
@@ -36,16 +37,18 @@ void Grains::sample(double) {
       front_ = std::max(front_, p.position.x[i] + p.radius[i]);
     }
     const bool beyond = gone || (run_.section && p.position.x[i] > *run_.section + run_.scene.measure.outflow_distance);
-    if (beyond && !crossed_[id]) {
-      crossed_[id] = 1;
-      energy_out_ += move + fall, kinetic_out_ += move;
+    if (beyond && way_[id] == Way::upstream) {
+      way_[id] = has_begun_ ? Way::passed : Way::beyond_at_start;
+      if (has_begun_) energy_out_ += move + fall, kinetic_out_ += move;
     }
-    if (crossed_[id]) passed_ += p.mass[i];
+    if (way_[id] == Way::passed) passed_ += p.mass[i];
   }
+  has_begun_ = true;
 }
 
 void Grains::transfer(Archive& archive) {
-  archive.list_of("crossed", crossed_, crossed_.size());
+  archive.list_of("way", way_, way_.size());
+  archive.value("has_begun", has_begun_);
   archive.value("energy_out", energy_out_);
   archive.value("kinetic_out", kinetic_out_);
 }

@@ -1,11 +1,18 @@
 #pragma once
-// Energy and front of the grains, and those that have passed.
+// Energy and front of the loose grains, and those that have passed.
 #include <cstdint>
+#include <vector>
 
 #include "cases/observers/observer.h"
 
 namespace lahar::cases {
 
+/// Whether a particle is a grain of the flow, or was one: fixed grains are obstacles.
+[[nodiscard]] inline bool is_loose_grain(const dem::Particles& p, std::size_t i) {
+  return p.kind[i] == dem::ParticleKind::grain && p.state[i] != dem::ParticleState::fixed;
+}
+
+/// What is beyond the outflow section at the first row has not passed it, as with the liquid (outflow.h).
 class Grains final : public Observer {
  public:
   explicit Grains(const Observed& run);
@@ -19,8 +26,11 @@ class Grains final : public Observer {
   [[nodiscard]] double energy_out() const { return energy_out_; }
 
  private:
+  enum class Way : std::uint8_t { upstream, passed, beyond_at_start };  // of the outflow section; stays once beyond
+
   double kinetic_ = 0, potential_ = 0, front_ = 0, passed_ = 0;  // J, J, m, kg at the last row
-  std::vector<std::uint8_t> crossed_;                            // per particle: beyond the outflow section
+  bool has_begun_ = false;                                       // a row was taken
+  std::vector<Way> way_;                                         // by id
   double energy_out_ = 0, kinetic_out_ = 0;
 };
 

@@ -14,33 +14,32 @@ LiquidMomentum::LiquidMomentum(const Observed& run, const ObserverList& before)
 }
 
 void LiquidMomentum::after_step() {
+  const FluidView& fluid = *run_.simulation.fluid();
+  const double time_step = run_.simulation.time_step();
+  const LiquidTransfers so_far = fluid.transfers();
+  const double leaves = so_far.left - left_, comes_in = so_far.came_in - came_in_;
+  if (leaves > 0)
+    if (const auto velocity = fluid.leaving_velocity()) exit_speed_ = velocity->x();
+  if (comes_in > 0) entry_speed_ = entry_speed(time_step);
+  const double mean_mass = mass_ + 0.5 * (comes_in - leaves);
+  given_ += (mean_mass * fluid.options().gravity.x() - force_on_bodies()) * time_step;
+  given_ += comes_in * entry_speed_ - leaves * exit_speed_;
+  mass_ += comes_in - leaves, left_ = so_far.left, came_in_ = so_far.came_in;
+}
+
+/// Of the liquid on grains and barrier, along x, N.
+double LiquidMomentum::force_on_bodies() const {
   const dem::Particles& p = run_.simulation.solids()->particles();
   double force = 0;
   for (dem::ParticleId id = 0; id < p.size(); ++id) {
     const dem::ParticleIndex i = p.index(id);
     if (p.state[i] != dem::ParticleState::removed) force += p.external_force[i].x();
   }
-  impulse_ += run_.simulation.time_step() * force;
+  return force;
 }
 
-/// Mean speed of the liquid that goes through the last cells before the domain's end, m/s.
-double LiquidMomentum::exit_speed() const {
-  const FluidView& fluid = *run_.simulation.fluid();
-  const double last = run_.scene.domain.upper.x() - 1.5 * fluid.units().cell_size;
-  std::vector<std::pair<double, double>> flux(fluid.wet_block_count());  // of mass and momentum, over density and area
-  fluid.for_each_wet_block([&](std::size_t k, std::span<const lbm::WetCell> cells) {
-    for (const lbm::WetCell& c : cells) {
-      if (c.centre.x() < last || c.velocity.x() <= 0) continue;
-      const double flow = c.liquid_volume * c.velocity.x();
-      flux[k].first += flow, flux[k].second += flow * c.velocity.x();
-    }
-  });
-  double mass = 0, momentum = 0;
-  for (const auto& [m, p] : flux) mass += m, momentum += p;
-  return mass > 0 ? momentum / mass : 0;
-}
-
-/// Mean speed of what inflows are to bring in the time until now, m/s.
+/// Mean speed of what inflows are to bring in the time until now, m/s; where that is nothing, what waited comes, as
+/// fast as what came before.
 double LiquidMomentum::entry_speed(double interval) const {
   const double now = run_.simulation.time();
   double volume = 0, sum = 0;
@@ -48,27 +47,20 @@ double LiquidMomentum::entry_speed(double interval) const {
     const double part = inflow.discharge.volume_until(now) - inflow.discharge.volume_until(now - interval);
     volume += part, sum += part * inflow.velocity.x();
   }
-  return volume > 0 ? sum / volume : 0;
+  return volume > 0 ? sum / volume : entry_speed_;
 }
 
-void LiquidMomentum::sample(double interval) {
-  const FluidView& fluid = *run_.simulation.fluid();
-  const double mass = in_domain_.now(), left = fluid.transfers().left, came_in = fluid.transfers().came_in;
+void LiquidMomentum::sample(double) {
   now_ = run_.simulation.liquid_momentum().x();
-  if (std::isnan(at_start_)) {
-    at_start_ = now_;
-  } else {
-    given_ += 0.5 * (mass + mass_) * fluid.options().gravity.x() * interval - impulse_;
-    if (left > left_) given_ -= (left - left_) * exit_speed();
-    if (came_in > came_in_) given_ += (came_in - came_in_) * entry_speed(interval);
-  }
-  mass_ = mass, left_ = left, came_in_ = came_in, impulse_ = 0;
+  mass_ = in_domain_.now();
+  if (std::isnan(at_start_)) at_start_ = now_, given_ = 0;
 }
 
 void LiquidMomentum::transfer(Archive& archive) {
   archive.value("at_start", at_start_);
   archive.value("given", given_);
-  archive.value("impulse", impulse_);
+  archive.value("exit_speed", exit_speed_);
+  archive.value("entry_speed", entry_speed_);
   archive.value("mass", mass_);
   archive.value("left", left_);
   archive.value("came_in", came_in_);

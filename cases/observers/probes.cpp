@@ -144,7 +144,9 @@ Probes::Load Probes::mean_load(const Load& sum, double interval, const Vec3& poi
 void Probes::sample(double interval) {
   for (Level& level : levels_)
     level.depth = depth_over(*run_.simulation.fluid(), level.point, run_.scene.domain.upper.z());
-  for (Current& current : currents_) current.velocity = velocity_at(*run_.simulation.fluid(), current.point);
+  const auto liquid_velocity = [&](const lbm::WetCell& cell) { return run_.simulation.liquid_velocity(cell); };
+  for (Current& current : currents_)
+    current.velocity = velocity_at(*run_.simulation.fluid(), liquid_velocity, current.point);
   for (Sensor& sensor : sensors_) {
     sensor.reading = sensor.time_mean && interval > 0 ? sensor.since / interval : pressure_on(sensor);
     sensor.since = 0;

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 
+#include "cases/observers/grains.h"
+
 namespace lahar::cases {
 
 Retention::Retention(const Observed& run) : Observer(run) {
   result("retained_mass_ratio", "1",
-         "share by mass of the grains that are held at the end: upstream of the measured section, or of the foremost "
-         "bead where the net has bulged beyond it",
+         "share by mass of the grains that are held at the end: upstream of the measured section, or of the net's "
+         "foremost bead (posts and what hangs on them aside) where it has bulged beyond it",
          [this] { return now().mass; })
       .unknown_at_times();
   result(
@@ -21,13 +23,20 @@ Retention::Retention(const Observed& run) : Observer(run) {
   }).unknown_at_times();
 }
 
-/// How far down a grain may be and still count as held: the net's section, or the foremost bead where the net has
-/// bulged beyond it.
+/// How far down a grain may be and still count as held: the net's section, or the foremost bead of the net where it has
+/// bulged beyond it. Posts and what else hangs on them hold no grain.
 double Retention::limit() const {
   double limit = *run_.section;
+  const barrier::Net* net = run_.simulation.net();
+  if (net == nullptr) return limit;
   const auto& p = run_.simulation.solids()->particles();
-  for (std::size_t i = 0; run_.simulation.net() && i < p.size(); ++i)
-    if (p.kind[i] == dem::ParticleKind::bead) limit = std::max(limit, p.position.x[i] + p.radius[i]);
+  const auto reach = [&](dem::ParticleId first, std::size_t count) {
+    for (dem::ParticleId id = first; id < first + count; ++id)
+      limit = std::max(limit, p.position.x[p.index(id)] + p.radius[p.index(id)]);
+  };
+  for (const barrier::Wire& ring : net->rings) reach(ring.first_bead, ring.beads);
+  for (const barrier::Wire& cable : net->cables) reach(cable.first_bead, cable.beads);
+  for (const barrier::MeshPart& mesh : net->meshes) reach(mesh.first_node, mesh.nodes);
   return limit;
 }
 
@@ -40,7 +49,7 @@ Retained Retention::now() const {
   double mass = 0, kept = 0, smallest = 1e300, largest = 0;
   for (dem::ParticleId id = 0; id < p.size(); ++id) {
     const dem::ParticleIndex i = p.index(id);
-    if (p.kind[i] != dem::ParticleKind::grain) continue;
+    if (!is_loose_grain(p, i)) continue;
     mass += p.mass[i];
     kept += is_kept(i) ? p.mass[i] : 0.0;
     smallest = std::min(smallest, p.radius[i]), largest = std::max(largest, p.radius[i]);
@@ -51,7 +60,7 @@ Retained Retention::now() const {
   if (!(largest > smallest)) return retained;
   double count[2] = {0, 0}, held[2] = {0, 0};
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.kind[i] != dem::ParticleKind::grain) continue;
+    if (!is_loose_grain(p, i)) continue;
     const std::size_t size = p.radius[i] > 0.5 * (smallest + largest) ? 1 : 0;
     count[size] += 1, held[size] += is_kept(i) ? 1 : 0;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Grains that the barrier holds.
+// Loose grains that the barrier holds.
 #include "cases/observers/observer.h"
 
 namespace lahar::cases {

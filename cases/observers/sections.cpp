@@ -96,8 +96,8 @@ bool exists_in(const scene::Domain& domain, Vec3 p) {
 
 }  // namespace
 
-Flux liquid_flux(const FluidView& fluid, const dem::Particles* grains, const SectionFrame& frame,
-                 const scene::Domain& domain, const Vec3& up, double datum) {
+Flux liquid_flux(const FluidView& fluid, const LiquidVelocity& velocity, const dem::Particles* grains,
+                 const SectionFrame& frame, const scene::Domain& domain, const Vec3& up, double datum) {
   const double spacing = fluid.units().cell_size / 2, rho = fluid.options().density, g = fluid.options().gravity.norm();
   const auto [left, right] = reach(frame, frame.across, frame.half_width, domain);
   const auto [bottom, top] = reach(frame, frame.up, frame.half_height, domain);
@@ -124,7 +124,7 @@ Flux liquid_flux(const FluidView& fluid, const dem::Particles* grains, const Sec
         flux.area += area * liquid;
         flux.volume += volume;
         flux.energy +=
-            volume * (0.5 * rho * cell->velocity.squaredNorm() + rho * g * (up.dot(p) - datum) + cell->pressure);
+            volume * (0.5 * rho * velocity(*cell).squaredNorm() + rho * g * (up.dot(p) - datum) + cell->pressure);
       }
     }
   return flux;
@@ -204,8 +204,9 @@ void Sections::sample(double interval) {
 
 void Sections::sample_liquid(Counter& counter, double interval) {
   const dem::Solids* solids = run_.simulation.solids();
-  const Flux now = liquid_flux(*run_.simulation.fluid(), solids ? &solids->particles() : nullptr, counter.frame,
-                               run_.scene.domain, run_.up, run_.datum);
+  const auto velocity = [&](const lbm::WetCell& cell) { return run_.simulation.liquid_velocity(cell); };
+  const Flux now = liquid_flux(*run_.simulation.fluid(), velocity, solids ? &solids->particles() : nullptr,
+                               counter.frame, run_.scene.domain, run_.up, run_.datum);
   counter.volume += 0.5 * (now.volume + counter.now.volume) * interval;
   counter.liquid_energy += 0.5e-3 * (now.energy + counter.now.energy) * interval;
   counter.now = now;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cases/observers/fluid_samples.h"
 #include "cases/observers/observer.h"
 
 namespace lahar::cases {
@@ -29,9 +30,9 @@ struct Flux {
 /// Sums over points half a cell apart, a quarter of a cell off the plane on both sides. `up` is the unit vector against
 /// gravity, heights count from `datum` (m) along it. The velocity U of a cell is that of all that it holds: with the
 /// fill level F and the solid fraction eps, F U - eps v of liquid pass, v the velocity of the grains there (`grains`;
-/// none: null).
-Flux liquid_flux(const FluidView& fluid, const dem::Particles* grains, const SectionFrame& frame,
-                 const scene::Domain& domain, const Vec3& up, double datum);
+/// none: null). They carry the energy of `velocity`.
+Flux liquid_flux(const FluidView& fluid, const LiquidVelocity& velocity, const dem::Particles* grains,
+                 const SectionFrame& frame, const scene::Domain& domain, const Vec3& up, double datum);
 
 /// m^2 that the grains cut out of a section: discs of those whose centre is opposite the rectangle.
 double grain_area(const dem::Particles& particles, const SectionFrame& frame);

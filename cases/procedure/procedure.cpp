@@ -10,9 +10,26 @@
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/output_folder.h"
+#include "core/check.h"
 #include "core/parallel.h"
 
 namespace lahar::cases {
+
+namespace {
+
+/// What is known whatever the procedure.
+void complete(Summary& summary, const Workplace& place, double wall_seconds) {
+  summary.case_name = place.name;
+  summary.version = version();
+  summary.commit = commit();
+  summary.machine = machine_name();
+  summary.threads = place.threads;
+  summary.precision = "double";
+  summary.wall_seconds = wall_seconds;
+  summary.performance.peak_rss_bytes = peak_rss_bytes();
+}
+
+}  // namespace
 
 int run_in_folder(const Workplace& place, bool overwrite, const std::string& resolved,
                   const std::function<bool(Summary&)>& body) {
@@ -24,16 +41,18 @@ int run_in_folder(const Workplace& place, bool overwrite, const std::string& res
   watch_for_interrupt();
   const ThreadLimit limit(place.threads);
   Summary summary;
-  const bool finished = body(summary);
-  summary.case_name = place.name;
-  summary.version = version();
-  summary.commit = commit();
-  summary.machine = machine_name();
-  summary.threads = place.threads;
-  summary.precision = "double";
-  summary.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  summary.performance.peak_rss_bytes = peak_rss_bytes();
-  write_summary(place.out, summary);
+  const auto write = [&] {
+    complete(summary, place, std::chrono::duration<double>(Clock::now() - start).count());
+    write_summary(place.out, summary);
+  };
+  bool finished = false;
+  try {
+    finished = body(summary);
+  } catch (const NumericalFailure&) {
+    if (!summary.checks.empty()) write();
+    throw;
+  }
+  write();
   if (!place.quiet)
     fmt::print("{}{}results are in {}\n", results_table(summary), finished ? "" : "interrupted; ", place.out.string());
   return finished ? exit_done : exit_interrupted;

@@ -28,7 +28,7 @@ template <class Parameters>
 using Procedure = std::function<bool(const Parameters&, const Workplace&, Summary&)>;
 
 /// Prepares the folder, runs `body` with the given number of threads, completes and writes the summary and prints it.
-/// Returns the exit code.
+/// Returns the exit code. Where `body` throws NumericalFailure after its checks, the summary with these is written too.
 int run_in_folder(const Workplace& place, bool overwrite, const std::string& resolved,
                   const std::function<bool(Summary&)>& body);
 

@@ -17,10 +17,11 @@ inline constexpr double paper_transition = 0.140;
 /// Largest relative difference of two curves' forces at every hundredth of the stroke from the tenth on.
 [[nodiscard]] double largest_difference(const PullCurve& a, const PullCurve& b, double stroke);
 
-/// Charts ring_pull: force over displacement, and ring_pull_first_stage: its beginning enlarged.
+/// Charts ring_pull: force over displacement, with the paper's figure where it belongs to the ring, and
+/// ring_pull_first_stage: its beginning enlarged.
 void draw_ring_pull(const std::filesystem::path& folder, const PullCurve& curve, const RingPull& ring);
 
-/// Runs ring_pull into a folder.
+/// Runs ring_pull into a folder. Returns false if it was interrupted: then there is the curve until there, no more.
 bool run_ring_pull(const RingPull& ring, const std::filesystem::path& folder, bool quiet, Summary& summary);
 
 }  // namespace lahar::cases

@@ -92,12 +92,19 @@ double PullCurve::force_at(double d) const {
 
 double PullCurve::slope(double from, double to) const { return (force_at(to) - force_at(from)) / (to - from); }
 
+bool as_in_paper(const RingPull& ring) {
+  const RingPull paper;
+  RingPull as_paper = ring;
+  as_paper.stroke = paper.stroke, as_paper.samples = paper.samples, as_paper.safety = paper.safety;
+  return as_paper == paper;
+}
+
 void check(const RingPull& ring) {
   if (ring.beads % 2 != 0)
     throw InputError("ring.beads is odd, expected an even number: the pulled bead lies opposite the held one");
 }
 
-PullCurve pull_ring(const RingPull& unscaled) {
+PullCurve pull_ring(const RingPull& unscaled, const std::function<bool()>& go_on) {
   check(unscaled);
   const RingPull ring = unscaled.scaled();
   Ends ends{};
@@ -108,9 +115,10 @@ PullCurve pull_ring(const RingPull& unscaled) {
   PullCurve curve;
   curve.time_step = dt;
   double pulled = 0, time = 0;
-  for (std::int64_t k = 1; k <= ring.samples; ++k) {
+  dem::BondEnergy energy;  // none at rest
+  for (std::int64_t k = 1; k <= ring.samples && !curve.interrupted; ++k) {
     const double until = ring.stroke * static_cast<double>(k) / static_cast<double>(ring.samples), from = pulled;
-    double work = 0, anchor = 0;
+    double work = 0, anchor = 0, moment = 0;  // integrals over the way: of forces, of the time
     while (pulled < until) {
       const double speed = ring.speed * std::min(1.0, (time + 0.5 * dt) / start_up);
       solids.particles().velocity.set(ends.pulled, Vec3(speed, 0, 0));
@@ -118,17 +126,20 @@ PullCurve pull_ring(const RingPull& unscaled) {
       solids.step();
       work += 0.5 * (before - solids.particles().force.x[ends.pulled]) * speed * dt;
       anchor += solids.particles().force.x[ends.held] * speed * dt;
+      moment += (time + 0.5 * dt) * speed * dt;
       pulled += speed * dt;
       time += dt;
     }
-    const dem::BondEnergy& energy = solids.bond_energy();
+    const dem::BondEnergy former = std::exchange(energy, solids.bond_energy());
+    curve.time.push_back(moment / (pulled - from));
     curve.displacement.push_back(0.5 * (from + pulled));
     curve.force.push_back(work / (pulled - from));
     curve.anchor_force.push_back(anchor / (pulled - from));
-    curve.axial.push_back(energy.axial);
-    curve.shear.push_back(energy.shear);
-    curve.bending.push_back(energy.bending);
+    curve.axial.push_back(0.5 * (former.axial + energy.axial));
+    curve.shear.push_back(0.5 * (former.shear + energy.shear));
+    curve.bending.push_back(0.5 * (former.bending + energy.bending));
     curve.work += work;
+    curve.interrupted = !go_on();
   }
   curve.steps = solids.step_count();
   // The pulled bead's own motion is prescribed: its kinetic energy is no work of the ring.

@@ -1,6 +1,7 @@
 #pragma once
 // A ring pulled open between two beads (Li, Zhao & Kwan 2020, section 3.1, Fig. 4, after Volkwein 2004).
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace lahar::cases {
@@ -47,8 +48,13 @@ struct WireStiffness {
 /// Displacement at which the ring is straight without being longer, m.
 [[nodiscard]] double straight_displacement(const RingPull& ring);
 
+/// Whether what the paper reports of its ring can be asked of this one: the paper's parameters, but for the length and
+/// resolution of the curve.
+[[nodiscard]] bool as_in_paper(const RingPull& ring);
+
 /// What came out. Each point is the mean over its stretch of the stroke.
 struct PullCurve {
+  std::vector<double> time;                   ///< s, simulated
   std::vector<double> displacement, force;    ///< m, N: at the pulled bead
   std::vector<double> anchor_force;           ///< N, at the fixed bead
   std::vector<double> axial, shear, bending;  ///< J, in the bonds
@@ -56,6 +62,7 @@ struct PullCurve {
   std::int64_t steps = 0;
   double ledger_gap = 0;  ///< J: work of the pull less what was stored and dissipated
   double work = 0;        ///< J
+  bool interrupted = false;
 
   /// Interpolated, N.
   [[nodiscard]] double force_at(double displacement) const;
@@ -66,8 +73,9 @@ struct PullCurve {
 /// Throws InputError for what cannot be run.
 void check(const RingPull& ring);
 
-/// Pulls the ring. Deterministic.
-[[nodiscard]] PullCurve pull_ring(const RingPull& ring);
+/// Pulls the ring. Deterministic. `go_on` is asked after each sample; it returns false to stop.
+[[nodiscard]] PullCurve pull_ring(
+    const RingPull& ring, const std::function<bool()>& go_on = [] { return true; });
 
 /// Where the curve turns, m: the displacement at which the tangent has ten times its first stiffness, the one at which
 /// half of the stored energy is axial, and the one where the tangents of both ends cross.

@@ -15,10 +15,12 @@ namespace lahar::cases {
 /// What the paper reports of its own parameters (section 3.3).
 [[nodiscard]] std::vector<ResultCheck> rockfall_paper_checks(const RockfallResult& result);
 
-/// Charts rockfall_displacement and rockfall_energy, like the paper's Fig. 7.
+/// Charts rockfall_displacement and rockfall_energy, like the paper's Fig. 7; its figure only where it belongs to it.
 void draw_rockfall(const std::filesystem::path& folder, const RockfallResult& result);
 
-/// Runs rockfall into a folder. Returns false if it was interrupted.
+/// Runs rockfall into a folder. Returns false if it was interrupted; while the net settled there are no series, charts
+/// and figures of a strike. Throws NumericalFailure, with the checks in the summary, if wires passed through each
+/// other.
 bool run_rockfall_to(const Rockfall& rockfall, const std::filesystem::path& folder, bool quiet, Summary& summary);
 
 }  // namespace lahar::cases

@@ -99,6 +99,14 @@ void check_values(const Rockfall& r) {
 
 }  // namespace
 
+bool as_in_paper(const Rockfall& rockfall) {
+  const Rockfall paper;
+  Rockfall as_paper = rockfall;
+  as_paper.sample_interval = paper.sample_interval, as_paper.duration = paper.duration;
+  as_paper.time_step = paper.time_step;
+  return as_paper == paper;
+}
+
 double Rockfall::impact_speed() const { return std::sqrt(2 * kGravity * drop_height); }
 
 void check(const Rockfall& r) {
@@ -117,6 +125,8 @@ struct SettledNet::Parts {
   dem::Bonds bonds;
   barrier::Guides guides;
   double time_step = 0;
+  double settled_for = 0;  // s
+  std::int64_t steps = 0;  // in that time
   bool interrupted = false;
 
   [[nodiscard]] dem::Solids solids(const Rockfall& r) const {
@@ -126,6 +136,16 @@ struct SettledNet::Parts {
     if (r.capsules) options.wire_contacts = dem::WireContacts::capsules;
     options.watchdog.speed_limit = 20 * r.impact_speed();
     return {particles, bonds, materials_of(r), Walls{}, options};
+  }
+  /// What is known of a strike before it.
+  [[nodiscard]] RockfallResult before_strike(const Rockfall& r) const {
+    RockfallResult result;
+    result.as_in_paper = as_in_paper(r);
+    result.beads = static_cast<std::int64_t>(particles.size());
+    result.rings = static_cast<std::int64_t>(net.rings.size());
+    result.steps = steps, result.simulated = settled_for, result.time_step = time_step;
+    result.interrupted = interrupted;
+    return result;
   }
 };
 
@@ -157,6 +177,7 @@ SettledNet::SettledNet(const Rockfall& r, const std::function<bool(double)>& pro
   }
   p.particles = solids.particles();
   p.bonds = solids.bonds();
+  p.settled_for = solids.time(), p.steps = solids.step_count();
 }
 
 namespace {
@@ -282,6 +303,7 @@ void conclude(const Rockfall& r, RockfallResult& result) {
 
 RockfallResult SettledNet::strike(const Rockfall& r, const std::function<bool(double)>& progress) const {
   const Parts& p = *parts_;
+  if (p.interrupted) return p.before_strike(r);
   dem::Solids solids = p.solids(r);
   barrier::Guides guides = p.guides;
   if (r.tied) {
@@ -308,9 +330,9 @@ RockfallResult SettledNet::strike(const Rockfall& r, const std::function<bool(do
   solids.advance(0);
   // Springs of the guides are no part of the solids' ledger: their work is external.
   Strike strike(r, p.net, solids, ball);
+  strike.result = p.before_strike(r);
   strike.result.settled_sag = -lowest;
   strike.result.settled_speed = std::sqrt(squares / static_cast<double>(p.particles.size()));
-  strike.result.interrupted = p.interrupted;
   strike.sample(0, height - radius);
   for (std::int64_t k = 1; solids.time() < r.duration && !strike.result.interrupted; ++k) {
     while (solids.time() < static_cast<double>(k) * r.sample_interval) {
@@ -321,10 +343,7 @@ RockfallResult SettledNet::strike(const Rockfall& r, const std::function<bool(do
     strike.result.interrupted = !progress(solids.time());
   }
   RockfallResult& result = strike.result;
-  result.beads = static_cast<std::int64_t>(p.particles.size());
-  result.rings = static_cast<std::int64_t>(p.net.rings.size());
-  result.steps = solids.step_count();
-  result.time_step = p.time_step;
+  result.steps += solids.step_count(), result.simulated += solids.time();
   result.lost_links =
       barrier::first_difference(p.topology, barrier::find_topology(p.net, solids.particles(), solids.bonds()));
   conclude(r, result);

@@ -47,6 +47,10 @@ struct Rockfall {
   [[nodiscard]] double impact_speed() const;  ///< m/s
 };
 
+/// Whether what the paper reports can be asked of this rockfall: the paper's parameters, but for the length and
+/// resolution of the series.
+[[nodiscard]] bool as_in_paper(const Rockfall& rockfall);
+
 /// Throws InputError for what cannot be run, such as a net that cannot be built.
 void check(const Rockfall& rockfall);
 
@@ -65,7 +69,8 @@ struct RockfallSeries {
 };
 
 struct RockfallResult {
-  RockfallSeries series;
+  RockfallSeries series;                       ///< empty where the ball did not come: stopped while the net settled
+  bool as_in_paper = false;                    ///< so that it can be held against the paper
   double settled_sag = 0;                      ///< m, of the net's lowest bead when the ball comes
   double settled_speed = 0;                    ///< m/s, root of the mean square of all beads then
   double lowest_time = 0;                      ///< s, of the ball's lowest point
@@ -84,8 +89,10 @@ struct RockfallResult {
   double largest_gap = 0;                      ///< share of the ball's kinetic energy at time zero
   std::string lost_links;                      ///< what passed through what, in words; empty if nothing did
   double worst_overlap = 0;                    ///< of the smaller radius
-  std::int64_t beads = 0, rings = 0, steps = 0;
-  double time_step = 0;  ///< s
+  std::int64_t beads = 0, rings = 0;
+  std::int64_t steps = 0;  ///< settling included
+  double simulated = 0;    ///< s, likewise
+  double time_step = 0;    ///< s
   bool interrupted = false;
 };
 

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cases/files/text_file.h"
 #include "cases/scene/writer.h"
 #include "core/check.h"
 
@@ -33,14 +34,23 @@ void refuse_file(const fs::path& folder, const std::string& option = "--out") {
     refuse(folder, "is a file, expected a folder or a new name", option);
 }
 
+/// A chart of a run or of a procedure, of which each is written in three forms.
+bool is_chart(const fs::path& name) {
+  static constexpr std::array<std::string_view, 6> charts{"cable_forces",    "energy_dissipator",
+                                                          "ring_pull",       "ring_pull_first_stage",
+                                                          "rockfall_energy", "rockfall_displacement"};
+  const fs::path ending = name.extension();
+  return (ending == ".png" || ending == ".svg" || ending == ".pdf") &&
+         std::find(charts.begin(), charts.end(), name.stem().string()) != charts.end();
+}
+
 /// Names of section 1 of the contract with the user, and images.
 bool written_by_run(const std::string& name) {
-  static constexpr std::array<std::string_view, 15> names{
-      "summary.json",      "scene.resolved.toml", "series.h5",         "series.h5.open",
-      "series.damaged.h5", "particles.h5",        "particles.h5.open", "particles.damaged.h5",
-      "particles.xmf",     "bonds.xmf",           "checkpoint.h5",     "run.log",
-      "cable_forces.png",  "cable_forces.svg",    "cable_forces.pdf"};
-  if (std::find(names.begin(), names.end(), name) != names.end()) return true;
+  static constexpr std::array<std::string_view, 12> names{"summary.json",      "scene.resolved.toml",  "series.h5",
+                                                          "series.h5.open",    "series.damaged.h5",    "particles.h5",
+                                                          "particles.h5.open", "particles.damaged.h5", "particles.xmf",
+                                                          "bonds.xmf",         "checkpoint.h5",        "run.log"};
+  if (std::find(names.begin(), names.end(), name) != names.end() || is_chart(name)) return true;
   return number_of_file(name, "fluid_", ".vdb") || number_of_file(name, "image_", ".png") ||
          number_of_file(name, "forces_", ".png");
 }
@@ -82,6 +92,20 @@ void require_writable(const fs::path& file, const std::string& option) {
   const std::string why = std::strerror(errno);
   if (!opens) refuse(file, "cannot be created (" + why + "), expected a file in a folder that is there", option);
   fs::remove(trial, error);
+}
+
+void require_record(const fs::path& file, const std::string& option, const std::string& program,
+                    const std::function<bool(const std::string&)>& is_record) {
+  require_writable(file, option);
+  std::error_code error;
+  if (!fs::exists(file, error) || fs::is_empty(file, error)) return;
+  if (!is_record(read_text_file(file)))
+    refuse(file, "is there and was not written by " + program + ", expected a new file or a former record", option);
+}
+
+void require_run_or_nothing(const fs::path& place, const std::string& option) {
+  if (!fs::exists(place) || (fs::is_directory(place) && (fs::is_empty(place) || holds_run(place)))) return;
+  refuse(place, "is there and holds no run, expected a run or nothing: another folder", option);
 }
 
 std::optional<std::int64_t> number_of_file(std::string_view name, std::string_view stem, std::string_view ending) {

@@ -3,6 +3,7 @@
 // touched, and a place that nothing can be written to is refused before hours of work.
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,15 @@ void create_folder(const std::filesystem::path& folder, const std::string& optio
 
 /// Throws InputError unless the file that a command-line option names can be written. What stands there stays as it is.
 void require_writable(const std::filesystem::path& file, const std::string& option);
+
+/// The same for a record that a program keeps in one file. One that stands there is replaced only if it is empty or
+/// `is_record` knows its text as one of the program's. Throws InputError otherwise.
+void require_record(const std::filesystem::path& file, const std::string& option, const std::string& program,
+                    const std::function<bool(const std::string&)>& is_record);
+
+/// Throws InputError if something stands there, below the folder that an option names, that a program must not remove:
+/// anything but a run or an empty folder.
+void require_run_or_nothing(const std::filesystem::path& place, const std::string& option = "--out");
 
 /// The number in the name of a file that runs write many of: STEM, six digits or more, ENDING; nothing for other names.
 std::optional<std::int64_t> number_of_file(std::string_view name, std::string_view stem, std::string_view ending);

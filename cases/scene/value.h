@@ -72,6 +72,7 @@ std::string expected_text(const T& value, const Rule& rule) {
   if (bounded && rule.min_count == rule.max_count) text += ", " + std::to_string(rule.min_count) + " of them";
   if (bounded && rule.min_count != rule.max_count)
     text += ", " + std::to_string(rule.min_count) + " to " + std::to_string(rule.max_count) + " of them";
+  if (!bounded && rule.min_count > 0) text += ", at least " + std::to_string(rule.min_count) + " of them";
   return text;
 }
 

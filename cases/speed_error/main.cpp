@@ -68,7 +68,7 @@ int run(const Arguments& a) {
   }
   if (!a.common.quiet) fmt::print("report: {}\n", (folder / "report.html").string());
   fmt::print(stderr, "{}", refusals);
-  if (results.size() < problems.size()) return cases::exit_interrupted;
+  if (cases::interrupted()) return cases::exit_interrupted;
   return refusals.empty() ? cases::exit_done : 1;
 }
 

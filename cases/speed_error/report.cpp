@@ -10,6 +10,7 @@
 #include "cases/files/text_file.h"
 #include "cases/pictures/chart.h"
 #include "cases/speed_error/pareto.h"
+#include "cases/validate/entry.h"
 #include "cases/validate/fluid/flows.h"
 #include "core/check.h"
 
@@ -96,10 +97,6 @@ std::string Sitting::line() const {
 
 namespace {
 
-std::string quoted(const std::string& text) {
-  return text.find(',') == std::string::npos ? text : fmt::format("\"{}\"", text);
-}
-
 /// Error against time of all trials, those on the front joined.
 cases::Chart chart_of(const ProblemResult& result) {
   using namespace cases;
@@ -139,6 +136,15 @@ std::string table_of(const ProblemResult& result) {
   return html + "</table>\n";
 }
 
+/// Those of a former sitting's other problems: their rows are gone too.
+void remove_other_charts(const std::vector<ProblemResult>& results, const std::filesystem::path& folder) {
+  for (const Problem& p : all_problems(false)) {
+    const auto is_its = [&](const ProblemResult& r) { return r.problem.name == p.name; };
+    if (std::any_of(results.begin(), results.end(), is_its)) continue;
+    for (const char* ending : {".png", ".svg", ".pdf"}) std::filesystem::remove(folder / (p.name + ending));
+  }
+}
+
 }  // namespace
 
 std::string results_csv(const std::vector<ProblemResult>& results, const Sitting& sitting) {
@@ -148,9 +154,9 @@ std::string results_csv(const std::vector<ProblemResult>& results, const Sitting
     const std::vector<std::size_t> front = pareto_front(all);
     for (std::size_t k = 0; k < all.size(); ++k) {
       const TrialResult& t = result.trials[k];
-      text += fmt::format("{},{},{:.6g},{:.4g},{:.4g},{:.3g},{},{}\n", result.problem.name, quoted(t.name),
+      text += fmt::format("{},{},{:.6g},{:.4g},{:.4g},{:.3g},{},{}\n", result.problem.name, csv_field(t.name),
                           t.found.error, t.found.seconds, t.found.seconds / result.work, beaten_by(all, k),
-                          std::find(front.begin(), front.end(), k) != front.end(), quoted(t.failure));
+                          std::find(front.begin(), front.end(), k) != front.end(), csv_field(t.failure));
     }
   }
   return text;
@@ -159,6 +165,7 @@ std::string results_csv(const std::vector<ProblemResult>& results, const Sitting
 void write_results(const std::vector<ProblemResult>& results, const Sitting& sitting,
                    const std::filesystem::path& folder) {
   cases::replace_text_file(folder / kSpeedErrorTable, results_csv(results, sitting));
+  remove_other_charts(results, folder);
   std::string html =
       "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>Speed against error</title><style>"
       "body{font:16px/1.5 sans-serif;max-width:60em;margin:2em auto;padding:0 1em}"

@@ -54,8 +54,8 @@ inline constexpr const char* kSpeedErrorColumns = "problem,trial,error,seconds,t
 /// The sitting, the columns, a row for each trial.
 std::string results_csv(const std::vector<ProblemResult>& results, const Sitting& sitting);
 
-/// Writes the table, NAME.png, .svg and .pdf of each problem, and report.html, which holds the charts. Throws
-/// FileError.
+/// Writes the table, NAME.png, .svg and .pdf of each problem, and report.html, which holds the charts; removes those of
+/// other problems. Throws FileError.
 void write_results(const std::vector<ProblemResult>& results, const Sitting& sitting,
                    const std::filesystem::path& folder);
 

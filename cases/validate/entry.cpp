@@ -61,6 +61,8 @@ nlohmann::json number(double x) { return std::isfinite(x) ? nlohmann::json(x) : 
 
 }  // namespace
 
+const char* name_of(Precision precision) { return precision == Precision::float32 ? "float" : "double"; }
+
 std::vector<Entry> select_entries(const std::vector<Entry>& entries, const std::vector<std::string>& names) {
   const auto asks_for = [](const std::string& name, const Entry& e) {
     return name == e.name || name == e.alias || name == group_of(e.name) || name == group_of(e.alias);
@@ -98,6 +100,13 @@ std::string outcome_text(const Outcome& o) {
   return text;
 }
 
+std::string csv_field(std::string text) {
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at)) text.replace(at, 1, "; ");
+  if (text.find_first_of(",\"") == std::string::npos) return text;
+  for (std::size_t at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2)) text.insert(at, 1, '"');
+  return "\"" + text + "\"";
+}
+
 std::string outcomes_json(const std::vector<Outcome>& outcomes, const Context& context) {
   nlohmann::json entries = nlohmann::json::array();
   for (const Outcome& o : outcomes) {
@@ -117,6 +126,7 @@ std::string outcomes_json(const std::vector<Outcome>& outcomes, const Context& c
   }
   return nlohmann::json({{"machine", cases::machine_name()},
                          {"commit", cases::commit()},
+                         {"precision", name_of(context.precision)},
                          {"quick", context.quick},
                          {"entries", entries}})
              .dump(2) +

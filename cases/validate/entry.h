@@ -26,6 +26,8 @@ Row at_least_row(std::string label, double value, double bar);
 Row at_most_row(std::string label, double value, double bar);
 
 enum class Precision { float32, float64 };
+/// As on the command line: float, double.
+const char* name_of(Precision precision);
 
 struct Context {
   Precision precision = Precision::float64;  ///< of entries that do not compare both
@@ -76,7 +78,10 @@ Outcome run_entry(const Entry& entry, const Context& context);
 
 /// Table for the terminal.
 std::string outcome_text(const Outcome& outcome);
-/// {"machine", "commit", "quick", "entries": [...]}; numbers that are not finite become null.
+/// A field of a table of results (CSV), in double quotes where it needs them. A row stays one line: line ends become
+/// "; ".
+std::string csv_field(std::string text);
+/// {"machine", "commit", "precision", "quick", "entries": [...]}; numbers that are not finite become null.
 std::string outcomes_json(const std::vector<Outcome>& outcomes, const Context& context);
 /// Whether a text is what outcomes_json writes.
 bool is_outcomes_json(const std::string& text);

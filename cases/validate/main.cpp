@@ -1,11 +1,9 @@
 // validate: runs the ladder of questions with known answers. Exit code 1 if one falls short.
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <thread>
 
 #include "cases/files/output_file.h"
-#include "cases/files/text_file.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
@@ -28,16 +26,6 @@ struct Arguments {
   throw InputError(std::vector<InputMistake>{{"command line", 1, 1, why}});
 }
 
-/// A file that is there is replaced only if it is empty or a former record of validate.
-void check_record(const std::string& file) {
-  cases::require_writable(file, "--json");
-  if (!std::filesystem::exists(file)) return;
-  const std::string text = cases::read_text_file(file);
-  if (!text.empty() && !is_outcomes_json(text))
-    throw InputError(std::vector<InputMistake>{
-        {"--json " + file, 1, 1, "is there and was not written by validate, expected a new file or a former record"}});
-}
-
 Context context_of(const Arguments& a) {
   if (!a.common.set.empty())
     refuse("--set " + a.common.set.front() +
@@ -49,7 +37,7 @@ Context context_of(const Arguments& a) {
     context.plots = a.common.out;
     cases::create_folder(context.plots);
   }
-  if (!a.json.empty()) check_record(a.json);
+  if (!a.json.empty()) cases::require_record(a.json, "--json", "validate", is_outcomes_json);
   return context;
 }
 
@@ -80,7 +68,7 @@ int run(const Arguments& a) {
   std::size_t reached = 0;
   for (const Outcome& o : outcomes) reached += o.pass();
   if (!a.common.quiet) fmt::print("{} of {} entries reach their bars\n", reached, outcomes.size());
-  if (outcomes.size() < entries.size()) return cases::exit_interrupted;
+  if (cases::interrupted()) return cases::exit_interrupted;
   return reached == outcomes.size() ? cases::exit_done : 1;
 }
 

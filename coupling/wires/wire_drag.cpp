@@ -74,12 +74,29 @@ WireDrag<Real>::WireDrag(const dem::Particles& particles, const dem::Bonds& bond
     beads_.push_back({.id = id, .before = id, .after = id, .length = 0.0});
   }
   for (std::size_t k = 0; k < bonds.size(); ++k) {
-    if (!is_wire(particles, bonds, k)) continue;
-    wire_bonds_.push_back(static_cast<std::uint32_t>(k));
+    if (is_wire(particles, bonds, k)) wire_bonds_.push_back(static_cast<std::uint32_t>(k));
+  }
+  join_neighbours(bonds);
+  leave_out(bonds, {});
+}
+
+template <class Real>
+void WireDrag<Real>::join_neighbours(const dem::Bonds& bonds) {
+  for (Bead& bead : beads_) bead.before = bead.after = bead.id;
+  whole_ = 0;
+  for (const std::uint32_t k : wire_bonds_) {
+    if (!bonds.intact[k]) continue;
     beads_[static_cast<std::size_t>(place_[bonds.id_i[k]])].after = bonds.id_j[k];
     beads_[static_cast<std::size_t>(place_[bonds.id_j[k]])].before = bonds.id_i[k];
+    ++whole_;
   }
-  leave_out(bonds, {});
+}
+
+template <class Real>
+void WireDrag<Real>::follow_breakage(const dem::Bonds& bonds) {
+  const auto whole =
+      std::count_if(wire_bonds_.begin(), wire_bonds_.end(), [&](std::uint32_t k) { return bonds.intact[k] != 0; });
+  if (static_cast<std::size_t>(whole) != whole_) join_neighbours(bonds);
 }
 
 template <class Real>

@@ -26,6 +26,9 @@ class WireDrag {
   /// broken.
   void leave_out(const dem::Bonds& bonds, const std::vector<std::uint8_t>& is_mapped);
 
+  /// Looks for bonds that have broken: a loose end has no neighbour.
+  void follow_breakage(const dem::Bonds& bonds);
+
   /// Before the fluid step, after bodies are mapped: drag and buoyancy on every wet bead (added to its external force,
   /// SI) and the opposite impulses into the cells.
   ExchangedMomentum apply(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields,
@@ -59,6 +62,7 @@ class WireDrag {
     Vec3 given = Vec3::Zero();     ///< momentum given to the cells, lu
   };
 
+  void join_neighbours(const dem::Bonds& bonds);
   [[nodiscard]] const Bead& bead_at(dem::ParticleId id) const { return beads_[static_cast<std::size_t>(place_[id])]; }
   static Vec3 tangent_of(const dem::Particles& particles, const Bead& bead);
   void look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
@@ -79,6 +83,7 @@ class WireDrag {
   PairsByBlock by_block_;
   std::vector<std::int32_t> place_;        // by id: index into beads_, -1 for grains
   std::vector<std::uint32_t> wire_bonds_;  // that are pieces of a wire
+  std::size_t whole_ = 0;                  // of them, when the neighbours were looked for
   std::size_t wet_beads_ = 0;
   std::int64_t since_look_ = 0;  // fluid steps since neighbours were last looked at
 };

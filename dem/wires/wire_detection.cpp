@@ -107,11 +107,12 @@ void WireDetection::list_candidates(const Particles& p, const WireChains& chains
     const auto add = [&](ParticleIndex segment, ParticleIndex partner, bool run) {
       candidates_.push_back(candidate(p.id(segment), p.id(partner), run));
     };
-    if (wire_i && (!wire_j || chains.is_end(j))) add(i, j, false);
-    if (wire_j && (!wire_i || chains.is_end(i))) add(j, i, false);
-    if (!wire_i || !wire_j) return;
     const auto rank = [&](ParticleIndex k) { return std::tuple(!chains.closed(k), p.body[k], p.id(k)); };
-    rank(i) < rank(j) ? add(i, j, true) : add(j, i, true);
+    const bool i_gives = wire_i && (!wire_j || rank(i) < rank(j));
+    // A run is round at its ends, a segment needs the sphere of the bead that it ends at.
+    if (wire_i && (!wire_j || (chains.is_end(j) && !i_gives))) add(i, j, false);
+    if (wire_j && (!wire_i || (chains.is_end(i) && i_gives))) add(j, i, false);
+    if (wire_i && wire_j) i_gives ? add(i, j, true) : add(j, i, true);
   };
   for (ParticleIndex i = 0; i < p.size(); ++i)
     for (std::uint32_t k = neighbours_.offset()[i]; k < neighbours_.offset()[i + 1]; ++k)

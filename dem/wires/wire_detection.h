@@ -24,7 +24,8 @@ struct WireSlot {
 };
 
 /// Slots in the order of their segments' ids, spheres before runs. Spheres are particles that belong to no wire, and
-/// the ends of open wires, which so have caps for other wires. Particles that at most two bonds join never touch.
+/// the ends of open wires that give segments, which so have caps for the others; runs have caps of their own. Particles
+/// that at most two bonds join never touch.
 class WireDetection {
  public:
   explicit WireDetection(NeighbourOptions options = {}) : options_(options), neighbours_(options) {}

@@ -12,18 +12,12 @@ namespace lahar::lbm {
 
 namespace {
 
-/// Whether a wall cell pays for what walls add.
-template <class Real>
-bool takes_back(const Block<Real>& block, const WallCell& wall, WallPlacement placement) {
-  return block.type[wall.cell] == CellType::liquid && moves_mass(wall, placement);
-}
-
-/// Adds to the rest populations of a block's liquid cells at such walls; returns what arrived there.
-template <class Real>
-double give(Block<Real>& block, WallPlacement placement, Real share) {
+/// Adds to the rest populations of those liquid cells at a block's walls that `pays` chooses; returns what arrived.
+template <class Real, class Pays>
+double give(Block<Real>& block, Real share, const Pays& pays) {
   double arrived = 0;
   for (const WallCell& wall : block.walls.cells) {
-    if (!takes_back(block, wall, placement)) continue;
+    if (block.type[wall.cell] != CellType::liquid || !pays(wall)) continue;
     Real& rest = block.f(0)[wall.cell];
     const Real before = rest;
     rest += share;
@@ -68,23 +62,36 @@ double gain_through_steps(FluidGrid<Real>& grid, CellPlace place, const WallCell
   return gain;
 }
 
-/// The same of a block's interface cells that have liquid around: a lone drop would be lost in the steps.
-template <class Real>
-double gain_of_block(FluidGrid<Real>& grid, BlockIndex b, Parity parity) {
+/// Visits the interface cells of a block that are on steps: visit(place, wall cell, mass).
+template <class Real, class Visit>
+void for_cells_on_steps(FluidGrid<Real>& grid, BlockIndex b, const Visit& visit) {
   Block<Real>& block = grid.block(b);
-  if (!block.surface) return 0;
-  double gained = 0;
+  if (!block.surface) return;
   for (const std::uint16_t entry : block.walls.others) {
     const WallCell& wall = block.walls.cells[entry];
     const CellPlace place{b, wall.cell};
-    if (block.type[wall.cell] != CellType::interface || !slips_along_steps(wall)) continue;
-    if (!has_liquid_around(grid, place)) continue;
-    Real& mass = block.surface->mass[wall.cell];
-    const Real before = mass;
-    mass += static_cast<Real>(gain_through_steps(grid, place, wall, parity));
-    gained += static_cast<double>(mass) - static_cast<double>(before);
+    if (block.type[wall.cell] == CellType::interface && slips_along_steps(wall))
+      visit(place, wall, block.surface->mass[wall.cell]);
   }
-  return gained;
+}
+
+/// Of the wet cells at steps along which the liquid slips.
+struct AtSteps {
+  double gained = 0;  ///< mass that interface cells got over the steps, lu
+  double levels = 0;  ///< sum of the fill levels
+
+  AtSteps& operator+=(const AtSteps& more) {
+    gained += more.gained, levels += more.levels;
+    return *this;
+  }
+};
+
+/// Adds to `mass`; returns what arrived.
+template <class Real>
+double add(double more, Real& mass) {
+  const Real before = mass;
+  mass += static_cast<Real>(more);
+  return static_cast<double>(mass) - static_cast<double>(before);
 }
 
 }  // namespace
@@ -101,16 +108,32 @@ template <class Real>
 void exchange_through_steps(FluidGrid<Real>& grid, Parity parity, WallAccount& account) {
   const auto& walls = grid.domain().walls().all();
   if (std::none_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip != WallSlip::no_slip; })) return;
-  const int payers = sum_over_blocks<int>(grid, [&](BlockIndex b) {
+  const AtSteps all = sum_over_blocks<AtSteps>(grid, [&](BlockIndex b) {
     const Block<Real>& block = grid.block(b);
-    return static_cast<int>(std::any_of(block.walls.others.begin(), block.walls.others.end(), [&](std::uint16_t entry) {
-      return takes_back(block, block.walls.cells[entry], grid.domain().placement());
-    }));
+    AtSteps sum;
+    sum.levels = static_cast<double>(
+        std::count_if(block.walls.others.begin(), block.walls.others.end(), [&](std::uint16_t entry) {
+          const WallCell& wall = block.walls.cells[entry];
+          return block.type[wall.cell] == CellType::liquid && slips_along_steps(wall);
+        }));
+    for_cells_on_steps(grid, b, [&](CellPlace place, const WallCell& wall, Real& mass) {
+      sum.levels += fill_level(grid, place);
+      if (has_liquid_around(grid, place))  // a lone drop would be lost in the steps
+        sum.gained += add(gain_through_steps(grid, place, wall, parity), mass);
+    });
+    return sum;
   });
-  if (payers == 0) return;
-  const double gained = sum_over_blocks<double>(grid, [&](BlockIndex b) { return gain_of_block(grid, b, parity); });
-  account.owed += gained;
-  account.returned += std::abs(gained);
+  account.owed += all.gained;
+  account.returned += std::abs(all.gained);
+  if (all.levels == 0) return;
+  const double share = -account.owed / all.levels;
+  account.owed += sum_over_blocks<double>(grid, [&](BlockIndex b) {
+    double sum = give(grid.block(b), static_cast<Real>(share), slips_along_steps);
+    for_cells_on_steps(grid, b, [&](CellPlace place, const WallCell&, Real& mass) {
+      sum += add(share * fill_level(grid, place), mass);
+    });
+    return sum;
+  });
 }
 
 template void exchange_through_steps<float>(FluidGrid<float>&, Parity, WallAccount&);
@@ -128,7 +151,8 @@ void balance_walls(FluidGrid<Real>& grid, WallAccount& account) {
   const auto& owned = grid.owned();
   parallel_for(0, owned.size(), 16, [&](std::size_t k) {
     Block<Real>& block = grid.block(owned[k]);
-    block.walls.gained = block.walls.takers > 0 ? give(block, grid.domain().placement(), share) : 0;
+    const auto pays = [&](const WallCell& wall) { return moves_mass(wall, grid.domain().placement()); };
+    block.walls.gained = block.walls.takers > 0 ? give(block, share, pays) : 0;
   });
   account.owed += sum([&](BlockIndex b) { return grid.block(b).walls.gained; });
 }

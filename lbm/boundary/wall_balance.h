@@ -30,7 +30,7 @@ inline bool moves_mass(const WallCell& wall, WallPlacement placement) {
 bool some_wall_moves_mass(const Domain& domain);
 
 struct WallAccount {
-  double owed = 0;      ///< gained by cells and not yet taken back (rounding), lu
+  double owed = 0;      ///< gained by cells and not yet taken back: rounding, but where no wet cell is left to pay, lu
   double returned = 0;  ///< sum of |what was given back or taken| so far, lu
 
   void transfer(Archive& archive) {
@@ -39,8 +39,9 @@ struct WallAccount {
   }
 };
 
-/// Before a step: mass of interface cells over their links into walls in steps along which the liquid slips. It is
-/// booked with that of the liquid cells; none, where there are no such liquid cells that could give it back.
+/// Before a step: mass of interface cells over their links into walls in steps along which the liquid slips. All wet
+/// cells at such walls give back the sum, and what was owed before, in parts by their fill level. (Liquid cells alone
+/// would pay for a whole film where few of them are left.)
 template <class Real>
 void exchange_through_steps(FluidGrid<Real>& grid, Parity parity, WallAccount& account);
 

@@ -195,6 +195,8 @@ void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
   Block<Real>& block = grid.block(b);
   block.walls.gained = 0, block.walls.takers = 0;
   block.walls.gains.resize(block.walls.cells.size(), 0);
+  const auto getters = static_cast<int>(
+      std::count_if(block.walls.gains.begin(), block.walls.gains.end(), [](double gain) { return gain != 0; }));
   reflect_rows(grid, b, parity, physics.equilibrium_order);
   for (const std::uint16_t entry : block.walls.others) {
     const WallCell& wall = block.walls.cells[entry];
@@ -207,6 +209,7 @@ void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
     else
       bounce_off(grid, place, links, wall, parity, physics);
   }
+  block.walls.takers = std::max(block.walls.takers, getters);  // who is left does not pay for who was converted
   if (block.surface && physics.newtonian && physics.viscosity < kBounceBackViscosity)
     brake_surface_cells(grid, b, parity, physics);
   if (loads) add_loads(grid, b, parity, *loads);

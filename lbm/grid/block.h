@@ -117,7 +117,7 @@ struct WallLinks {
   std::vector<WallHit> hits;             ///< one per direction, or empty
   std::vector<double> gains;  ///< per cell: mass that its links will add in the coming sweep, lu (wall_balance.h)
   double gained = 0;          ///< sum of what liquid cells got in the last sweep, lu
-  int takers = 0;             ///< entries of liquid cells whose links may add mass
+  int takers = 0;  ///< entries of liquid cells whose links may add mass, or of those that got some: whichever are more
   void clear() {
     cells.clear(), others.clear(), rows.clear(), directions.clear(), hits.clear(), gains.clear();
     gained = 0, takers = 0;

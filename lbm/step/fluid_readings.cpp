@@ -28,7 +28,7 @@ double Fluid<Real>::liquid_mass() const {
     }
     return sum;
   });
-  return (cells + account_.pool - account_.released) * level_.units.mass();
+  return (cells + account_.pool - account_.released - account_.walls.owed) * level_.units.mass();
 }
 
 template <class Real>

@@ -56,6 +56,9 @@ TEST(Spans, HasItsParts) {
   EXPECT_EQ(b.net.ties.size(), 2u * (4 + 6) + 3);
   EXPECT_EQ(b.net.fixed_beads.size(), 3u * 3 + 3);  // joints and anchors
   EXPECT_TRUE(std::ranges::is_sorted(b.net.fixed_beads));
+  SpansSpec twice = two_spans();  // the same place
+  twice.net.left.support.fixed_at = twice.net.right.support.fixed_at = {0, 0.5, 0.5, 1};
+  EXPECT_EQ(Built(twice).net.ties.size(), b.net.ties.size());
   EXPECT_EQ(b.net.first_bead + b.net.beads, b.particles.size());
   EXPECT_EQ(b.net.dissipators.size(), 2u * 8 + 3);
   const double apart = b.particles.position.y[b.net.posts[1].head()] - b.particles.position.y[b.net.posts[0].head()];

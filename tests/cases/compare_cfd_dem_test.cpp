@@ -1,8 +1,10 @@
 // The study of the paper's flows: which runs, what is done and what goes on, the table and the page.
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -401,6 +403,63 @@ TEST(Report, OpensInABrowser) {
   EXPECT_NE(dom.find("tables 2 drawings " + std::to_string(drawings) + " flat 0 pictures 4 broken 0 asked 0<"),
             std::string::npos)
       << dom;
+}
+
+/// Exit code of the executable, whose messages go into a file.
+int run_study(const std::string& arguments, const std::filesystem::path& messages) {
+  const int status = std::system(
+      ("'" LAHAR_STUDIES "/compare_cfd_dem' " + arguments + " > /dev/null 2> '" + messages.string() + "'").c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+TEST(StudyFolder, ForeignFilesAreNeverTouched) {
+  const cases::TestFolder folder;
+  std::filesystem::create_directory(folder / "thesis");
+  for (const char* name : {"report.html", "comparison.csv", "matched-L4.10-notes.json"})
+    std::ofstream(folder / "thesis" / name) << "years of work";
+  const std::string thesis = "'" + (folder / "thesis").string() + "'", own = "'" + (folder / "own").string() + "'";
+  EXPECT_EQ(run_study("--report --out " + thesis, folder / "messages"), 2);
+  EXPECT_NE(content_of(folder / "messages").find("--out " + (folder / "thesis").string() + ":1:1: is not empty"),
+            std::string::npos);
+  EXPECT_EQ(run_study("--report --out " + own + " --records " + thesis, folder / "messages"), 2);
+  EXPECT_NE(content_of(folder / "messages").find("--records "), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "own"));
+  for (const char* name : {"report.html", "comparison.csv", "matched-L4.10-notes.json"})
+    EXPECT_EQ(content_of(folder / "thesis" / name), "years of work");
+}
+
+TEST(StudyFolder, MayHoldCasesRecordsOrTheTable) {
+  const cases::TestFolder folder;
+  const std::string name = made_up(4.1, 50, 10).study_case.name();
+  for (const char* kind : {"new", "empty", "cases", "logs", "records", "table"})
+    if (kind != std::string("new")) std::filesystem::create_directory(folder / kind);
+  std::filesystem::create_directory(folder / "cases" / name);
+  std::ofstream(folder / "cases" / "notes.txt") << "mine";
+  std::ofstream(folder / "logs" / (name + ".log")) << "killed";
+  std::ofstream(folder / "records" / (name + ".json")) << "{}";
+  std::ofstream(folder / "table" / kComparisonTable) << comparison_csv({});
+  for (const char* kind : {"new", "empty", "cases", "logs", "records", "table"})
+    EXPECT_NO_THROW(require_study_folder(folder / kind, "--out")) << kind;
+}
+
+/// Before anything is begun or listed, with the message of the scene.
+TEST(StudyCases, RefuseChangesThatNoSceneTakes) {
+  const cases::TestFolder folder;
+  const std::string arguments = "--set foo.bar=5 --release 4.1 --out '" + (folder / "out").string() + "'";
+  for (const char* option : {"", " --list", " --report"}) {
+    EXPECT_EQ(run_study(arguments + option, folder / "messages"), 2) << option;
+    EXPECT_NE(content_of(folder / "messages").find("foo"), std::string::npos) << option;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out")) << option;
+  }
+  Selection selection{.sweeps = {"matched"}, .couplings = {"resolved"}, .releases = {4.1}};
+  selection.further = {"run.duration_s=1"};
+  EXPECT_NO_THROW(check_changes(cases_of(selection)));
 }
 
 /// A study that is stopped leaves checkpoints and goes on; what is done is not run again; another scene is refused.

@@ -103,12 +103,16 @@ TEST(HardCases, PassWhereAllRowsOfAllEntriesDo) {
 
 TEST(HardCases, WriteARowForEachFigure) {
   HardCaseResult result{{"H1", "water, oil", "none lost", {"a.b"}},
-                        {outcome("a.b", {at_most_row("drift", 1e-7, 1e-6), relative_row("front", 1.2, 1, 0.1)})}};
+                        {outcome("a.b", {at_most_row("drift", 1e-7, 1e-6), relative_row("front", 1.2, 1, 0.1),
+                                         at_most_row("the \"wet\" part, m", 1, 2)})}};
   result.outcomes[0].failure = "not a number";
   const std::string csv = results_csv({result}, {.quick = true, .plots = {}}, "2020-02-29");
   const ReferenceTable table = ReferenceTable::parse(csv, "hard_cases.csv");
-  EXPECT_NE(table.provenance().at(0).find("2020-02-29, quick form"), std::string::npos);
-  EXPECT_EQ(table.size(), 3u);
+  EXPECT_NE(table.provenance().at(0).find("2020-02-29, quick form, double"), std::string::npos);
+  EXPECT_NE(results_csv({}, {.precision = Precision::float32, .plots = {}}, "").find(", full form, float\n"),
+            std::string::npos);
+  EXPECT_EQ(table.size(), 4u);
+  EXPECT_EQ(table.where("row", "the \"wet\" part, m").number("value"), 1);
   EXPECT_EQ(table.where("row", "drift").text("pass"), "true");
   EXPECT_EQ(table.where("row", "front").text("pass"), "false");
   EXPECT_EQ(table.where("row", "front").number("error"), 0.2);

@@ -2,12 +2,20 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
+#include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cases/energy_dissipator/describe.h"
 #include "cases/energy_dissipator/report.h"
 #include "cases/procedure/parameters.h"
+#include "cases/procedure/procedure.h"
 #include "cases/ring_pull/describe.h"
 #include "cases/ring_pull/report.h"
 #include "cases/rockfall/describe.h"
@@ -107,6 +115,94 @@ TEST(RingPullScaling, KeepsTheWireAndTheMassOfTheRing) {
   EXPECT_NEAR(coarse.bending, 61, 0.2);
 }
 
+/// A pull whose speed rises over its first millimetre, and rows of 2 mm.
+TEST(RingPullCurve, RowsAreMeansOverTheirPartOfTheWay) {
+  RingPull ring;
+  ring.stroke = 0.04, ring.samples = 20;
+  const PullCurve curve = pull_ring(ring);
+  // Mean over the way: 1 mm at 31.25 m/s^2 (T = 8 ms, integral of t dx = a T^3 / 3), 1 mm at 0.25 m/s around 10 ms.
+  EXPECT_NEAR(curve.time.front(), (31.25 * std::pow(0.008, 3) / 3 + 1e-3 * 0.01) / 2e-3, 2e-5);
+  EXPECT_NEAR(curve.time.back(), curve.displacement.back() / ring.speed + 0.004, 2e-5);
+  // The wire holds the work of the pull up to the middle of the row; at the end of the row it would hold a tenth more.
+  const std::size_t k = 10;
+  const double before = std::accumulate(curve.force.begin(), curve.force.begin() + k, 0.0);
+  EXPECT_NEAR((curve.axial[k] + curve.shear[k] + curve.bending[k]) / ((before + 0.5 * curve.force[k]) * 2e-3), 1, 0.04);
+}
+
+/// A stiffening curve, as if it were that of any ring.
+PullCurve made_up_pull() {
+  PullCurve curve;
+  for (int k = 1; k <= 40; ++k) {
+    const double d = 0.005 * k;
+    curve.time.push_back(d), curve.displacement.push_back(d);
+    curve.force.push_back(1e4 * d + 1e8 * std::pow(d, 6));
+    curve.axial.push_back(d * d), curve.shear.push_back(0.1 * d), curve.bending.push_back(0);
+  }
+  curve.anchor_force = curve.force, curve.work = 1;
+  return curve;
+}
+
+TEST(RingPullChecks, HoldOnlyThePapersRingAgainstThePaper) {
+  const auto asks_the_paper = [](const RingPull& ring) {
+    const std::vector<ResultCheck> checks = ring_pull_checks(made_up_pull(), ring);
+    return std::any_of(checks.begin(), checks.end(), [](const ResultCheck& c) { return c.source.starts_with("Li"); });
+  };
+  RingPull ring;
+  EXPECT_TRUE(asks_the_paper(ring));
+  ring.samples = 100, ring.safety = 0.3;  // the same ring
+  EXPECT_TRUE(asks_the_paper(ring));
+  ring.bond_radius *= 2;
+  EXPECT_FALSE(asks_the_paper(ring));
+}
+
+TEST(RockfallChecks, ThePapersFiguresBelongToThePapersParameters) {
+  Rockfall rockfall;
+  rockfall.duration = 0.6, rockfall.time_step = 1e-6;
+  EXPECT_TRUE(as_in_paper(rockfall));
+  rockfall.ball_mass = 100;
+  EXPECT_FALSE(as_in_paper(rockfall));
+}
+
+TEST(Procedures, StopWhenTheyAreTold) {
+  int asked = 0;
+  const auto third = [&asked] { return ++asked < 3; };
+  const PullCurve pull = pull_ring(RingPull{}, third);
+  EXPECT_TRUE(pull.interrupted);
+  EXPECT_EQ(pull.force.size(), 3u);
+  asked = 0;
+  const BrakeCurve brake = stretch(EnergyDissipator{}, third);
+  EXPECT_TRUE(brake.interrupted);
+  EXPECT_EQ(brake.loading.size(), 3u);
+  EXPECT_TRUE(brake.unloading.empty());
+  EXPECT_GT(brake.simulated, 0);
+}
+
+/// Nothing is said of a strike that never was.
+TEST(Procedures, ARockfallThatIsStoppedWhileTheNetSettlesHasNoStrike) {
+  Rockfall small;
+  small.net_width = 2 * small.ring_pitch, small.ball_diameter = 0.4;
+  const RockfallResult result = run_rockfall(small, [](double time) { return time < 0.001; });
+  EXPECT_TRUE(result.interrupted);
+  EXPECT_TRUE(result.series.time.empty());
+  EXPECT_NEAR(result.simulated, 0.001, 1e-4);
+  EXPECT_NEAR(static_cast<double>(result.steps) * result.time_step, result.simulated, 1e-9);
+}
+
+/// What failed stands in the summary although the run ends with an exception.
+TEST(Procedures, AFailureAfterTheChecksLeavesThemInTheSummary) {
+  const ScratchFolder folder;
+  const Workplace place{folder.path() / "out", "made_up", 1, true};
+  const auto fails = [](Summary& summary) -> bool {
+    summary.checks = {{"rings_passed_through_each_other", 1, 0, 0, false, "linking numbers"}};
+    throw NumericalFailure("ring net", 7, "wires passed through each other");
+  };
+  EXPECT_THROW((void)run_in_folder(place, false, parameters_text(Rockfall{}), fails), NumericalFailure);
+  const auto summary = nlohmann::json::parse(file_text(place.out / "summary.json"));
+  EXPECT_EQ(summary["case"], "made_up");
+  EXPECT_EQ(summary["checks"][0]["pass"], false);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(signal, SIG_DFL);
+}
+
 int run(const std::string& command) {
   const int status = std::system(command.c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -128,6 +224,29 @@ TEST(ProcedureExecutable, WritesItsFilesAndRefusesBadInput) {
   EXPECT_EQ(run(exe + " --set ring.bond_radius_m=0 --out '" + out + "3'" + errors), 2);
   for (const char* name : {"out2", "out3"}) EXPECT_FALSE(std::filesystem::exists(folder.path() / name)) << name;
   EXPECT_EQ(run(exe + " --help > /dev/null"), 0);
+}
+
+/// Soon, with what there is until then.
+TEST(ProcedureExecutable, AnInterruptedOneEndsWith130) {
+  const ScratchFolder folder;
+  const std::vector<std::pair<std::string, std::string>> long_ones{
+      {"ring_pull", "--set loading.speed_m_s=0.02"},
+      {"energy_dissipator", ""},
+      {"rockfall", "--set net.width_m=0.557 --set ball.diameter_m=0.4 --set run.settling_time_s=1000"}};
+  for (const auto& [name, options] : long_ones)
+    for (const std::string signal : {"INT", "TERM"}) {
+      const std::filesystem::path out = folder.path() / (name + signal);
+      EXPECT_EQ(run("timeout --preserve-status -k 20 -s " + signal + " 1 '" LAHAR_STUDIES "/" + name + "' " + options +
+                    " --quiet --threads 1 --out '" + out.string() + "'"),
+                130)
+          << name;
+      const auto summary = nlohmann::json::parse(file_text(out / "summary.json"));
+      EXPECT_GT(summary["simulated_seconds"].get<double>(), 0) << name;
+      EXPECT_LT(summary["simulated_seconds"].get<double>(), 100) << name;
+      EXPECT_TRUE(summary["checks"].empty() && summary["metrics"].empty()) << name;
+      for (const auto& entry : std::filesystem::directory_iterator(out))
+        EXPECT_NE(entry.path().extension(), ".png") << entry.path();
+    }
 }
 
 class QuickCalibration : public testing::TestWithParam<const char*> {};

@@ -75,21 +75,24 @@ TEST(SpeedError, FilesHoldEveryTrial) {
   Problem p{"made_up", "distance", "exact", "none", {}};
   p.trials.push_back({{}, [] { return Measurement{0.1, 2}; }});
   p.trials.push_back({{{"cells", "8"}, {"steps", "2"}}, [] { return Measurement{0.05, 1}; }});
-  p.trials.push_back({{{"cells", "1"}}, []() -> Measurement { throw std::runtime_error("too coarse, really"); }});
+  p.trials.push_back({{{"cells", "1"}}, []() -> Measurement { throw std::runtime_error("too coarse, \"really\""); }});
   const ProblemResult result = run_problem(p, 0.5);
   EXPECT_NEAR(defaults_beaten_by(result), 2, 1e-12);
   const cases::TestFolder files;
+  for (const char* name : {"dam_break.svg", "notes.svg"}) std::ofstream(files / name) << "of a former sitting";
   write_results({result}, {"machine", "abc", "2020-02-29", 2, true}, files.path());
   const ReferenceTable table = ReferenceTable::read(files / "speed_error.csv");
   EXPECT_EQ(table.provenance().at(0), "machine, 2 of its threads used, commit abc, 2020-02-29, quick form");
   EXPECT_EQ(table.where("trial", "defaults").number("time"), 4);
   EXPECT_EQ(table.where("trial", "defaults").text("front"), "false");
   EXPECT_EQ(table.where("trial", "cells 8, steps 2").text("front"), "true");
-  EXPECT_EQ(table.where("trial", "cells 1").text("failure"), "too coarse, really");
+  EXPECT_EQ(table.where("trial", "cells 1").text("failure"), "too coarse, \"really\"");
   const std::string html = text_of(files / "report.html");
   EXPECT_NE(html.find("<svg"), std::string::npos);
   EXPECT_NE(html.find("beaten by 2.00"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(files / "made_up.png"));
+  EXPECT_FALSE(std::filesystem::exists(files / "dam_break.svg"));
+  EXPECT_TRUE(std::filesystem::exists(files / "notes.svg"));
 }
 
 /// A scene that is refused says nothing of the knob, numbers that go wrong do.

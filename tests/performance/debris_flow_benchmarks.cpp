@@ -11,6 +11,7 @@
 #include "cases/assembly/load.h"
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/interrupt.h"
+#include "cases/runner/output_folder.h"
 #include "cases/runner/resume.h"
 #include "cases/runner/run.h"
 #include "core/check.h"
@@ -56,10 +57,18 @@ bool is_there(const fs::path& folder) {
   }
 }
 
+/// Throws InputError where something else stands than these benchmarks leave there.
+void remove_run(const fs::path& folder) {
+  cases::require_run_or_nothing(folder);
+  fs::remove_all(folder);
+}
+
+/// What shows that it is a run comes first: a copy that is cut short can be removed too.
 void copy_state(const fs::path& from, const fs::path& to) {
-  fs::remove_all(to);
-  fs::create_directories(to.parent_path());
-  fs::copy(from, to, fs::copy_options::recursive);
+  remove_run(to);
+  fs::create_directories(to);
+  fs::copy(from / "scene.resolved.toml", to);
+  fs::copy(from, to, fs::copy_options::recursive | fs::copy_options::skip_existing);
 }
 
 cases::RunResult run_quietly(const scene::Scene& scene, const fs::path& folder, bool resume) {
@@ -81,11 +90,11 @@ std::optional<fs::path> state(const Session& session, std::size_t k) {
              folder.string());
   std::fflush(stdout);
   const std::vector<std::string> set = settings(kStates[k].time, 1e3);
-  fs::remove_all(part);
+  remove_run(part);
   if (former) copy_state(*former, part);
   const scene::Scene scene = former ? cases::load_resumed(part, set) : scene::load(kScene, set);
   if (run_quietly(scene, part, former.has_value()).interrupted) return std::nullopt;
-  fs::remove_all(folder);
+  remove_run(folder);
   fs::create_directories(folder.parent_path());
   fs::rename(part, folder);
   return folder;

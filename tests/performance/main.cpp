@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -56,20 +57,20 @@ struct Arguments {
   cases::CommonOptions common;
 };
 
+std::string group_of(const Benchmark& b) { return b.name.substr(0, b.name.find('.')); }
+
 [[noreturn]] void refuse(const std::string& why) {
   throw InputError(std::vector<InputMistake>{{"command line", 1, 1, why}});
 }
 
-bool asks_for(const std::string& name, const Benchmark& b) {
-  return name == b.name || name == b.name.substr(0, b.name.find('.'));
-}
+bool asks_for(const std::string& name, const Benchmark& b) { return name == b.name || name == group_of(b); }
 
 /// What the names ask for, and what that needs.
 std::vector<Benchmark> select(const std::vector<Benchmark>& all, const std::vector<std::string>& names) {
   std::vector<std::string> wanted, known;
   for (const Benchmark& b : all) {
     known.push_back(b.name);
-    known.push_back(b.name.substr(0, b.name.find('.')));
+    known.push_back(group_of(b));
   }
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
@@ -141,6 +142,22 @@ std::string json_of(const Session& session) {
          "\n";
 }
 
+/// Whether a text is what json_of writes.
+bool is_session_json(const std::string& text) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (!json.is_object() || !json.contains("entries") || !json["entries"].is_array()) return false;
+  const auto is_figure = [](const nlohmann::json& e) { return e.is_object() && e.contains("ratio"); };
+  return json.contains("machine") && json.contains("commit") &&
+         std::all_of(json["entries"].begin(), json["entries"].end(), is_figure);
+}
+
+/// Entries keep runs in FOLDER/GROUP, and replace them.
+void check_kept(const std::filesystem::path& folder, const std::vector<Benchmark>& chosen) {
+  for (const Benchmark& b : chosen)
+    if (const std::filesystem::path kept = folder / group_of(b); std::filesystem::is_directory(kept))
+      for (const auto& entry : std::filesystem::directory_iterator(kept)) cases::require_run_or_nothing(entry.path());
+}
+
 int run(const Arguments& a) {
   if (!a.common.set.empty()) refuse("--set " + a.common.set.front() + ": benchmarks have no keys to set");
   const auto chosen = select(all_benchmarks(), a.names);
@@ -149,13 +166,15 @@ int run(const Arguments& a) {
       fmt::print("{}{}\n", b.name, b.by_name_only ? " (by name only)" : "");
     return cases::exit_done;
   }
-  if (!a.json.empty()) cases::require_writable(a.json, "--json");
-  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
-                                               : static_cast<int>(std::thread::hardware_concurrency()));
-  cases::watch_for_interrupt();
   Session session;
   session.repeats = a.repeats;
   session.folder = a.common.out.empty() ? "results/benchmark" : a.common.out;
+  check_kept(session.folder, chosen);
+  if (!a.json.empty()) cases::require_record(a.json, "--json", "benchmark", is_session_json);
+  if (!a.common.out.empty()) cases::create_folder(session.folder);
+  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
+                                               : static_cast<int>(std::thread::hardware_concurrency()));
+  cases::watch_for_interrupt();
   bool all_pass = true;
   for (const Benchmark& b : chosen) {
     if (cases::interrupted()) return cases::exit_interrupted;
@@ -173,6 +192,7 @@ int run(const Arguments& a) {
   if (!a.common.quiet)
     fmt::print("in-place stream rate: {:.2f} GB/s on one thread, {:.2f} GB/s on all\n", session.limits.stream_one,
                session.limits.stream_all);
+  if (cases::interrupted()) return cases::exit_interrupted;
   return all_pass ? cases::exit_done : 1;
 }
 

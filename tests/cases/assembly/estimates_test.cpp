@@ -22,6 +22,23 @@ TEST(Estimates, SpeedOfAFreeFall) {
               std::sqrt(25 + 2 * 9.81 * 0.6), 1e-12);
 }
 
+/// A box of 0.1 x 0.3 x 0.2 m at the floor: what it brings in a second has to leave through its face.
+TEST(Estimates, AnInflowIsAsFastAsItsDischarge) {
+  const auto speed = [](const std::string& velocity, const std::string& peak) {
+    const scene::Scene dam = load(case_file("dam_break/scene.toml"),
+                                  {"gravity.magnitude_m_s2=0",
+                                   "fluid.inflow=[{name = \"in\", lower_m = [0.8, 0, 0], upper_m = [0.9, 0.3, 0.2], "
+                                   "velocity_m_s = " +
+                                       velocity + ", discharge_m3_s = [[0, 0], [0.2, " + peak + "], [0.4, 0]]}]"});
+    return expected_max_speed(dam);
+  };
+  EXPECT_NEAR(speed("[2, 0, 0]", "0.06"), 2, 1e-12);
+  EXPECT_NEAR(speed("[2, 0, 0]", "0.18"), 3, 1e-12);
+  EXPECT_NEAR(speed("[0, 0, -2]", "0.18"), 6, 1e-12);
+  EXPECT_NEAR(speed("[3, 0, 4]", "0.6"), 0.6 / (0.6 * 0.06 + 0.8 * 0.03), 1e-12);
+  EXPECT_NEAR(speed("[0, 0, 0]", "0.18"), 3, 1e-12);
+}
+
 TEST(Estimates, SpeedDownASlope) {
   const double angle = 35 * std::numbers::pi / 180;
   const double drop = 5.6 * std::sin(angle) + 0.75 * std::cos(angle);

@@ -58,9 +58,21 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 1], [1, -1]]")}, "fluid.inflow[0].discharge_m3_s", "at least 0"},
         Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 1], [0, 1]]")}, "fluid.inflow[0].discharge_m3_s", "rising"},
         Rejection{{inflow("[0.2, 0.3, 0.01]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].upper_m", "thinner than a cell"},
-        Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 30], [1, 30]]")}, "fluid.inflow[0].discharge_m3_s", "its box takes"},
+        Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 30], [1, 30]]"), "fluid.max_speed_m_s=3.5"},
+                  "fluid.inflow[0].discharge_m3_s",
+                  "4.2 m^3/s that its box takes (1500 cells outside walls)"},
         Rejection{{inflow("[0.2, 0.3, 9.0]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0] lies", "outside the domain"},
         Rejection{{inflow("[0.2, 0.0, 0.2]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].upper_m", "is not above"}));
+
+/// Of 10 x 15 x 10 cells a block leaves the upper two layers.
+TEST(FluidOptions, AnInflowNeedsCellsOutsideWalls) {
+  const std::string river = inflow("[0.2, 0.3, 0.2]", "[[0, 2], [1, 2]]"), speed = "fluid.max_speed_m_s=3.5";
+  EXPECT_TRUE(mistakes_in(case_file(kDam), {river, speed}).empty());
+  expect_rejection(case_file(kDam), {{river, speed, "wall[2].name=block", "wall[2].shape=box",
+                                      "wall[2].lower_m=[-0.1, -0.1, -0.1]", "wall[2].upper_m=[0.2, 0.4, 0.16]"},
+                                     "fluid.inflow[0].discharge_m3_s",
+                                     "0.84 m^3/s that its box takes (300 cells outside walls)"});
+}
 
 TEST(FluidOptions, ReachTheSolverAndTheResolvedScene) {
   const Scene scene =

@@ -37,11 +37,31 @@ void expect_same() {
   view->for_each_wet_block([&](std::size_t k, std::span<const lbm::WetCell> some) { in_block.at(k) = some.size(); });
   EXPECT_EQ(std::accumulate(in_block.begin(), in_block.end(), std::size_t{0}), fluid.wet_cells());
   EXPECT_EQ(view->snapshot().blocks.size(), fluid.snapshot().blocks.size());
+  EXPECT_FALSE(view->leaving_velocity().has_value()) << "all faces are closed";
 }
 
 TEST(FluidView, OfSingleAndDoublePrecision) {
   expect_same<float>();
   expect_same<double>();
+}
+
+/// A block that flies out of a corner leaves with what it has; one that flies inwards leaves not at all.
+TEST(FluidView, VelocityOfWhatLeaves) {
+  const auto leaving = [](const Vec3& velocity) {
+    lbm::FluidOptions options;
+    options.domain.upper = Vec3(0.32, 0.32, 0.32);
+    options.domain.cell_size = 0.02;
+    options.domain.faces.fill(lbm::FaceKind::open);
+    options.time_step = 1e-3;
+    lbm::Fluid<double> fluid(options);
+    fluid.fill({{.lower = Vec3(0.16, 0.16, 0.16), .upper = Vec3(0.32, 0.32, 0.32), .velocity = velocity}});
+    fluid.step();
+    return view_of(fluid)->leaving_velocity();
+  };
+  const Vec3 outwards(1, -0.5, 0.5);
+  ASSERT_TRUE(leaving(outwards).has_value());
+  EXPECT_LT((*leaving(outwards) - outwards).norm(), 0.05 * outwards.norm());
+  EXPECT_FALSE(leaving(Vec3(-1, -1, -1)).has_value());
 }
 
 }  // namespace

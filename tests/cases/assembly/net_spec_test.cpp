@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "barrier/topology.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::scene {
@@ -80,6 +81,37 @@ TEST(NetSpec, ALyingNet) {
                           "domain.lower_m=[-1, -1, -1]", "domain.upper_m=[1, 1, 1]"}));
   EXPECT_EQ(spec.across, Vec3(1, 0, 0));
   EXPECT_EQ(spec.normal, Vec3(0, 0, 1));
+}
+
+TEST(NetSpec, NormalPointsDownTheFlowWhicheverWayTheWidthRuns) {
+  const auto normal = [](const char* width, const char* height) {
+    return make_net_spec(
+               load(case_file("hexagonal_net/scene.toml"),
+                    {std::string("barrier.net.width_direction=") + width,
+                     std::string("barrier.net.height_direction=") + height, "barrier.net.origin_m=[0, 0.3, 0.1]",
+                     "domain.lower_m=[-2, -2, -2]", "domain.upper_m=[2, 2, 2]"}))
+        .normal;
+  };
+  EXPECT_EQ(normal("[0, 1, 0]", "[0, 0, 1]"), Vec3(1, 0, 0));
+  EXPECT_EQ(normal("[0, -1, 0]", "[0, 0, 1]"), Vec3(1, 0, 0));
+  EXPECT_LT((normal("[0, -1, 0]", "[-0.6, 0, 0.8]") - Vec3(0.8, 0, 0.6)).norm(), 1e-12);  // leans upstream
+  EXPECT_EQ(normal("[1, 0, 0]", "[0, 0, 1]"), Vec3(0, -1, 0));                            // along the flow
+}
+
+/// A net is its own mirror image where the width runs the other way: as many rings and links.
+TEST(NetSpec, RingsAreLinkedWhicheverWayTheWidthRuns) {
+  const auto links = [](const std::vector<std::string>& set) {
+    std::vector<std::string> all{"barrier.net.width_m=0.38", "barrier.net.height_m=0.26"};
+    all.insert(all.end(), set.begin(), set.end());
+    const Scene scene = load(case_file("hanging_net/scene.toml"), all);
+    dem::Particles particles;
+    dem::Bonds bonds;
+    const barrier::Net net = build_barrier(scene, particles, bonds);
+    std::vector<std::size_t> counts;  // by ring
+    for (const auto& of_ring : barrier::find_topology(net, particles, bonds).links) counts.push_back(of_ring.size());
+    return counts;
+  };
+  EXPECT_EQ(links({"barrier.net.width_direction=[0, -1, 0]", "barrier.net.origin_m=[0, 0.38, 0]"}), links({}));
 }
 
 }  // namespace

@@ -74,6 +74,32 @@ TEST_F(SmallNet, RingsSlideAlongTheirCables) {
   EXPECT_LT(observers_.metrics().at("max_mean_ring_travel_m"), 0.005);
 }
 
+/// A boulder on a mesh whose width runs to the left or to the right: it bulges and is pushed down the flow.
+TEST(BarrierLoads, DoNotDependOnTheWayTheWidthRuns) {
+  const auto metrics = [](const std::vector<std::string>& set) {
+    const scene::Scene scene = scene::load(scene::case_file("hexagonal_net/scene.toml"), set);
+    const auto simulation = build_simulation(scene);
+    ObserverList observers(scene, *simulation);
+    const scene::ScratchFolder scratch;
+    SeriesWriter series(scratch.path() / "series.h5");
+    observers.declare(series);
+    observers.sample(series);
+    while (simulation->time() < 0.006) {
+      simulation->advance();
+      observers.after_step();
+    }
+    observers.sample(series);
+    return observers.metrics();
+  };
+  const Metrics left = metrics({}),
+                right = metrics({"barrier.net.width_direction=[0, -1, 0]", "barrier.net.origin_m=[0, 1, 0]"});
+  EXPECT_GT(left.at("max_elongation_m"), 0.01);
+  EXPECT_GT(left.at("barrier_contact_impulse_Ns"), 0.1);
+  constexpr double other_meshes = 0.05;  // the boulder does not hit the middle
+  for (const char* name : {"max_elongation_m", "barrier_contact_impulse_Ns"})
+    EXPECT_NEAR(right.at(name), left.at(name), other_meshes * left.at(name)) << name;
+}
+
 /// Before anything arrives only its own bonds pull at a net, and the side walls a little: the bonds cancel. Then grains
 /// and water push it along the flow.
 TEST(BarrierLoads, AreThoseFromOutside) {

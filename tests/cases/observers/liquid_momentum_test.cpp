@@ -57,6 +57,39 @@ body_weighting = "inertial"
 radius_shift_cells = -0.2
 )";
 
+/// A block of water that flies through a box without faces, past a stone that is held.
+const std::string open_box = R"([scene]
+name = "open_box"
+[run]
+duration_s = 1.0
+precision = "double"
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [1, 0.5, 0.4]
+open_faces = ["x-", "x+", "y-", "y+", "z-", "z+"]
+[gravity]
+magnitude_m_s2 = 0
+[fluid]
+enabled = true
+cell_size_m = 0.02
+max_speed_m_s = 2.0
+[[fluid.region]]
+lower_m = [0.1, 0.1, 0.1]
+upper_m = [0.3, 0.3, 0.3]
+velocity_m_s = [1, 1, 0]
+[materials.rock]
+youngs_modulus_Pa = 1e7
+poisson_ratio = 0.3
+[[grains.sphere]]
+position_m = [0.9, 0.1, 0.3]
+diameter_m = 0.08
+density_kg_m3 = 2600
+material = "rock"
+fixed = true
+[coupling]
+enabled = true
+)";
+
 struct Ledger {
   double start = 0, momentum = 0, gap = 0;  ///< Ns
   double left = 0;                          ///< kg
@@ -64,8 +97,8 @@ struct Ledger {
   double time = 0;                          ///< s
 };
 
-Ledger after(int rows, const std::vector<std::string>& set) {
-  const scene::Scene scene = scene::load_text(chute, set);
+Ledger after(int rows, const std::vector<std::string>& set, const std::string& text = chute, int steps_per_row = 5) {
+  const scene::Scene scene = scene::load_text(text, set);
   const auto simulation = build_simulation(scene);
   simulation->fluid()->measure_walls();
   ObserverList observers(scene, *simulation);
@@ -76,7 +109,7 @@ Ledger after(int rows, const std::vector<std::string>& set) {
     observers.declare(writer);
     observers.sample(writer);
     for (int row = 0; row < rows; ++row) {
-      for (int step = 0; step < 5; ++step) {
+      for (int step = 0; step < steps_per_row; ++step) {
         simulation->advance();
         observers.after_step();
       }
@@ -137,6 +170,18 @@ TEST(LiquidMomentum, LeavesWhatWallsGive) {
                  "grains.sphere[1].velocity_m_s=[0, 0, 0]"});
   EXPECT_LT(ledger.gap, -0.1) << "the end holds the water up";
   EXPECT_NEAR(ledger.gap, -ledger.walls, 0.02 * ledger.walls);
+}
+
+/// Each way out, and with one row for all that happens: 8 kg that nothing pushes.
+TEST(LiquidMomentum, LeavesThroughAnyFace) {
+  for (const char* velocity : {"[1, 1, 0]", "[-1, 0.3, 0]", "[1, 0.2, -0.5]"})
+    for (const int rows : {80, 1}) {
+      const Ledger ledger =
+          after(rows, {std::string("fluid.region[0].velocity_m_s=") + velocity}, open_box, 400 / rows);
+      EXPECT_NEAR(std::abs(ledger.start), 8, 0.1);
+      EXPECT_GT(ledger.left, 3.5) << velocity;
+      EXPECT_LT(std::abs(ledger.gap), 0.01 * 8) << velocity << ", " << rows << " rows";
+    }
 }
 
 }  // namespace

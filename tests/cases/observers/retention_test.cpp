@@ -57,5 +57,26 @@ TEST(Retention, ABulgedNetHoldsWhatItCarries) {
   EXPECT_NEAR(observers.metrics().at("retained_mass_ratio"), share, 1e-12);
 }
 
+/// Posts, and retaining cables that lead downstream from them, hold no grain.
+TEST(Retention, PostsAndWhatHangsOnThemDoNotCount) {
+  const scene::Scene scene =
+      scene::load(scene::case_file("two_spans/scene.toml"),
+                  {"barrier.posts.retaining=[{anchor_offset_m = [0.25, 0, -0.005]}]", "measure.section_x_m=0",
+                   "measure.outflow_distance_m=0.2",
+                   "grains.sphere=[{position_m = [0.1, 0.2, 0.1], diameter_m = 0.04, density_kg_m3 = 2500, material = "
+                   "\"steel\"}]"});
+  const auto simulation = build_simulation(scene);
+  const ObserverList observers(scene, *simulation);
+  const barrier::Net& net = *simulation->net();
+  dem::Particles& p = simulation->solids()->particles();
+  const auto shift_to = [&](dem::ParticleId bead, double x) { p.position.x[p.index(bead)] = x; };
+  const auto ratio = [&] { return observers.metrics().at("retained_mass_ratio"); };
+  EXPECT_EQ(ratio(), 0);  // the anchors are 0.25 m on
+  shift_to(net.posts.front().head(), 0.2);
+  EXPECT_EQ(ratio(), 0);
+  shift_to(net.rings.front().first_bead, 0.2);
+  EXPECT_EQ(ratio(), 1);
+}
+
 }  // namespace
 }  // namespace lahar::cases

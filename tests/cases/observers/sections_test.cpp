@@ -13,6 +13,8 @@
 namespace lahar::cases {
 namespace {
 
+Vec3 velocity_of(const lbm::WetCell& cell) { return cell.velocity; }
+
 /// Water that falls out of a step, measured by a section.
 const std::string dam = R"([scene]
 name = "gauged"
@@ -45,7 +47,8 @@ TEST(Sections, DischargeIsTheVolumeThatArrives) {
     double passed = 0;
     while (static_cast<double>(fluid.steps()) * fluid.units().time_step < 0.4) {
       fluid.step();
-      passed += fluid.units().time_step * liquid_flux(*view, nullptr, frame, scene.domain, Vec3::UnitZ(), 0).volume;
+      passed += fluid.units().time_step *
+                liquid_flux(*view, velocity_of, nullptr, frame, scene.domain, Vec3::UnitZ(), 0).volume;
     }
     double behind = 0;
     fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
@@ -106,11 +109,42 @@ TEST(Sections, WaterGoesUpWhereABallSinks) {
     while (ball.position[ball.index(0)].z() > 0.16) {
       simulation->advance();
       passed += simulation->time_step() *
-                liquid_flux(*simulation->fluid(), &ball, frame, scene.domain, Vec3::UnitZ(), 0).volume;
+                liquid_flux(*simulation->fluid(), velocity_of, &ball, frame, scene.domain, Vec3::UnitZ(), 0).volume;
     }
     const double volume = std::numbers::pi / 6 * 1e-3;
     EXPECT_NEAR(passed, volume, 0.05 * volume) << coupling.front();
   }
+}
+
+/// Where averaged grains are, cells hold the mixture: gauges tell of the liquid between them.
+TEST(Sections, TheLiquidIsThatBetweenAveragedGrains) {
+  const Vec3 point(0.16, 0.16, 0.36);
+  const scene::Scene scene = scene::load_text(sinking + R"([[probe]]
+name = "gauge"
+kind = "velocity"
+position_m = [0.16, 0.16, 0.36]
+)",
+                                              {"coupling.grains=averaged", "coupling.averaging_length_m=0.1"});
+  const auto simulation = build_simulation(scene);
+  ObserverList observers(scene, *simulation);
+  const scene::ScratchFolder scratch;
+  SeriesWriter series(scratch.path() / "series.h5");
+  observers.declare(series);
+  while (simulation->time() < 0.1) simulation->advance();
+  observers.sample(series);
+  const auto cell = simulation->fluid()->cell_at(point);
+  ASSERT_GT((simulation->liquid_velocity(*cell) - cell->velocity).norm(), 0.02);
+  const auto liquid = [&](const lbm::WetCell& c) { return simulation->liquid_velocity(c); };
+  EXPECT_EQ(observers.metrics().at("gauge_speed_peak_m_s"), velocity_at(*simulation->fluid(), liquid, point).norm());
+  // The section carries the energy of that velocity, the volume of the mixture's less the grains'.
+  const SectionFrame frame = frame_of({"s", point, Vec3::UnitZ(), 0, 0}, scene.domain);
+  const auto flux = [&](double times) {
+    return liquid_flux(
+        *simulation->fluid(), [&](const lbm::WetCell& c) { return Vec3(times * c.velocity); }, nullptr, frame,
+        scene.domain, Vec3::UnitZ(), 0.36);
+  };
+  EXPECT_EQ(flux(2).volume, flux(1).volume);
+  EXPECT_NEAR((flux(2).energy - flux(0).energy) / (flux(1).energy - flux(0).energy), 4, 1e-9);
 }
 
 /// Discs where the plane cuts spheres whose centre is opposite the rectangle; beads and those that are gone do not
@@ -137,7 +171,7 @@ TEST(Sections, OnlyTheRectangleCounts) {
   const double speed = fluid.units().velocity_to_si(0.05), width = 0.08, height = 0.2;
   const auto flux = [&](const Vec3& normal) {
     const SectionFrame frame = frame_of({"s", Vec3(0.5, 0.08, 0.2), normal, width, height}, scene.domain);
-    return liquid_flux(*view, nullptr, frame, scene.domain, Vec3::UnitZ(), 0.2);
+    return liquid_flux(*view, velocity_of, nullptr, frame, scene.domain, Vec3::UnitZ(), 0.2);
   };
   EXPECT_NEAR(flux(Vec3(3, 0, 0)).volume, speed * width * height, 1e-9 * speed);
   EXPECT_NEAR(flux(Vec3(-1, 0, 0)).volume, -speed * width * height, 1e-9 * speed);
@@ -145,8 +179,8 @@ TEST(Sections, OnlyTheRectangleCounts) {
   // On a face of the domain there are cells on one side only: all that goes through them counts.
   for (const double x : {scene.domain.lower.x(), scene.domain.upper.x()}) {
     const SectionFrame face = frame_of({"s", Vec3(x, 0.08, 0.2), Vec3::UnitX(), width, height}, scene.domain);
-    EXPECT_NEAR(liquid_flux(*view, nullptr, face, scene.domain, Vec3::UnitZ(), 0.2).volume, speed * width * height,
-                1e-9 * speed);
+    EXPECT_NEAR(liquid_flux(*view, velocity_of, nullptr, face, scene.domain, Vec3::UnitZ(), 0.2).volume,
+                speed * width * height, 1e-9 * speed);
   }
   // The section is centred at the datum: the potential energy that passes is 0, what is left is kinetic (the fall of
   // half a step included).

@@ -182,6 +182,24 @@ TEST(Warnings, Fluid) {
   EXPECT_TRUE(warns(report({"fluid.cell_size_m=0.2"}), "cells deep"));
 }
 
+/// The dam is 0.054 m^3 in a tank of 0.384 m^3, of which a sill takes 0.024 m^3.
+TEST(Warnings, ATankThatIsOverfilled) {
+  const auto report = [](const std::string& discharge, std::vector<std::string> set) {
+    set.insert(set.end(), {"domain.open_faces=[]", "run.duration_s=1",
+                           "fluid.inflow=[{name = \"pump\", lower_m = [0.4, 0, 0], upper_m = [0.8, 0.3, 0.4], "
+                           "velocity_m_s = [1, 0, 0], discharge_m3_s = [[0, " +
+                               discharge + "], [1, " + discharge + "]]}]"});
+    return check_scene(load(case_file("dam_break/scene.toml"), set));
+  };
+  const std::vector<std::string> sill{"wall[2].name=sill", "wall[2].shape=box", "wall[2].lower_m=[1.2, -1, -1]",
+                                      "wall[2].upper_m=[2, 1, 0.2]"};
+  EXPECT_TRUE(warns(report("0.34", {}), "fluid.inflow \"pump\": 0.34 m^3 in the time of the run and 0.054 m^3"));
+  EXPECT_TRUE(warns(report("0.34", {}), "0.384 m^3 that the domain has room for"));
+  EXPECT_FALSE(warns(report("0.32", {}), "has room for"));
+  EXPECT_TRUE(warns(report("0.32", sill), "0.36 m^3 that the domain has room for"));
+  EXPECT_FALSE(warns(report("0.3", sill), "has room for"));
+}
+
 TEST(Warnings, AMaxSpeedBelowThatOfADrop) {
   const auto report = [](const char* speed) {
     return check_scene(load(case_file("dam_break/scene.toml"), {std::string("fluid.max_speed_m_s=") + speed}));

@@ -96,6 +96,18 @@ TEST(OutputFolder, AFormerRunComesBackAfterAKillBeforeTheNewOneBegan) {
   EXPECT_EQ(count(scratch.path()), 2u);
 }
 
+/// Charts of procedures belong to their runs, and do not stand beside the results of another one.
+TEST(OutputFolder, ChartsOfAFormerProcedureGoWithIt) {
+  const scene::ScratchFolder scratch;
+  scratch.write("scene.resolved.toml", std::string(scene::resolved_mark) + "\n");
+  for (const char* name : {"rockfall_energy.png", "rockfall_displacement.svg", "ring_pull.pdf",
+                           "ring_pull_first_stage.png", "energy_dissipator.svg", "cable_forces.pdf"})
+    scratch.write(name, "old");
+  for (const char* name : {"rockfall_energy.txt", "rockfall_mine.png"}) scratch.write(name, "mine");
+  prepare_output(scratch.path(), true).former.remove();
+  EXPECT_EQ(count(scratch.path()), 2u);
+}
+
 /// What a user has made of a run's files, and named like them, is no part of the run.
 TEST(OutputFolder, NamesThatRunsDoNotWriteStay) {
   const scene::ScratchFolder scratch;
@@ -190,6 +202,38 @@ TEST(OutputFolder, AFileThatCannotBeWrittenIsRefusedBeforeTheWork) {
               require_writable(scratch.path() / "not/there.json", "--json");
             }).find("there.json:1:1: cannot be created (No such file or directory)"),
             std::string::npos);
+}
+
+TEST(OutputFolder, ARecordReplacesOnlyARecord) {
+  const scene::ScratchFolder scratch;
+  const fs::path file = scratch.write("results.json", "");
+  const auto require = [&] {
+    require_record(file, "--json", "us", [](const std::string& text) { return text == "ours"; });
+  };
+  EXPECT_EQ(refused(require), "");
+  scratch.write("results.json", "ours");
+  EXPECT_EQ(refused(require), "");
+  scratch.write("results.json", "precious = 1");
+  EXPECT_NE(refused(require).find("results.json:1:1: is there and was not written by us"), std::string::npos);
+  EXPECT_EQ(scene::file_text(file), "precious = 1");
+  fs::remove(file);
+  EXPECT_EQ(refused(require), "");
+}
+
+TEST(OutputFolder, OnlyRunsAndEmptyFoldersMayBeRemoved) {
+  const scene::ScratchFolder scratch;
+  const fs::path place = scratch.path() / "kept";
+  const auto require = [&] { require_run_or_nothing(place); };
+  EXPECT_EQ(refused(require), "");
+  fs::create_directory(place);
+  EXPECT_EQ(refused(require), "");
+  scratch.write("kept/thesis.txt", "years of work");
+  EXPECT_NE(refused(require).find("kept:1:1: is there and holds no run"), std::string::npos);
+  scratch.write("kept/scene.resolved.toml", std::string(scene::resolved_mark) + "\n");
+  EXPECT_EQ(refused(require), "");
+  fs::remove_all(place);
+  scratch.write("kept", "a file");
+  EXPECT_NE(refused(require), "");
 }
 
 }  // namespace

@@ -67,5 +67,40 @@ TEST(ValidateRecord, OfAnotherProgramIsRefused) {
   EXPECT_EQ(file_text(file), "{\"entries\": \"mine\"}");
 }
 
+TEST(BenchmarkRecord, OfAnotherProgramIsRefused) {
+  const ScratchFolder scratch;
+  for (const std::string text : {"precious = 1", "{\"machine\": 1, \"commit\": 2, \"entries\": [{\"rows\": []}]}"}) {
+    const auto file = scratch.write("scene.toml", text);
+    EXPECT_EQ(run("benchmark", "fluid.sparse_memory --repeats 1 --json '" + file.string() + "'"), 2);
+    EXPECT_EQ(file_text(file), text);
+  }
+}
+
+TEST(BenchmarkFolder, IsRefusedBeforeTheWorkWhereSomethingElseIsInTheWay) {
+  const ScratchFolder scratch;
+  std::filesystem::create_directories(scratch.path() / "debris_flow/slice");
+  const auto thesis = scratch.write("debris_flow/slice/thesis.txt", "years of work");
+  EXPECT_EQ(run("benchmark", "debris_flow.packed --repeats 1 --out '" + scratch.path().string() + "'"), 2);
+  EXPECT_EQ(file_text(thesis), "years of work");
+  EXPECT_EQ(run("benchmark", "fluid.sparse_memory --repeats 1 --out '" + thesis.string() + "'"), 2);
+}
+
+/// Exit code of a program that is interrupted after this time.
+int interrupted_run(const char* seconds, const std::string& program, const std::string& arguments) {
+  const int status = std::system(("timeout --preserve-status -s INT " + std::string(seconds) + " '" LAHAR_STUDIES "/" +
+                                  program + "' " + arguments + " > /dev/null 2>&1")
+                                     .c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// What comes in the last entry, or the only one, counts too.
+TEST(Interruption, InTheOnlyEntryEndsWith130) {
+  const ScratchFolder scratch;
+  const std::string out = " --threads 1 --out '" + scratch.path().string() + "/";
+  EXPECT_EQ(interrupted_run("0.2", "validate", "fluid.determinism --quick" + out + "v'"), 130);
+  EXPECT_EQ(interrupted_run("0.2", "hard_cases", "H9 --quick" + out + "h'"), 130);
+  EXPECT_EQ(interrupted_run("0.2", "speed_error", "elastic_impact --quick" + out + "s'"), 130);
+}
+
 }  // namespace
 }  // namespace lahar::cases

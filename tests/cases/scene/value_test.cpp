@@ -90,6 +90,8 @@ TEST(Value, SaysWhatIsExpected) {
   EXPECT_EQ(expected_text(WallSlip{}, {}), "one of \"no_slip\", \"free_slip\", \"wall_model\"");
   EXPECT_EQ(expected_text(std::vector<std::string>{}, {.min_count = 2, .max_count = 2}),
             "a list, each a string, 2 of them");
+  EXPECT_EQ(expected_text(std::vector<TimeValue>{}, {.range = non_negative(), .min_count = 2}),
+            "a list, each a pair [time, value] at least 0, at least 2 of them");
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cases/validate/reference_table.h"
+
 namespace lahar::validate {
 namespace {
 
@@ -74,9 +76,21 @@ TEST(ValidateOutcome, IsWrittenAsJson) {
   EXPECT_EQ(first["pass"], true);
   EXPECT_EQ(first["source"], "here (a.csv, b.csv)");
   EXPECT_EQ(json["quick"], true);
+  EXPECT_EQ(json["precision"], "double");
+  EXPECT_NE(outcomes_json({}, {.precision = Precision::float32, .plots = {}}).find("\"precision\": \"float\""),
+            std::string::npos);
   EXPECT_EQ(first["rows"][0]["value"], 1.0);
   EXPECT_TRUE(json["entries"][1]["rows"][0]["value"].is_null());
   EXPECT_EQ(json["entries"][1]["pass"], false);
+}
+
+TEST(ValidateTable, HoldsAnyTextInAFieldOfOneLine) {
+  EXPECT_EQ(csv_field("water"), "water");
+  for (const std::string text : {"water, oil", "the \"wet\" one", "\"", "a \"b\", c"}) {
+    const ReferenceTable table = ReferenceTable::parse("# here\nid,text\n1," + csv_field(text) + "\n", "t.csv");
+    EXPECT_EQ(table.where("id", "1").text("text"), text);
+  }
+  EXPECT_EQ(csv_field("a.toml:1:1: no net\na.toml:2:1: no bed"), "a.toml:1:1: no net; a.toml:2:1: no bed");
 }
 
 TEST(ValidateOutcome, IsKnownByItsJson) {

@@ -56,6 +56,31 @@ TEST(WireDrag, FollowsTheLaw) {
   }
 }
 
+/// Where a wire has torn, its ends lie as the piece that they are on: the rest may be anywhere.
+TEST(WireDrag, TornEndsLieAlongTheirOwnPiece) {
+  const double d = 0.006;
+  const auto force_at_end = [&](const Vec3& rest) {
+    lbm::Fluid<double> fluid(stream(16, 0.02, 1e-4));
+    fluid.fill_everything([](const Vec3&) { return Vec3(0.01, 0, 0); }, [](const Vec3&) { return 0.0; });
+    StraightWire wire(3, d, Vec3(0.1, 0.161, 0.1), Vec3::UnitZ());
+    WireDrag<double> drag(wire.particles, wire.bonds);
+    wire.bonds.intact[1] = 0;
+    wire.particles.position.set(2, wire.particles.position[2] + rest);
+    SolidFields<double> fields;
+    for (int n = 0; n < 2; ++n) {  // the velocity fields of new blocks are filled by one step
+      if (n > 0) fluid.step();
+      fields.open(fluid.grid());
+      wire.particles.external_force.fill(Vec3::Zero());
+      drag.follow_breakage(wire.bonds);
+      drag.apply(fluid, wire.particles, fields);
+    }
+    return Vec3(wire.particles.external_force[1]);
+  };
+  const Vec3 whole = force_at_end(Vec3::Zero()), torn = force_at_end(Vec3(0.15, 0, 0));
+  EXPECT_GT(whole.x(), 1e-3);
+  EXPECT_NEAR(torn.x() / whole.x(), 1, 0.01);
+}
+
 // Beside a bed that slips there is as much water around the wire as far from it, whichever blocks exist.
 TEST(WireDrag, AWireOnTheBedIsAllInTheWater) {
   const double d = 0.006, u = 1.0, dt = 1e-4;

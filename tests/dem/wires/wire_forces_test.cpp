@@ -57,6 +57,22 @@ TEST(WireForces, SphereSlidesAlongAStraightWireWithoutRipple) {
   EXPECT_NEAR(smooth.most / hertz, 1, 3e-3);
 }
 
+/// A run of segments has caps of its own: where a wire crosses the end of another one, it is pressed as in its middle.
+TEST(WireForces, AWireIsAsHardAtItsEndAsInItsMiddle) {
+  const auto force = [](double from_end) {
+    WireScene s;
+    const ParticleIndex gives = s.add_wire(testing::straight(9, {from_end * L, 0, 2 * r - 2e-5}, Vec3::UnitY()));
+    s.add_wire(testing::straight(9, {4 * L, 0, 0}, Vec3::UnitX()));
+    testing::evaluate(s.particles, s.bonds, testing::steel());
+    double sum = 0;
+    for (ParticleIndex i = gives; i < gives + 9; ++i) sum += s.particles.force[i].z();
+    return sum;
+  };
+  const double middle = force(4);
+  EXPECT_GT(middle, 0);
+  for (const double from_end : {1.0, 0.5, 0.1, 0.0}) EXPECT_NEAR(force(from_end) / middle, 1, 1e-6) << from_end;
+}
+
 /// Largest change of force and of torque about the first wire's bead 0 between steps of a movement, over the largest
 /// force (times lever).
 template <class Place>
