@@ -373,7 +373,7 @@ void check_holdych(const Scene& scene, Findings& findings) {
     findings.mistake(
         "coupling.solid_operator",
         "coupling.solid_operator = \"holdych\" turns the flow round by 2 B, which is stable for B up to 1, and "
-        "wall_distance and inertial have B up to 2; expected another body_weighting or another solid operator");
+        "wall_distance and inertial have B up to 1.25; expected another body_weighting or another solid operator");
   else if (!all_held)
     findings.mistake(
         "coupling.solid_operator",

@@ -22,7 +22,7 @@ const std::vector<Published>& published() {
       {"H1", {"free_surface.dam_break_low_viscosity"}},
       {"H2", {"free_surface.dam_break_resolution"}},
       {"H3", {"free_surface.hydrostatic_low_viscosity"}},
-      {"H4", {"free_surface.thin_films"}},
+      {"H4", {"free_surface.thin_films", "free_surface.nusselt_film"}},
       {"H5", {"grains_in_fluid.slamming_sphere"}},
       {"H6", {"free_surface.orifice_jet", "wires_in_fluid.jet_through_ring"}},
       {"H7", {"grains_in_fluid.sphere_across_blocks"}},

@@ -20,7 +20,8 @@ LiquidMass::LiquidMass(const Observed& run) : Observer(run) {
   if (!run.scene.fluid.inflows.empty())
     result("liquid_inflow_kg", "kg", "liquid that came in through inflow boxes",
            [&] { return fluid.transfers().came_in; });
-  result("liquid_wall_balance_kg", "kg", "mass that interpolated walls took from cells and got back; absent if none",
+  result("liquid_wall_balance_kg", "kg",
+         "mass that walls took from cells and got back: interpolated, moving or slipping in steps; absent if none",
          [&] {
            const double returned = fluid.transfers().wall_balance;
            return returned > 0 ? returned : kUnknown;

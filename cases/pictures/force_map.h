@@ -1,5 +1,5 @@
 #pragma once
-// The force in each bond of a barrier, seen along the flow: shows the chains that carry the load, as Fig. 12 of Li,
+// The force in each bond of a barrier, seen against the flow: shows the chains that carry the load, as Fig. 12 of Li,
 // Zhao & Kwan 2020.
 #include <cstddef>
 #include <string>

@@ -17,7 +17,8 @@
 // with its sign changed, it would grow.
 //
 // Left out: what separate velocities of liquid and grains carry beyond that of the mixture, rho phi (1 - phi)
-// (u - v)(u - v); added mass, lift, torque; a viscosity of the mixture.
+// (u - v)(u - v); of Du/Dt, which is that along a grain's way, ((u - v) . grad) u; added mass, lift, torque; a
+// viscosity of the mixture.
 #include <array>
 #include <vector>
 

@@ -13,20 +13,18 @@ namespace lahar::lbm {
 
 namespace {
 
-/// Velocity of the wall at a cell, as the reflection sees it.
+/// Velocity of the wall at a cell, as the reflection sees it; `rho`: that of the cell, 1 where nothing moves.
 template <class Real>
 std::array<Real, 3> reflection_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                         const WallPhysics& physics, Real& rho) {
   rho = 1;
   std::array<Real, 3> v{};
-  if (wall.slip != WallSlip::no_slip) {
-    const auto m = outgoing_moments(grid, place, parity);
-    rho += m.drho;
-    if (wall.slip == WallSlip::wall_model) return wall_model_velocity(grid, place, wall, parity, physics, m);
-    return free_slip_velocity(grid, place, wall, parity, m);
-  } else {
-    for (std::size_t k = 0; k < 3; ++k) v[k] = static_cast<Real>(wall.wall_velocity[k]);
-  }
+  if (stands_still(wall)) return v;
+  const auto m = outgoing_moments(grid, place, parity);
+  rho += m.drho;
+  if (wall.slip == WallSlip::wall_model) return wall_model_velocity(grid, place, wall, parity, physics, m);
+  if (wall.slip == WallSlip::free_slip) return free_slip_velocity(grid, place, wall, parity, m);
+  for (std::size_t k = 0; k < 3; ++k) v[k] = static_cast<Real>(wall.wall_velocity[k]);
   return v;
 }
 

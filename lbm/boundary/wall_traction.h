@@ -204,7 +204,7 @@ struct WallSample {
 /// & Larsson 2012, Phys. Fluids 24, 015105).
 inline constexpr int kSampledCell = 2;
 
-/// The law's stress over that of a laminar layer above which a layer is turbulent: y+ of 11.
+/// The law's stress over that of a laminar layer above which a layer is turbulent: y+ of 24.
 inline constexpr double kTurbulent = 2;
 
 /// The lattice velocity nearest to a normal.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "cases/validate/reference_table.h"
@@ -52,15 +53,20 @@ std::vector<std::string> all_ids() {
 }
 
 /// Rows that miss their bars, docs/status.md; all of them are about how near a flow is, not about whether it is stable.
-const std::set<std::string>& known_misses() {
-  static const std::set<std::string> labels{
-      "water: RMS of the front",
-      "tau - 1/2 = 1e-6: RMS of the front",
-      "density 500: peak force, the last two sizes",
-      "discharge over A sqrt(2 g h), 0.55 to 0.70",
-      "impulse of the whole block at a lattice velocity of 0.1 against 0.05",
-      "tube under water that a sphere closes: fastest cell over the fall of the level"};
-  return labels;
+const std::map<std::string, double>& known_misses() {
+  static const std::map<std::string, double> largest_values{
+      {"water: RMS of the front", 0.2},
+      {"tau - 1/2 = 1e-6: RMS of the front", 0.2},
+      {"density 500: peak force, the last two sizes", 2.5},
+      {"discharge over A sqrt(2 g h), 0.55 to 0.70", 0.8},
+      {"impulse of the whole block at a lattice velocity of 0.1 against 0.05", 1.2},
+      {"tube under water that a sphere closes: fastest cell over the fall of the level", 2.5}};
+  return largest_values;
+}
+
+bool is_known_miss(const Row& row) {
+  const auto known = known_misses().find(row.label);
+  return known != known_misses().end() && row.value <= known->second;  // not a number is none
 }
 
 /// Coarser grids and fewer steps than bin/hard_cases.
@@ -75,7 +81,7 @@ TEST_P(QuickHardCase, MissesNothingNew) {
     EXPECT_EQ(o.failure, "") << o.name;
     EXPECT_FALSE(o.rows.empty()) << o.name;
     for (const Row& row : o.rows)
-      EXPECT_TRUE(row.pass || known_misses().count(row.label) == 1) << o.name << ": " << row.label << " " << row.value;
+      EXPECT_TRUE(row.pass || is_known_miss(row)) << o.name << ": " << row.label << " " << row.value;
   }
 }
 

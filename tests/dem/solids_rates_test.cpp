@@ -9,6 +9,7 @@
 
 #include "core/memory_archive.h"
 #include "core/parallel.h"
+#include "core/worst.h"
 #include "dem/solids.h"
 #include "tests/dem/small_scenes.h"
 
@@ -94,7 +95,7 @@ double departure(Solids& solids, double seconds) {
   for (const double end = solids.time() + seconds; solids.time() < end;) {
     solids.advance(60);
     const EnergyLedger ledger = solids.ledger();
-    worst = std::max(worst, std::abs(ledger.total() - start));
+    keep_worst(worst, std::abs(ledger.total() - start));
     const auto terms = ledger.terms();
     for (std::size_t t = 0; t < terms.size(); ++t) {
       least[t] = std::min(least[t], terms[t].second);

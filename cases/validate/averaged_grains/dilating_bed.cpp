@@ -40,10 +40,12 @@ double ergun(double phi, double diameter, double velocity) {
          1.75 * kLiquidDensity * phi * velocity * velocity / (e3 * diameter);
 }
 
+/// Drag of all grains over what is left for the liquid: the whole pressure drop.
 double di_felice(double phi, double diameter, double velocity) {
-  const double slip = velocity / (1 - phi);
-  const coupling::BedFlow flow{diameter, phi, slip, kLiquidDensity, kWater};
-  return phi / (std::numbers::pi / 6 * std::pow(diameter, 3)) * coupling::di_felice_drag(flow) * slip;
+  const double re = velocity * diameter / kWater, a = 1.5 - std::log10(re),
+               lone = std::pow(0.63 + 4.8 / std::sqrt(re), 2);
+  const double chi = 3.7 - 0.65 * std::exp(-a * a / 2);
+  return 0.75 * phi / diameter * lone * kLiquidDensity * velocity * velocity * std::pow(1 - phi, -chi - 1);
 }
 
 /// N, of the pressure drop over the bed.

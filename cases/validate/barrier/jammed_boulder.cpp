@@ -71,10 +71,7 @@ void ask(std::vector<Row>& rows, const std::string& name, Scene scene, double th
     lowest = std::min(lowest, solids.particles().position.z[boulder]);
     deepest = std::max(deepest, solids.worst_overlap().ratio);
   }
-  rows.push_back(
-      at_most_row(fmt::format("{}: energy error in {} steps", name, steps), watch.error() / watch.exchanged(), 0.01));
   rows.push_back(watch.row(name));
-  rows.push_back(at_most_row(name + ": time step, s", step, kLargestStep));
   rows.push_back(at_least_row(name + ": lowest place of the boulder, m (it does not pass)", lowest, -0.5 * kRing));
   rows.push_back(at_most_row(name + ": deepest overlap / radius", deepest, 0.5));
 }

@@ -10,6 +10,7 @@
 #include "barrier/topology.h"
 #include "cases/scene/scene.h"
 #include "cases/validate/entry.h"
+#include "core/worst.h"
 #include "dem/solids.h"
 #include "dem/time_step.h"
 
@@ -68,8 +69,8 @@ Fall watch(HangingNet& hanging, double duration, double interval, int samples_pe
     const dem::EnergyLedger now = solids.ledger();
     fall.last_kinetic = now.kinetic + now.rotational;
     fall.largest_kinetic = std::max(fall.largest_kinetic, fall.last_kinetic);
-    fall.largest_rise = std::max(fall.largest_rise, now.stored() - std::exchange(stored, now.stored()));
-    fall.largest_gap = std::max(fall.largest_gap, std::abs(now.total() - first.total()));
+    keep_worst(fall.largest_rise, now.stored() - std::exchange(stored, now.stored()));
+    keep_worst(fall.largest_gap, std::abs(now.total() - first.total()));
     if (sample % samples_per_link_check == 0)
       fall.linked =
           fall.linked && same_links(hanging.topology, find_topology(hanging.net, solids.particles(), solids.bonds()));

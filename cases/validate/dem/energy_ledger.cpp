@@ -42,7 +42,7 @@ void ask_grains(std::vector<Row>& rows, int count, double time) {
     walls.add({"far", HalfSpace{0.4 * n, -n}});
   }
   const dem::Materials m = one_material(1e8, 0.25, 0.5, 0.3);
-  const double step = 0.1 * dem::rayleigh_time_step(0.01, 2650, m[0]);  // half of the default
+  const double step = 0.1 * dem::rayleigh_time_step(0.01, 2650, m[0]);  // 0.14 is the default
   dem::Solids solids(p, {}, m, walls, solids_options(step, Vec3(0, 0, -kGravity)));
   LedgerWatch watch(solids);
   const int steps = static_cast<int>(time / step);

@@ -6,6 +6,7 @@
 
 #include "cases/scene/scene.h"
 #include "cases/validate/dem/ledger_watch.h"
+#include "core/worst.h"
 #include "dem/time_step.h"
 
 namespace lahar::validate {
@@ -58,8 +59,8 @@ double default_time_step(const ImpactSpec& s) {
 void ImpactLedger::add(const ImpactSpec& spec, const Impact& impact) {
   ImpactSpec fine = spec;
   fine.step_share = spec.step_share / 3;
-  after_ = std::max(after_, impact.ledger_error);
-  within_ = std::max(within_, run_impact(fine).ledger_worst);
+  keep_worst(after_, impact.ledger_error);
+  keep_worst(within_, run_impact(fine).ledger_worst);
 }
 
 void ImpactLedger::rows(std::vector<Row>& rows) const {

@@ -14,6 +14,8 @@
 namespace lahar::validate {
 namespace {
 
+constexpr double kKarman = 0.41;
+
 struct Mean {
   double bulk = 0, stress = 0;
   double gained = 0;  ///< momentum that the water gained meanwhile, per area of bed and time
@@ -42,12 +44,11 @@ Mean run_channel(int depth, double friction, double roughness, double turnovers)
   fluid.measure_walls();
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
-  const double start = friction / lbm::kKarman * (std::log(30 * depth / std::max(roughness, 0.01)) - 1);
+  const double start = friction / kKarman * (std::log(30 * depth / std::max(roughness, 0.01)) - 1);
   // Rolls along the stream as deep as the channel, and noise: noise alone decays before turbulence is there.
   fluid.fill_everything(
       [&](const Vec3& p) {
-        const double profile =
-            start + friction / lbm::kKarman * (std::log(std::min(p.z(), 2 * depth - p.z()) / depth) + 1);
+        const double profile = start + friction / kKarman * (std::log(std::min(p.z(), 2 * depth - p.z()) / depth) + 1);
         const double k = std::numbers::pi / depth, y = k * p.y() + 0.3 * std::sin(k * p.x()), z = k * p.z();
         const Vec3 roll = 2 * friction * Vec3(0, std::sin(y) * std::cos(z), -std::cos(y) * std::sin(z));
         return Vec3(Vec3(profile, 0, 0) + roll + 2 * friction * Vec3(normal(random), normal(random), normal(random)));
@@ -81,7 +82,7 @@ Mean run_channel(int depth, double friction, double roughness, double turnovers)
 std::vector<Row> run(const Context& context) {
   const int depth = context.quick ? 8 : 16;
   const double friction = 0.006, roughness = 0.5;
-  const double expected = friction / lbm::kKarman * (std::log(30 * depth / roughness) - 1);
+  const double expected = friction / kKarman * (std::log(30 * depth / roughness) - 1);
   const double turnovers = context.quick ? 10 : 20;
   const Mean model = run_channel(depth, friction, roughness, turnovers);
   const std::string cells = std::to_string(depth) + " cells deep: ";

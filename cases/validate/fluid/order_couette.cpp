@@ -1,6 +1,6 @@
 // Plane Couette flow started by a belt (moving wall) at z = 0:
 //   u / U = 1 - z/H - 2/pi sum_n sin(n pi z / H) exp(-n^2 pi^2 nu t / H^2) / n
-// The steady profile is linear: half-way bounce-back carries it to rounding, so the order is that of the start-up.
+// The steady profile is linear: half-way bounce-back carries it all but exactly, so the order is that of the start-up.
 #include <fmt/format.h>
 
 #include <numbers>
@@ -105,7 +105,7 @@ void add_frames(std::vector<Row>& rows, CollisionOperator collision, int cells) 
       spread = std::max(spread, std::abs(s.middle / straight - 1));
     }
   }
-  rows.push_back(at_most_row(name + ": spread of the speed half-way over 9 directions", spread, 1e-7));
+  rows.push_back(at_most_row(name + ": spread of the speed half-way over 9 directions", spread, 1e-6));
   const StartUp moving = start_up({.cells = cells, .collision = collision, .frame = 1});
   rows.push_back(
       relative_row(name + ": speed half-way in a frame as fast as the belt", moving.middle, straight, 0.005));
@@ -125,9 +125,10 @@ std::vector<Row> run(const Context& context) {
     rows.push_back(at_least_row(order_label(name + " start-up", cells), lowest_order(cells, errors), 1.9));
     rows.push_back(relative_row(fmt::format("{}: viscosity / nu, {} cells", name, cells.back()), finest.viscosity, 1,
                                 context.quick ? 0.03 : 0.005));
-    // The walls' velocities are stored in float.
+    // Belts pull by the liquid's density, which shear by central moments changes near them (on liquid taken to have
+    // density 1 the error was 1e-8; deep liquid was slow by per cents).
     rows.push_back(
-        at_most_row(fmt::format("{}: steady velocity error, {} cells", name, cells.back()), finest.late_error, 1e-6));
+        at_most_row(fmt::format("{}: steady velocity error, {} cells", name, cells.back()), finest.late_error, 1e-5));
     if (!context.quick || collision == kOperators.front()) add_frames(rows, collision, 8);
   }
   return rows;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "cases/validate/free_surface/surface_flows.h"
 #include "cases/validate/reference_table.h"
+#include "core/worst.h"
 
 namespace lahar::validate {
 namespace {
@@ -48,7 +50,7 @@ double DamBreakRun::front_at(double t) const { return at(*this, front, t); }
 double DamBreakRun::time_at(double z) const {
   for (std::size_t n = 0; n < front.size(); ++n)
     if (front[n] >= z) return time[n];
-  return time.back();
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 template <class Real>
@@ -71,9 +73,9 @@ DamBreakRun run_dam_break(const DamBreak& dam) {
     }
     fluid.step();
     if (++run.steps % 20 != 0) continue;
-    run.fastest = std::max(run.fastest, fastest(fluid) * fluid.units().time_step);
-    run.energy_rise = std::max(run.energy_rise, energy() / initial - 1);
-    run.drift = std::max(run.drift, std::abs(fluid.mass_drift()));
+    keep_worst(run.fastest, fastest(fluid) * fluid.units().time_step);
+    keep_worst(run.energy_rise, energy() / initial - 1);
+    keep_worst(run.drift, std::abs(fluid.mass_drift()));
   }
   run.limited = static_cast<double>(fluid.account().limited) / fluid.cell_updates();
   run.rescaled = fluid.rescaled_mass() / fluid.liquid_mass();
@@ -87,6 +89,15 @@ MeasuredColumn measured_column() {
   const ReferenceTable table = reference("martin_moyce1952.csv");
   return {table.where("set", "front_n2=2").points("T_or_tau", "Z_or_H"),
           table.where("set", "height_n2=2").points("T_or_tau", "Z_or_H")};
+}
+
+double measured_arrival(double z) {
+  const auto front = measured_column().front;
+  for (std::size_t n = 1; n < front.size(); ++n)
+    if (front[n].second >= z)
+      return std::lerp(front[n - 1].first, front[n].first,
+                       (z - front[n - 1].second) / (front[n].second - front[n - 1].second));
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 FrontErrors compare_front(const DamBreakRun& run) {

@@ -39,7 +39,7 @@ struct DamBreakRun {
   double rescaled = 0;                         ///< mass that changes of the time step brought in, of all
   std::int64_t changes = 0;                    ///< of the time step
   double shortest_step = 1, longest_step = 1;  ///< of the first
-  /// Front at a time T; time at which the front passes Z (the last time if it does not).
+  /// Front at a time T; time at which the front passes Z, not a number if it does not.
   [[nodiscard]] double front_at(double t) const;
   [[nodiscard]] double time_at(double z) const;
 };
@@ -53,6 +53,9 @@ struct MeasuredColumn {
   std::vector<std::pair<double, double>> front, height;
 };
 MeasuredColumn measured_column();
+
+/// T at which its front passes Z.
+double measured_arrival(double z);
 
 /// RMS of the relative error of Z, and slope dZ/dT from T = 1.43 on, against Martin & Moyce 1952, n^2 = 2.
 struct FrontErrors {

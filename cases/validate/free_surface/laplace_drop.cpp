@@ -1,5 +1,4 @@
-// Surface tension: the pressure in a drop at rest (Laplace), the swing of a drop (Lamb 1932, art. 275), and a standing
-// capillary wave. No gravity.
+// Surface tension: the pressure in a drop at rest (Laplace), and the swing of a drop (Lamb 1932, art. 275). No gravity.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -78,6 +78,8 @@ class ChuteLedger {
   }
   [[nodiscard]] double start() const { return start_; }
   [[nodiscard]] double weight() const { return weight_; }
+  /// What the spheres got.
+  [[nodiscard]] double on_bed() const { return on_bed_; }
   [[nodiscard]] double made() const { return step_.liquid_momentum().x() + on_bed_ - weight_ - start_; }
 
  private:

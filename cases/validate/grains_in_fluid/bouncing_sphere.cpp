@@ -41,6 +41,7 @@ Bounces bounce(int substeps, int steps) {
   t.diameter = 2 * kRadius;
   t.substeps = substeps;
   t.youngs_modulus = kModulus;
+  t.lubrication = true;
   const auto tank = make_tank<Real>(t);
   auto& step = *tank;
   Bounces b;

@@ -71,7 +71,7 @@ dem::Bonds add_ring(dem::Particles& particles) {
 
 struct Balance {
   double audit = 0;    ///< by the code's own books
-  double outside = 0;  ///< what the cells lost and the bodies did not get, of what was exchanged
+  double outside = 0;  ///< what the cells lost and was not given to bodies or beads, of what was exchanged
 };
 
 template <class Real>

@@ -48,10 +48,10 @@ void ask(std::vector<Row>& rows, Vessel v, bool quick) {
     rows.push_back(jet_row(what, d));
     rows.push_back(at_most_row(fmt::format("{}: discharge over that of the hole without it (free area {:.2f} of it)",
                                            what, circle(v.opening) / bare.lattice_area),
-                               d.per_speed / bare.per_speed, 1));
+                               d.per_speed / bare.per_speed, 0.97));
     rows.push_back(at_most_row(what + ": speed of the jet an opening behind, over sqrt(2 g h)", d.speed, 1));
     rows.push_back(
-        at_least_row(what + ": push on the ring over the head on its shadow (bar: along the jet)", d.push, 0));
+        at_least_row(what + ": push on the ring over the head on its shadow (bar: along the jet)", d.push, 0.1));
     rows.push_back(at_most_row(what + ": momentum audit", d.audit, exact ? 1e-10 : 1e-4));
     rows.push_back(at_most_row(what + ": liquid ledger", d.ledger, exact ? 1e-10 : 1e-5));
   }

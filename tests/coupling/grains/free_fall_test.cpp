@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "core/worst.h"
 #include "coupling/coupled_step.h"
 #include "tests/coupling/tanks.h"
 
@@ -37,7 +38,7 @@ Falls fall(const lbm::FluidOptions& fluid, const dem::Particles& particles, cons
   Falls falls;
   while (step.time() < duration) {
     step.advance();
-    falls.drift = std::max(falls.drift, std::abs(step.fluid()->mass_drift()));
+    keep_worst(falls.drift, std::abs(step.fluid()->mass_drift()));
   }
   falls.surface = interface_cells(*step.fluid()) / surface;
   const double speed = 9.81 * step.time();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
@@ -43,6 +45,26 @@ TEST(WallReflection, SlipAndNoSlipDiffer) {
   }
   EXPECT_NEAR(speed[1], 1, 0.03);  // as a body without friction
   EXPECT_LT(speed[0], 0.9);
+}
+
+/// Liquid that moves with its walls goes on with them, however heavy it is at the bed (a tenth denser than above; where
+/// belts pulled as on liquid of density 1 it was 5 % slow there).
+TEST(WallReflection, BeltsCarryDenseLiquidAlong) {
+  constexpr double speed = 0.05, height = 40, gravity = 0.1 / (3 * height);
+  FluidOptions o = lattice_options({8, 8, 40}, 0.05);
+  o.domain.faces[4] = o.domain.faces[5] = FaceKind::closed;
+  o.gravity = Vec3(0, 0, -gravity);
+  for (const double side : {-1.0, 1.0}) {
+    Wall belt{"belt", HalfSpace{Vec3(0, 0, side < 0 ? 0 : height), Vec3(-side * Vec3::UnitZ())}, WallSlip::no_slip};
+    belt.velocity = Vec3(speed, 0, 0);
+    o.domain.walls.add(belt);
+  }
+  Fluid<double> fluid(o);
+  fluid.fill_everything([&](const Vec3&) { return Vec3(speed, 0, 0); },
+                        [&](const Vec3& p) { return std::expm1(3 * gravity * (height / 2 - p.z())); });
+  for (int s = 0; s < 3000; ++s) fluid.step();
+  fluid.for_each_wet_cell([&](const WetCell& c) { EXPECT_NEAR(c.velocity.x() / speed, 1, 2e-3) << c.centre.z(); });
+  EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
 }
 
 }  // namespace
