@@ -193,10 +193,10 @@ void reflect_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
   Block<Real>& block = grid.block(b);
   block.walls.gained = 0, block.walls.takers = 0;
   block.walls.gains.resize(block.walls.cells.size(), 0);
-  const auto getters = static_cast<int>(
-      std::count_if(block.walls.gains.begin(), block.walls.gains.end(), [](double gain) { return gain != 0; }));
   reflect_rows(grid, b, parity, physics.equilibrium_order);
+  int getters = 0;  // entries that the last reflection gave something
   for (const std::uint16_t entry : block.walls.others) {
+    getters += block.walls.gains[entry] != 0;
     const WallCell& wall = block.walls.cells[entry];
     const CellPlace place{b, wall.cell};
     const std::uint8_t* const links = block.walls.directions.data() + wall.first_link;
