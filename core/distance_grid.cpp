@@ -31,29 +31,58 @@ double trilinear(const Vec3& t, const At& at) {
   return low + t.x() * (high - low);
 }
 
+/// Its derivatives by t.
+template <class At>
+Vec3 trilinear_slope(const Vec3& t, const At& at) {
+  Vec3 slope;
+  for (int a = 0; a < 3; ++a) {
+    const int b = (a + 1) % 3, c = (a + 2) % 3;
+    const auto step = [&](int at_b, int at_c) {
+      Vec3i from;
+      from[a] = 0, from[b] = at_b, from[c] = at_c;
+      const double low = at(from.x(), from.y(), from.z());
+      from[a] = 1;
+      return at(from.x(), from.y(), from.z()) - low;
+    };
+    slope[a] = (1 - t[b]) * ((1 - t[c]) * step(0, 0) + t[c] * step(0, 1)) +
+               t[b] * ((1 - t[c]) * step(1, 0) + t[c] * step(1, 1));
+  }
+  return slope;
+}
+
 }  // namespace
+
+template <class Use>
+auto DistanceGrid::in_cell(const Vec3& place, const Use& use) const {
+  const Vec3i brick = (place / brick_cells).cast<int>().cwiseMin(bricks_ - Vec3i::Ones());
+  const Vec3 inside = place - (brick_cells * brick).cast<double>();
+  if (const std::int32_t fine = brick_[brick_index(brick)]; fine >= 0) {
+    const Vec3i cell = inside.cast<int>().cwiseMin(brick_cells - 1);
+    const float* base =
+        fine_.data() + static_cast<std::size_t>(fine) * brick_nodes + 81 * cell.x() + 9 * cell.y() + cell.z();
+    return use(Vec3(inside - cell.cast<double>()), 1.0,
+               [&](int x, int y, int z) { return static_cast<double>(base[81 * x + 9 * y + z]); });
+  }
+  return use(Vec3(inside / brick_cells), static_cast<double>(brick_cells),
+             [&](int x, int y, int z) { return static_cast<double>(coarse_[coarse_index(brick + Vec3i(x, y, z))]); });
+}
 
 double DistanceGrid::distance(const Vec3& p) const {
   const Vec3 most = (brick_cells * bricks_).cast<double>();
   const Vec3 wanted = (p - lower_) / spacing_;
   const Vec3 place = wanted.cwiseMax(0).cwiseMin(most);  // in spacings
-  const Vec3i brick = (place / brick_cells).cast<int>().cwiseMin(bricks_ - Vec3i::Ones());
-  const Vec3 inside = place - (brick_cells * brick).cast<double>();
-  const std::int32_t fine = brick_[brick_index(brick)];
-  double d;
-  if (fine >= 0) {
-    const Vec3i cell = inside.cast<int>().cwiseMin(brick_cells - 1);
-    const float* base =
-        fine_.data() + static_cast<std::size_t>(fine) * brick_nodes + 81 * cell.x() + 9 * cell.y() + cell.z();
-    d = trilinear(inside - cell.cast<double>(),
-                  [&](int x, int y, int z) { return static_cast<double>(base[81 * x + 9 * y + z]); });
-  } else {
-    d = trilinear(inside / brick_cells, [&](int x, int y, int z) {
-      return static_cast<double>(coarse_[coarse_index(brick + Vec3i(x, y, z))]);
-    });
-  }
+  const double d = in_cell(place, [](const Vec3& t, double, const auto& at) { return trilinear(t, at); });
   const double beyond = (wanted - place).norm() * spacing_;
   return d < 0 ? d - beyond : d + beyond;
+}
+
+Vec3 DistanceGrid::slope(const Vec3& p) const {
+  const Vec3 place = (p - lower_) / spacing_;
+  if (!(place.array() >= 0).all() || !(place.array() <= (brick_cells * bricks_).cast<double>().array()).all())
+    return gradient(p);
+  return in_cell(place, [&](const Vec3& t, double cell, const auto& at) -> Vec3 {
+    return trilinear_slope(t, at) / (cell * spacing_);
+  });
 }
 
 Vec3 DistanceGrid::gradient(const Vec3& p) const {

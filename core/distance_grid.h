@@ -36,8 +36,15 @@ class DistanceGrid {
   [[nodiscard]] double distance(const Vec3& p) const;
   /// Unit vector along which the distance grows: central differences over one spacing.
   [[nodiscard]] Vec3 gradient(const Vec3& p) const;
+  /// Derivatives of `distance` itself, not of unit length: a force along it that depends on the distance alone does the
+  /// same work on every way. In concave edges, where the distance has a crease, it is shorter than 1. Beyond the grid
+  /// the gradient.
+  [[nodiscard]] Vec3 slope(const Vec3& p) const;
 
  private:
+  /// Calls `use` with the place in the cell (0 to 1), the size of the cell in spacings and the values at its corners.
+  template <class Use>
+  auto in_cell(const Vec3& place, const Use& use) const;
   [[nodiscard]] std::size_t coarse_index(const Vec3i& c) const {
     return (static_cast<std::size_t>(c.x()) * static_cast<std::size_t>(bricks_.y() + 1) +
             static_cast<std::size_t>(c.y())) *

@@ -62,7 +62,7 @@ struct Particles {
   [[nodiscard]] ParticleIndex index(std::size_t id) const { return numbering.index(id); }
   /// The rail of a particle, if it has one.
   [[nodiscard]] const Rail* rail_of(std::size_t i) const {
-    if (rails.empty() || kind[i] != ParticleKind::bead) return nullptr;
+    if (rails.empty()) return nullptr;
     const auto at =
         std::lower_bound(rails.begin(), rails.end(), id(i), [](const Rail& r, ParticleId k) { return r.id < k; });
     return at != rails.end() && at->id == id(i) ? &*at : nullptr;

@@ -258,6 +258,7 @@ void Solids::take_external_forces() {
 }
 
 void Solids::remove(ParticleIndex i) {
+  if (particles_.state[i] == ParticleState::removed) return;
   const double springs = normal_energy_of(i, particles_, materials_, walls_, contacts_, options_.contact_law) +
                          normal_energy_of(i, particles_, materials_, walls_, slow_contacts_, options_.contact_law);
   const double wire_springs = wires_ && prepared_ ? wires_->normal_energy_of(i, particles_) : 0.0;

@@ -367,7 +367,8 @@ void check_averaged(const Scene& scene, Findings& findings) {
 
 void check_holdych(const Scene& scene, Findings& findings) {
   const auto& spheres = scene.grains.spheres;
-  const bool all_held = scene.grains.packings.empty() &&
+  const bool free_wires = scene.barrier.enabled && scene.coupling.resolve_wires_from_cells;
+  const bool all_held = !free_wires && scene.grains.packings.empty() &&
                         std::all_of(spheres.begin(), spheres.end(), [](const GrainSphere& s) { return s.fixed; });
   if (lbm::by_wall_distance(scene.coupling.body_weighting))
     findings.mistake(
@@ -377,8 +378,8 @@ void check_holdych(const Scene& scene, Findings& findings) {
   else if (!all_held)
     findings.mistake(
         "coupling.solid_operator",
-        "coupling.solid_operator = \"holdych\" lets the liquid in free grains swing undamped, expected fixed "
-        "grains or another solid operator");
+        "coupling.solid_operator = \"holdych\" lets the liquid in free grains and mapped wires swing undamped, "
+        "expected fixed grains and wires by the drag law, or another solid operator");
 }
 
 void check_uses(const Scene& scene, Findings& findings) {

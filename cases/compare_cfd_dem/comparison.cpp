@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <sstream>
+#include <utility>
 
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/load.h"
@@ -37,16 +36,14 @@ double CaseResult::value(const std::string& quantity) const {
 
 const std::vector<Flow>& published_flows() {
   static const std::vector<Flow> all = [] {
-    const std::filesystem::path path = validate::case_file("compare_cfd_dem/li2020_table5.csv");
-    std::ifstream file(path);
-    std::vector<Flow> flows;
-    for (std::string line; std::getline(file, line);) {
-      if (line.empty() || line[0] == '#' || line[0] == 'L') continue;
-      std::replace(line.begin(), line.end(), ',', ' ');
-      std::istringstream numbers(line);
-      Flow f{};
-      if (numbers >> f.release >> f.froude >> f.e_in >> f.e_out >> f.e_d >> f.e_b >> f.eta >> f.zeta)
-        flows.push_back(f);
+    const auto table = validate::ReferenceTable::read(validate::case_file("compare_cfd_dem/li2020_table5.csv"));
+    std::vector<Flow> flows(table.size());
+    constexpr std::pair<const char*, double Flow::*> columns[] = {
+        {"L_m", &Flow::release}, {"Fr", &Flow::froude},  {"E_in_kJ", &Flow::e_in}, {"E_out_kJ", &Flow::e_out},
+        {"E_d_kJ", &Flow::e_d},  {"E_b_kJ", &Flow::e_b}, {"eta", &Flow::eta},      {"zeta", &Flow::zeta}};
+    for (const auto& [name, part] : columns) {
+      const std::vector<double> numbers = table.numbers(name);
+      for (std::size_t k = 0; k < flows.size(); ++k) flows[k].*part = numbers[k];
     }
     require(flows.size() == release_distances().size(), "li2020_table5.csv does not hold the paper's flows");
     return flows;
@@ -168,6 +165,24 @@ double final_mean(const CaseRun& c, const char* column, double seconds) {
   for (std::size_t k = 0; values && k < values->values.size(); ++k)
     if (c.series.time_s[k] > c.series.time_s.back() - seconds) sum += values->values[k], ++count;
   return count > 0 ? sum / count : kNone;
+}
+
+/// The largest mean of a column over so many seconds (from row to row as a straight line); NaN of a shorter run.
+double largest_mean(const CaseRun& c, const char* column, double seconds) {
+  const std::vector<double>& time = c.series.time_s;
+  const auto* values = c.series.find(column);
+  if (!values || time.empty() || time.back() - time.front() < seconds) return kNone;
+  std::vector<double> sums(time.size(), 0.0);  // integrals from the first row on
+  for (std::size_t k = 1; k < time.size(); ++k)
+    sums[k] = sums[k - 1] + 0.5 * (values->values[k - 1] + values->values[k]) * (time[k] - time[k - 1]);
+  const double least = seconds * (1 - 1e-9);
+  double largest = -INFINITY;
+  for (std::size_t begin = 0, end = 0; end < time.size(); ++end) {
+    while (begin + 1 < end && time[end] - time[begin + 1] >= least) ++begin;
+    if (const double length = time[end] - time[begin]; length >= least)
+      largest = std::max(largest, (sums[end] - sums[begin]) / length);
+  }
+  return largest;
 }
 
 /// Sum of one column over that of another, of the rows in which at least a litre a second passes.
@@ -310,20 +325,29 @@ std::vector<Compared> make_quantities() {
   add(
       "outflow_liquid_share", "1", "share of the liquid in E_out, about the bed 1.30 m downstream",
       [](const CaseRun& c) { return e_out_liquid_lower(c) / e_out_lower(c); }, not_given, "Fig. 16");
+  add(
+      "outflow_liquid_share_kinetic", "1", "share of the liquid in the kinetic energy that leaves",
+      [](const CaseRun& c) {
+        const double liquid = c.metric("e_out_liquid_kinetic_kJ");
+        return liquid / (liquid + c.metric("e_out_grains_kinetic_kJ"));
+      },
+      not_given, "Fig. 16");
   add("out_liquid_kinetic", "1", "kinetic energy of the liquid that leaves, of E_in about the bed 1.30 m downstream",
       over_e_in(metric("e_out_liquid_kinetic_kJ")), not_given, "Fig. 16");
-  add("out_liquid_potential", "1", "its potential energy, both about the bed 1.30 m downstream",
+  add("out_liquid_potential", "1",
+      "potential energy of the liquid that leaves, of E_in, about the bed 1.30 m downstream",
       over_e_in(potential_of_liquid_lower), not_given, "Fig. 16");
-  add("out_grains_kinetic", "1", "kinetic energy of the grains that leave, of the same",
+  add("out_grains_kinetic", "1", "kinetic energy of the grains that leave, of E_in about the bed 1.30 m downstream",
       over_e_in(metric("e_out_grains_kinetic_kJ")), not_given, "Fig. 16");
-  add("out_grains_potential", "1", "their potential energy, of the same", over_e_in(potential_of_grains_lower),
-      not_given, "Fig. 16");
-  add("retained_mass", "1", "share of the grains' mass that is held", metric("retained_mass_ratio"),
+  add("out_grains_potential", "1",
+      "potential energy of the grains that leave, of E_in, about the bed 1.30 m downstream",
+      over_e_in(potential_of_grains_lower), not_given, "Fig. 16");
+  add("retained_mass", "1", "share of the grains' mass that the barrier holds", metric("retained_mass_ratio"),
       of_ends(0.98, 0.90), "4.2: ends of the range");
-  add("retained_large", "1", "share of the large grains", metric("retained_large_grains_ratio"), of_ends(0.999, 0.965),
-      "4.2: ends of the range");
-  add("retained_small", "1", "share of the small grains", metric("retained_small_grains_ratio"), of_ends(0.902, 0.649),
-      "4.2: ends of the range");
+  add("retained_large", "1", "share of the large grains that the barrier holds", metric("retained_large_grains_ratio"),
+      of_ends(0.999, 0.965), "4.2: ends of the range");
+  add("retained_small", "1", "share of the small grains that the barrier holds", metric("retained_small_grains_ratio"),
+      of_ends(0.902, 0.649), "4.2: ends of the range");
   add("lower_cable_sum", "kN", "largest sum of bond forces in the lower cable", metric("peak_lower_cable_sum_kN"),
       of_one(517.54), "4.3");
   add("upper_cable_sum", "kN", "largest sum of bond forces in the upper cable", metric("peak_upper_cable_sum_kN"),
@@ -334,6 +358,9 @@ std::vector<Compared> make_quantities() {
       not_given, "Fig. 14");
   add("barrier_sum", "kN", "largest sum of bond forces in the whole barrier", metric("peak_barrier_sum_kN"),
       of_ends(kNone, 4131.31), "Fig. 14: the largest of all flows, which rise");
+  add(
+      "barrier_sum_mean", "kN", "largest mean over 0.2 s of the sum of bond forces in the whole barrier",
+      [](const CaseRun& c) { return largest_mean(c, "barrier_force_sum_N", 0.2) / 1000; }, not_given, "");
   add("barrier_tension", "kN", "largest tension of a bond", metric("peak_barrier_tension_kN"), not_given, "");
   add("upper_cable_end", "kN", "largest force at an end of the upper cable", metric("peak_upper_cable_end_kN"),
       not_given, "");
@@ -373,6 +400,9 @@ std::vector<Compared> make_quantities() {
       [](const CaseRun& c) { return 1 / (1 + 1 / ratio_of_sums(c, "net_grains_area_m2", "net_liquid_area_m2")); },
       not_given, "");
   add("water_left", "kg", "water that left the channel", metric("liquid_left_kg"), not_given, "");
+  add(
+      "water_inside", "kg", "water that is in the channel at the end",
+      [](const CaseRun& c) { return final_mean(c, "liquid_mass_kg", 0.02); }, not_given, "");
   return q;
 }
 
@@ -392,7 +422,7 @@ const std::vector<ShownColumn>& shown_columns() {
       {"barrier_fluid_force_x_N", "force of water on the net", "kN", 1e-3},
       {"barrier_contact_force_x_N", "force of grains on the net", "kN", 1e-3},
       {"grains_fluid_force_x_N", "force of water on the grains", "kN", 1e-3},
-      {"fluid_momentum_gap_x_Ns", "momentum of walls and made", "kNs", 1e-3},
+      {"fluid_momentum_gap_x_Ns", "momentum that walls gave the water or its surface made", "kNs", 1e-3},
       {"net_discharge_m3_s", "discharge of water through the net", "m^3/s"},
       {"net_grains_area_m2", "area of grains in the plane of the net", "m^2"},
       {"grains_passed_kg", "grains that have passed", "kg"},
@@ -410,8 +440,6 @@ CaseResult result_of(const CaseRun& run) {
   return result;
 }
 
-namespace {
-
 std::map<std::string, double> metrics_of(const std::string& summary, const std::filesystem::path& file) {
   try {
     return nlohmann::json::parse(summary).at("metrics").get<std::map<std::string, double>>();
@@ -419,8 +447,6 @@ std::map<std::string, double> metrics_of(const std::string& summary, const std::
     throw cases::FileError(file, "not the summary of a run");
   }
 }
-
-}  // namespace
 
 void take_summary(CaseResult& result, const std::string& summary, const std::filesystem::path& file) {
   try {

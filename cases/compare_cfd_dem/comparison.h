@@ -39,6 +39,8 @@ struct CaseResult {
 
 /// The values and curves of a run; what stands in its summary is left empty.
 CaseResult result_of(const CaseRun& run);
+/// The metrics in a summary. Throws cases::FileError, which names `file`, if it is none.
+std::map<std::string, double> metrics_of(const std::string& summary, const std::filesystem::path& file);
 /// Sets summary, failed_checks and wall_seconds. Throws cases::FileError, which names `file`, if it is no summary.
 void take_summary(CaseResult& result, const std::string& summary, const std::filesystem::path& file);
 /// Reads summary.json, series.h5 and the scene. Throws cases::FileError.

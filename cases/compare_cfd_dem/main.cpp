@@ -1,12 +1,8 @@
 // compare_cfd_dem: the paper's debris flows, resolved and averaged, beside what the paper reports.
-#include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include "cases/compare_cfd_dem/jobs.h"
 #include "cases/compare_cfd_dem/record.h"
@@ -17,23 +13,23 @@
 #include "cases/runner/machine.h"
 #include "cases/runner/options.h"
 #include "cases/runner/output_folder.h"
-#include "core/check.h"
 
 namespace lahar::study {
 namespace {
 
 struct Arguments {
   Selection selection;
-  std::string out = "results/compare_cfd_dem", records;
-  int at_once = 1, threads = 0;
-  bool list = false, report_only = false, quiet = false;
+  std::string records;
+  int at_once = 1;
+  bool list = false, report_only = false;
+  cases::CommonOptions common;
 };
 
 std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
 void list(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   for (const StudyCase& c : study_cases) {
-    const Standing s = standing_of(c, std::filesystem::path(a.out) / c.name());
+    const Standing s = standing_of(c, std::filesystem::path(a.common.out) / c.name());
     fmt::print("{}: {}\n", c.name(),
                s == Standing::done      ? "done"
                : s == Standing::begun   ? "begun"
@@ -68,15 +64,12 @@ void share(std::vector<CaseResult>& results, const std::filesystem::path& record
 
 /// What is done, and the page about it.
 void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
-  const std::filesystem::path folder = a.out;
+  const std::filesystem::path folder = a.common.out;
   std::vector<CaseResult> results = results_in(folder, study_cases, a.selection.further);
   if (!a.records.empty()) share(results, a.records);
   std::sort(results.begin(), results.end(),
             [](const CaseResult& x, const CaseResult& y) { return comes_before(x.study_case, y.study_case); });
-  Sitting sitting{cases::machine_name(),
-                  cases::commit(),
-                  fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now())),
-                  {}};
+  Sitting sitting{cases::machine_name(), cases::commit(), cases::today(), {}};
   for (const StudyCase& c : study_cases)
     if (!holds(results, c)) sitting.missing.push_back(c.name());
   write_report(results, sitting, folder);
@@ -89,23 +82,22 @@ void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
 int run(const Arguments& a) {
   const std::vector<StudyCase> study_cases = cases_of(a.selection);
   if (!a.records.empty() && !a.selection.further.empty())
-    throw InputError(std::vector<InputMistake>{
-        {"command line", 1, 1,
-         "--records with --set: records are of the study's own values, expected one of the two"}});
+    cases::refuse_command_line(
+        "--records with --set or --precision: records are of the study's own values, expected one of the two");
   check_changes(study_cases);
   if (a.list) return list(study_cases, a), cases::exit_done;
-  require_study_folder(a.out, "--out");
+  require_study_folder(a.common.out, "--out");
   if (!a.records.empty()) require_study_folder(a.records, "--records");
-  cases::create_folder(a.out);
+  cases::create_folder(a.common.out);
   if (!a.records.empty()) cases::create_folder(a.records, "--records");
   int code = cases::exit_done;
   if (!a.report_only) {
-    const int all = a.threads > 0 ? a.threads : static_cast<int>(std::thread::hardware_concurrency());
-    const JobOptions options{own_folder() / "lahar", a.out, a.at_once, std::max(1, all / a.at_once)};
+    const int threads = std::max(1, cases::threads_or_all(a.common.threads) / a.at_once);
+    const JobOptions options{own_folder() / "lahar", a.common.out, a.at_once, threads};
     for (const StudyCase& c : study_cases) (void)command_of(c, options.lahar, options.folder / c.name(), 1);
     cases::watch_for_interrupt();
     const auto tell = [&](const std::string& line) {
-      if (a.quiet) return;
+      if (a.common.quiet) return;
       fmt::print("{}\n", line);
       std::fflush(stdout);
     };
@@ -114,7 +106,7 @@ int run(const Arguments& a) {
     if (cases::interrupted()) code = cases::exit_interrupted;
   }
   report(study_cases, a);
-  if (!a.quiet) fmt::print("report: {}\n", (std::filesystem::path(a.out) / "report.html").string());
+  if (!a.common.quiet) fmt::print("report: {}\n", (std::filesystem::path(a.common.out) / "report.html").string());
   return code;
 }
 
@@ -133,8 +125,9 @@ int main(int argc, char** argv) {
       "Runs the ten debris flows of Li, Zhao & Kwan 2020, resolved and averaged, and compares. What is done is not run "
       "again; what was interrupted goes on.",
       "compare_cfd_dem");
-  app.set_version_flag("--version", "compare_cfd_dem " + cases::version() + " (" + cases::commit() + ")");
+  cases::add_version(app);
   study::Arguments a;
+  a.common.out = "results/compare_cfd_dem";
   study::Selection& s = a.selection;
   app.add_option("--sweep", s.sweeps, "as_printed, matched; default both" + study::choices_text(study::sweeps()));
   app.add_option("--release", s.releases, "Distances of the net from the mixture's upstream end, m; default all ten");
@@ -142,17 +135,18 @@ int main(int argc, char** argv) {
   app.add_option("--coupling", s.couplings, "default resolved and averaged" + study::choices_text(study::couplings()));
   app.add_option("--seed", s.seeds, "Seeds of the packing; default 1");
   app.add_option("--variant", s.variants, "default study" + study::choices_text(study::variants()));
-  app.add_option("--set", s.further, "Change a value of every scene: key.path=value (repeatable)")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  app.add_option("--out", a.out, "Folder of the study")->capture_default_str();
   app.add_option("--records", a.records,
                  "Folder of small records of cases: those of this study are written there, and what it holds of others "
                  "is in the report too");
   app.add_option("--at-once", a.at_once, "Runs at once, which share the threads")->check(CLI::Range(1, 64));
-  app.add_option("--threads", a.threads, "Threads of all runs together (default: all)")->check(CLI::Range(1, 4096));
   app.add_flag("--list", a.list, "Say of each case whether it is done, and run nothing");
   app.add_flag("--report", a.report_only, "Only write the report, of all cases in the folder that are done");
-  app.add_flag("--quiet", a.quiet, "Print nothing but mistakes");
-  return cases::parse_and_run(app, argc, argv, [&] { return study::run(a); });
+  cases::add_common_options(app, a.common,
+                            {.out = "Folder of the study (default results/compare_cfd_dem)", .overwrite = false});
+  app.get_option("--set")->description("Change a value of every scene: key.path=value (repeatable)");
+  app.get_option("--threads")->description("Threads of all runs together (default: all)");
+  return cases::parse_and_run(app, argc, argv, [&] {
+    s.further = cases::overrides_of(a.common);
+    return study::run(a);
+  });
 }

@@ -15,6 +15,7 @@ namespace lahar::study {
 namespace {
 
 constexpr double kRowInterval = 0.01;  // s
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The first row, then each that comes at least an interval after the one before, and the last.
 std::vector<std::size_t> kept_rows(const std::vector<double>& time) {
@@ -36,8 +37,7 @@ std::string list_of(const std::vector<double>& values, const std::vector<std::si
 
 std::vector<double> numbers_of(const nlohmann::json& list) {
   std::vector<double> numbers;
-  for (const auto& item : list)
-    numbers.push_back(item.is_null() ? std::numeric_limits<double>::quiet_NaN() : item.get<double>());
+  for (const auto& item : list) numbers.push_back(item.is_null() ? kUnknown : item.get<double>());
   return numbers;
 }
 
@@ -70,6 +70,9 @@ CaseResult read_record(const StudyCase& study_case, const std::filesystem::path&
       if (result.curves.columns.back().values.size() != result.curves.time_s.size())
         throw cases::FileError(file, shown.name + " has not as many values as there are times");
     }
+    // What quantities are asked for since, of what was kept: the scene's grains were not.
+    const CaseRun kept{study_case, metrics_of(result.summary, file), kUnknown, kUnknown, result.curves};
+    for (const auto& [name, value] : result_of(kept).values) result.values.emplace(name, value);
   } catch (const nlohmann::json::exception&) {
     throw cases::FileError(file, "not the record of a case");
   }

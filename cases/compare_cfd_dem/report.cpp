@@ -94,7 +94,7 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
                      .dash = dash_of(curve.coupling, curve.seed),
                      .colour = colour_of(curve.sweep, curve.preset, curve.coupling)};
     for (const auto& [x, y] : points) ours.x.push_back(x), ours.y.push_back(y);
-    if (points.size() == 1) ours.mark = Mark::points;
+    if (points.size() < 4) ours.mark = Mark::points;  // what lies between is not known
     chart.series.push_back(ours);
   }
   return chart;
@@ -141,12 +141,14 @@ std::vector<Figure> figures_of(const std::vector<CaseResult>& results) {
                                                           {"lower_cable_sum", "as Fig. 14"},
                                                           {"upper_cable_sum", "as Fig. 14"},
                                                           {"barrier_sum", "as Fig. 14"},
+                                                          {"barrier_sum_mean", "ours alone"},
                                                           {"e_in", "Table 5"},
                                                           {"e_in_lower", "Table 5"},
                                                           {"e_out", "Table 5"},
                                                           {"e_b", "Table 5"},
                                                           {"eta", "as Fig. 15"},
                                                           {"outflow_liquid_share", "as Fig. 16"},
+                                                          {"outflow_liquid_share_kinetic", "as Fig. 16"},
                                                           {"out_liquid_kinetic", "as Fig. 16"},
                                                           {"out_liquid_potential", "as Fig. 16"},
                                                           {"out_grains_kinetic", "as Fig. 16"},

@@ -70,9 +70,11 @@ constexpr Statement kStatements[] = {
     {"eta levels off (4.4), about the bed 1.30 m downstream", "eta_lower", Says::levels_off},
     {"zeta falls (4.4), about the bed at the net", "zeta", Says::falls},
     {"zeta falls (4.4), about the bed 1.30 m downstream", "zeta_lower", Says::falls},
-    {"what leaves is mainly fluid, by its energy (4.4)", "outflow_liquid_share", Says::is_greater_part},
+    {"what leaves is mainly fluid (4.4), by its energy about the bed 1.30 m downstream", "outflow_liquid_share",
+     Says::is_greater_part},
+    {"what leaves is mainly fluid (4.4), by its kinetic energy", "outflow_liquid_share_kinetic", Says::is_greater_part},
     {"kinetic energy of the fluid that leaves rises, of E_in (4.4)", "out_liquid_kinetic", Says::rises},
-    {"its potential energy falls, of E_in (4.4)", "out_liquid_potential", Says::falls},
+    {"potential energy of the fluid that leaves falls, of E_in (4.4)", "out_liquid_potential", Says::falls},
 };
 
 constexpr double kBend = 6.35;  // m: Fr = 5.866, from which on eta no longer rises (4.4)

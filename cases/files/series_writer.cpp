@@ -95,8 +95,7 @@ void SeriesWriter::append(double time_s, std::span<const double> values) {
   time_[0].pending.push_back(time_s);
   for (std::size_t c = 0; c < values.size(); ++c) columns_[c].pending.push_back(values[c]);
   ++rows_;
-  if (time_[0].pending.size() < rows_per_write_) return;
-  write_rows();
+  if (time_[0].pending.size() >= rows_per_write_) write_rows();
   if (grown_.copy_due()) flush();
 }
 

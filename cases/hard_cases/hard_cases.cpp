@@ -121,18 +121,27 @@ std::string result_text(const HardCaseResult& result) {
   std::size_t rows = 0, reached = 0;
   std::string misses;
   for (const Outcome& o : result.outcomes) {
-    for (const Row& r : o.rows) {
-      rows += 1, reached += r.pass;
+    rows += o.asked(), reached += o.reached();
+    for (const Row& r : o.rows)
       if (!r.pass)
         misses += fmt::format("         {}: {}: {:.4g}, error {:.3g}, bar {:.3g}\n", o.name, r.label, r.value, r.error,
                               r.tolerance);
-    }
     if (!o.failure.empty()) misses += fmt::format("         {} stopped: {}\n", o.name, o.failure);
   }
   return fmt::format("{:<4} {}  {:>3} of {:<3} {:>8.1f} s  {}\n{}", result.hard_case.id,
                      result.pass() ? "pass " : "SHORT", reached, rows, result.seconds(), result.hard_case.question,
                      misses);
 }
+
+namespace {
+
+std::string csv_of(const Row& r) {
+  const char* const pass = r.note ? "-" : r.pass ? "true" : "false";
+  return fmt::format("{},{:.6g},{},{},{},{}", csv_field(r.label), r.value, figure_text(r, r.reference, 6),
+                     figure_text(r, r.error, 6), figure_text(r, r.tolerance, 6), pass);
+}
+
+}  // namespace
 
 std::string results_csv(const std::vector<HardCaseResult>& results, const Context& context, const std::string& date) {
   std::string text = fmt::format("# {}, commit {}, {}, {} form, {}\n{}\n", cases::machine_name(), cases::commit(), date,
@@ -141,9 +150,7 @@ std::string results_csv(const std::vector<HardCaseResult>& results, const Contex
     for (const Outcome& o : result.outcomes) {
       const HardCase& c = result.hard_case;
       const std::string start = fmt::format("{},{},{},{}", c.id, csv_field(c.question), csv_field(c.criterion), o.name);
-      for (const Row& r : o.rows)
-        text += fmt::format("{},{},{:.6g},{:.6g},{:.6g},{:.6g},{},{:.2f}\n", start, csv_field(r.label), r.value,
-                            r.reference, r.error, r.tolerance, r.pass, o.seconds);
+      for (const Row& r : o.rows) text += fmt::format("{},{},{:.2f}\n", start, csv_of(r), o.seconds);
       if (!o.failure.empty()) text += fmt::format("{},{},,,,,false,{:.2f}\n", start, csv_field(o.failure), o.seconds);
     }
   return text;

@@ -39,7 +39,8 @@ inline constexpr const char* kHardCasesTable = "hard_cases.csv";
 inline constexpr const char* kHardCasesColumns =
     "id,case,criterion,entry,row,value,reference,error,tolerance,pass,seconds";
 
-/// Machine, commit, date, form and precision, then the columns, then a row for each row of an entry.
+/// Machine, commit, date, form and precision, then the columns, then a row for each row of an entry; notes have "-" for
+/// what they lack.
 std::string results_csv(const std::vector<HardCaseResult>& results, const Context& context, const std::string& date);
 
 }  // namespace lahar::validate

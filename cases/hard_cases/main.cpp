@@ -1,18 +1,13 @@
 // hard_cases: runs the scenes that break codes of this kind. Exit code 1 if one falls short.
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
-#include <thread>
 
 #include "cases/files/output_file.h"
 #include "cases/hard_cases/hard_cases.h"
 #include "cases/runner/interrupt.h"
-#include "cases/runner/machine.h"
 #include "cases/runner/options.h"
 #include "cases/runner/table_folder.h"
-#include "core/check.h"
 #include "core/parallel.h"
 
 namespace lahar::validate {
@@ -24,18 +19,9 @@ struct Arguments {
   cases::CommonOptions common;
 };
 
-[[noreturn]] void refuse(const std::string& why) {
-  throw InputError(std::vector<InputMistake>{{"command line", 1, 1, why}});
-}
-
 std::vector<HardCase> chosen_by(const Arguments& a) {
-  if (!a.common.set.empty())
-    refuse("--set " + a.common.set.front() + ": hard cases have no keys to set, expected their ids (see --list)");
-  try {
-    return select_hard_cases(a.ids);
-  } catch (const std::invalid_argument& e) {
-    refuse(e.what());
-  }
+  cases::refuse_changes(a.common, "hard cases have no keys to set, expected their ids (see --list)");
+  return cases::ask_by_name([&] { return select_hard_cases(a.ids); });
 }
 
 std::string list_text(const std::vector<HardCase>& cases) {
@@ -57,9 +43,8 @@ int run(const Arguments& a) {
   if (a.common.precision == "float") context.precision = Precision::float32;
   const std::filesystem::path folder = a.common.out.empty() ? "results/hard_cases" : a.common.out;
   cases::prepare_table_folder(folder, kHardCasesTable, kHardCasesColumns, a.common.overwrite);
-  const std::string date = fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now()));
-  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
-                                               : static_cast<int>(std::thread::hardware_concurrency()));
+  const std::string date = cases::today();
+  const ThreadLimit limit(cases::threads_or_all(a.common.threads));
   cases::watch_for_interrupt();
   std::vector<HardCaseResult> results;
   std::size_t passed = 0;
@@ -84,11 +69,11 @@ int run(const Arguments& a) {
 int main(int argc, char** argv) {
   using namespace lahar;
   CLI::App app("Runs the scenes that break codes of this kind", "hard_cases");
-  app.set_version_flag("--version", "hard_cases " + cases::version() + " (" + cases::commit() + ")");
+  cases::add_version(app);
   validate::Arguments arguments;
   app.add_option("ids", arguments.ids, "Cases, such as H3 (default: all)")->type_name("ID");
   app.add_flag("--list", arguments.list, "List the cases and when they count as passed, and do not run them");
   app.add_flag("--quick", arguments.quick, "Coarser grids and fewer steps, fewer bars");
-  cases::add_common_options(app, arguments.common);
+  cases::add_common_options(app, arguments.common, {.out = "Folder for the table (default results/hard_cases)"});
   return cases::parse_and_run(app, argc, argv, [&] { return validate::run(arguments); });
 }

@@ -1,20 +1,16 @@
 // lahar: runs and checks scenes.
 #include <fmt/format.h>
 
-#include <thread>
-
 #include "cases/assembly/load.h"
 #include "cases/assembly/simulation.h"
 #include "cases/observers/observer_list.h"
 #include "cases/observers/quantity_tables.h"
 #include "cases/runner/check.h"
 #include "cases/runner/interrupt.h"
-#include "cases/runner/machine.h"
 #include "cases/runner/options.h"
 #include "cases/runner/resume.h"
 #include "cases/runner/run.h"
 #include "cases/scene/key_list.h"
-#include "core/check.h"
 
 namespace lahar::cases {
 namespace {
@@ -39,10 +35,6 @@ int run(const Arguments& arguments) {
 }
 
 int resume(const Arguments& arguments) {
-  if (!arguments.common.out.empty() || arguments.common.overwrite)
-    throw InputError(std::vector<InputMistake>{
-        {"command line", 1, 1,
-         "--out and --overwrite are for new runs; expected DIR alone, a run goes on in its folder"}});
   const scene::Scene scene = load_resumed(arguments.folder, overrides_of(arguments.common));
   RunOptions options = run_options(arguments.common, scene);
   options.out = arguments.folder;
@@ -52,8 +44,7 @@ int resume(const Arguments& arguments) {
 
 int check(const Arguments& arguments) {
   const scene::Scene scene = scene::load(arguments.scene_file, overrides_of(arguments.common));
-  const int all = static_cast<int>(std::thread::hardware_concurrency());
-  const CheckReport report = check_scene(scene, arguments.common.threads > 0 ? arguments.common.threads : all);
+  const CheckReport report = check_scene(scene, threads_or_all(arguments.common.threads));
   if (!arguments.common.quiet) fmt::print("{}", report_text(scene, report));
   return exit_done;
 }
@@ -77,20 +68,21 @@ int keys() {
 int main(int argc, char** argv) {
   using namespace lahar::cases;
   CLI::App app("Lahar: debris flow on flexible ring-net barriers", "lahar");
-  app.set_version_flag("--version", "lahar " + version() + " (" + commit() + ")");
+  add_version(app);
   app.require_subcommand(1);
   Arguments arguments;
-  const auto add = [&](const char* name, const char* what) {
+  const Taken no_folder{.out = "", .overwrite = false};
+  const auto add = [&](const char* name, const char* what, const Taken& taken) {
     CLI::App* command = app.add_subcommand(name, what);
     command->add_option("scene", arguments.scene_file, "Scene file (TOML)")->required()->type_name("SCENE.toml");
-    add_common_options(*command, arguments.common);
+    add_common_options(*command, arguments.common, taken);
     return command;
   };
-  const CLI::App* run_command = add("run", "Run a scene");
+  const CLI::App* run_command = add("run", "Run a scene", {});
   CLI::App* resume_command = app.add_subcommand("resume", "Go on with a run from its last checkpoint");
   resume_command->add_option("folder", arguments.folder, "Folder of the run (its --out)")->required()->type_name("DIR");
-  add_common_options(*resume_command, arguments.common);
-  const CLI::App* check_command = add("check", "Validate a scene and print what it will take");
+  add_common_options(*resume_command, arguments.common, no_folder);  // a run goes on in its own
+  const CLI::App* check_command = add("check", "Validate a scene and print what it will take", no_folder);
   CLI::App* quantities_command = app.add_subcommand("quantities", "Print what a run of a scene measures (Markdown)");
   quantities_command->add_option("scene", arguments.scene_file, "Scene file (TOML)")
       ->required()

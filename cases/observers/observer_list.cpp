@@ -85,11 +85,13 @@ void ObserverList::sample(SeriesWriter& series) {
   }
   series.append(time, row);
   last_time_ = time;
+  is_current_ = true;
 }
 
 Metrics ObserverList::metrics() const {
   Metrics all = found_;
-  for (const Quantity* q : quantities()) close_books(*q, all);
+  if (is_current_)
+    for (const Quantity* q : quantities()) close_books(*q, all);
   return all;
 }
 
@@ -114,7 +116,9 @@ void ObserverList::finish(const std::filesystem::path& folder) const {
 
 void ObserverList::transfer(Archive& archive) {
   archive.value("last_time", last_time_);
+  found_ = metrics();  // a run that goes on may end before its next row
   archive.numbers("found", found_);
+  if (archive.loading()) is_current_ = false;
   for (const auto& o : observers_) archive.part(o->name(), *o);
 }
 

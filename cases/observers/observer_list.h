@@ -44,8 +44,9 @@ class ObserverList {
  private:
   Observed run_;
   std::vector<std::unique_ptr<Observer>> observers_;
-  Metrics found_;  // that follow rows
+  Metrics found_;  ///< that follow rows; all others as they were at the checkpoint that the run goes on from
   double last_time_ = 0;
+  bool is_current_ = true;  ///< no run goes on that has not taken a row yet
 };
 
 }  // namespace lahar::cases

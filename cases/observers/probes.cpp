@@ -1,5 +1,7 @@
 #include "cases/observers/probes.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -174,12 +176,13 @@ void Probes::sample(double interval) {
 }
 
 void Probes::transfer(Archive& archive) {
-  for (ForceProbe& probe : forces_) {
-    archive.part(probe.name + "_fluid_before", probe.fluid_before);
-    archive.part(probe.name + "_grains_since", probe.grains_since);
+  // By number: names are the user's, and may be those of each other's parts.
+  for (std::size_t k = 0; k < forces_.size(); ++k) {
+    archive.part(fmt::format("force_{}_fluid_before", k), forces_[k].fluid_before);
+    archive.part(fmt::format("force_{}_grains_since", k), forces_[k].grains_since);
   }
-  for (Sensor& sensor : sensors_) archive.value(sensor.name + "_since", sensor.since);
-  for (Followed& f : followed_) archive.value(f.name + "_grain", f.grain);
+  for (std::size_t k = 0; k < sensors_.size(); ++k) archive.value(fmt::format("sensor_{}_since", k), sensors_[k].since);
+  for (std::size_t k = 0; k < followed_.size(); ++k) archive.value(fmt::format("grain_{}", k), followed_[k].grain);
 }
 
 }  // namespace lahar::cases

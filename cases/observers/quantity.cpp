@@ -11,7 +11,8 @@ bool Quantity::is_followed() const {
 }
 
 void follow_row(const Quantity& quantity, double value, double time, Metrics& found) {
-  const bool wrong = std::isnan(value) && !quantity.may_be_unknown;
+  if (std::isnan(value) && quantity.may_be_unknown) return;
+  const bool wrong = std::isnan(value);
   bool rose = false;
   for (const Metric& m : quantity.metrics) {
     const std::string& name = m.label.name;
@@ -23,7 +24,7 @@ void follow_row(const Quantity& quantity, double value, double time, Metrics& fo
     } else if (m.follow == Follow::peak_time) {
       double& when = found[name];
       if (rose) when = wrong ? value : time;
-    } else if (m.follow == Follow::first && !std::isnan(value)) {
+    } else if (m.follow == Follow::first && !wrong) {
       found.try_emplace(name, value / m.divisor);
     }
   }
@@ -33,7 +34,10 @@ void close_books(const Quantity& quantity, Metrics& found) {
   for (const Metric& m : quantity.metrics) {
     if (m.follow != Follow::last) continue;
     const double value = quantity.read();
-    if (!std::isnan(value) || !quantity.may_be_unknown) found[m.label.name] = value / m.divisor;
+    if (!std::isnan(value) || !quantity.may_be_unknown)
+      found[m.label.name] = value / m.divisor;
+    else
+      found.erase(m.label.name);
   }
 }
 

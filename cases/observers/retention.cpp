@@ -9,7 +9,7 @@ namespace lahar::cases {
 Retention::Retention(const Observed& run) : Observer(run) {
   result("retained_mass_ratio", "1",
          "share by mass of the grains that are held at the end: upstream of the measured section, or of the net's "
-         "foremost bead (posts and what hangs on them aside) where it has bulged beyond it",
+         "foremost bead (posts, what hangs on them and torn wires aside) where it has bulged beyond it",
          [this] { return now().mass; })
       .unknown_at_times();
   result(
@@ -24,18 +24,28 @@ Retention::Retention(const Observed& run) : Observer(run) {
 }
 
 /// How far down a grain may be and still count as held: the net's section, or the foremost bead of the net where it has
-/// bulged beyond it. Posts and what else hangs on them hold no grain.
+/// bulged beyond it. Posts and what else hangs on them hold no grain, nor do wires that are torn, which may fly off,
+/// and what has left the domain.
 double Retention::limit() const {
   double limit = *run_.section;
   const barrier::Net* net = run_.simulation.net();
   if (net == nullptr) return limit;
   const auto& p = run_.simulation.solids()->particles();
+  const dem::Bonds& bonds = run_.simulation.solids()->bonds();
+  const scene::Domain& domain = run_.scene.domain;
   const auto reach = [&](dem::ParticleId first, std::size_t count) {
-    for (dem::ParticleId id = first; id < first + count; ++id)
-      limit = std::max(limit, p.position.x[p.index(id)] + p.radius[p.index(id)]);
+    for (dem::ParticleId id = first; id < first + count; ++id) {
+      const Vec3 bead = p.position[p.index(id)];
+      if ((bead.array() >= domain.lower.array()).all() && (bead.array() <= domain.upper.array()).all())
+        limit = std::max(limit, bead.x() + p.radius[p.index(id)]);
+    }
   };
-  for (const barrier::Wire& ring : net->rings) reach(ring.first_bead, ring.beads);
-  for (const barrier::Wire& cable : net->cables) reach(cable.first_bead, cable.beads);
+  for (const auto* wires : {&net->rings, &net->cables})
+    for (const barrier::Wire& wire : *wires) {
+      const auto first = bonds.intact.begin() + static_cast<std::ptrdiff_t>(wire.first_bond);
+      if (std::all_of(first, first + static_cast<std::ptrdiff_t>(wire.bonds), [](auto intact) { return intact != 0; }))
+        reach(wire.first_bead, wire.beads);
+    }
   for (const barrier::MeshPart& mesh : net->meshes) reach(mesh.first_node, mesh.nodes);
   return limit;
 }

@@ -19,7 +19,7 @@ class RingTravel final : public Observer {
   [[nodiscard]] std::vector<double> places() const;
 
   std::vector<barrier::Threading> threads_;
-  std::vector<double> start_;       // m along its cable, by thread, at the first row; NaN where it does not pass
+  std::vector<double> start_;  // m along its cable as made, by thread, at the first row; NaN where it does not pass
   double mean_ = 0, furthest_ = 0;  // m
 };
 

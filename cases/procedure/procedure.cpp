@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstdio>
-#include <thread>
 
 #include "cases/files/output_file.h"
 #include "cases/runner/interrupt.h"
@@ -59,18 +58,17 @@ int run_in_folder(const Workplace& place, bool overwrite, const std::string& res
 }
 
 void add_procedure_options(CLI::App& app, ProcedureArguments& arguments) {
-  app.set_version_flag("--version", app.get_name() + " " + version() + " (" + commit() + ")");
+  add_version(app);
   app.add_option("parameters", arguments.file, "Parameter file (default: the paper's values)")
       ->type_name("PARAMETERS.toml");
-  add_common_options(app, arguments.common);
+  add_common_options(app, arguments.common, {.out = "Folder for results (default results/" + app.get_name() + ")"});
   app.get_option("--precision")->description("Taken like everywhere; solids are computed in double");
 }
 
 Workplace workplace_of(const ProcedureArguments& arguments, const std::string& name) {
   const CommonOptions& o = arguments.common;
-  Workplace place{o.out, name, o.threads, o.quiet};
+  Workplace place{o.out, name, threads_or_all(o.threads), o.quiet};
   if (o.out.empty()) place.out = std::filesystem::path("results") / name;
-  if (o.threads <= 0) place.threads = static_cast<int>(std::thread::hardware_concurrency());
   return place;
 }
 

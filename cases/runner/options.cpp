@@ -1,11 +1,15 @@
 #include "cases/runner/options.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdio>
 #include <exception>
+#include <thread>
 
 #include "cases/runner/interrupt.h"
+#include "cases/runner/machine.h"
 #include "cases/scene/names.h"
 #include "core/check.h"
 
@@ -16,19 +20,24 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 }  // namespace
 
-void add_common_options(CLI::App& app, CommonOptions& o) {
+void add_common_options(CLI::App& app, CommonOptions& o, const Taken& taken) {
   app.add_option("--set", o.set, "Change a scene value: key.path=value, e.g. fluid.cell_size_m=0.02 (repeatable)")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
-  app.add_option("--out", o.out, "Folder for results (default results/NAME)")->type_name("DIR");
+  if (!taken.out.empty()) app.add_option("--out", o.out, taken.out)->type_name("DIR");
   app.add_option("--threads", o.threads, "Number of threads (default: all)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");
-  app.add_option("--precision", o.precision, "Number format of the fluid")
-      ->check(CLI::IsMember(scene::words<scene::Precision>()))
-      ->type_name("float|double");
+  if (taken.precision)
+    app.add_option("--precision", o.precision, "Number format of the fluid")
+        ->check(CLI::IsMember(scene::words<scene::Precision>()))
+        ->type_name("float|double");
   app.add_flag("--quiet", o.quiet, "Print nothing but mistakes");
-  app.add_flag("--overwrite", o.overwrite, "Replace a former run in the output folder");
+  if (taken.overwrite) app.add_flag("--overwrite", o.overwrite, "Replace a former run in the output folder");
+}
+
+void add_version(CLI::App& app) {
+  app.set_version_flag("--version", app.get_name() + " " + version() + " (" + commit() + ")");
 }
 
 std::vector<std::string> overrides_of(const CommonOptions& options) {
@@ -41,6 +50,20 @@ RunOptions run_options(const CommonOptions& o, const scene::Scene& scene) {
   std::filesystem::path out = o.out;
   if (out.empty()) out = std::filesystem::path("results") / scene.identity.name;
   return {.out = out, .threads = o.threads, .quiet = o.quiet, .overwrite = o.overwrite};
+}
+
+int threads_or_all(int threads) {
+  return threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+}
+
+std::string today() { return fmt::format("{:%Y-%m-%d}", fmt::gmtime(std::chrono::system_clock::now())); }
+
+void refuse_command_line(const std::string& why) {
+  throw InputError(std::vector<InputMistake>{{"command line", 1, 1, why}});
+}
+
+void refuse_changes(const CommonOptions& options, const std::string& why) {
+  if (!options.set.empty()) refuse_command_line("--set " + options.set.front() + ": " + why);
 }
 
 int guarded(const std::function<int()>& command) {

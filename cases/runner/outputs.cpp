@@ -28,12 +28,11 @@ Outputs::Outputs(const scene::Scene& scene, std::filesystem::path folder)
     : scene_(scene),
       folder_(std::move(folder)),
       walls_(scene::make_walls(scene)),
+      particles_(folder_),
       frames_(scene.run.output_interval),
       pictures_(scene.run.image_interval),
       force_maps_(scene.barrier.enabled ? scene.run.force_map_interval : 0.0) {
-  if (scene.run.output_interval <= 0) return;
-  if (scene.has_solids()) particles_.emplace(folder_);
-  if (scene.fluid.enabled) volumes_.emplace(folder_);
+  if (scene.run.output_interval > 0 && scene.fluid.enabled) volumes_.emplace(folder_);
 }
 
 void Outputs::write_due(Simulation& run) {
@@ -46,11 +45,11 @@ void Outputs::finish(Simulation& run) {
   if (frames_.wants_last(run.time())) write_fields(run);
   if (pictures_.wants_last(run.time())) write_picture(run);
   if (force_maps_.wants_last(run.time())) write_force_map(run);
-  if (particles_) particles_->close();
+  particles_.close();
 }
 
 void Outputs::write_fields(Simulation& run) {
-  if (particles_) particles_->write(run.time(), run.solids()->particles(), run.solids()->bonds());
+  if (run.solids()) particles_.write(run.time(), run.solids()->particles(), run.solids()->bonds());
   if (volumes_) volumes_->write(run.time(), run.fluid()->snapshot());
   frames_.note(run.time());
 }
@@ -103,8 +102,7 @@ void Outputs::transfer(Archive& archive) {
   archive.part("frames", frames_);
   archive.part("pictures", pictures_);
   archive.part("force_maps", force_maps_);
-  ParticleWriter none(folder_);  // of a run that has no frames of particles
-  archive.part("particles", particles_ ? *particles_ : none);
+  archive.part("particles", particles_);
   if (!archive.loading()) return;
   if (volumes_) volumes_.emplace(folder_, static_cast<std::uint64_t>(frames_.done()));
   remove_later_files();

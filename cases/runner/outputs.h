@@ -20,13 +20,11 @@ class Outputs {
   /// Writes a last frame, if one is wanted and the last is older than the present time, and closes the files.
   void finish(Simulation& run);
   /// Puts all that was written into the files. Throws FileError.
-  void flush() {
-    if (particles_) particles_->flush();
-  }
+  void flush() { particles_.flush(); }
   /// Frame numbers of a checkpoint. Loading drops frames that came later: they will be written again.
   void transfer(Archive& archive);
   /// What of an earlier part of the run could not be read; empty if all could.
-  [[nodiscard]] std::string lost() const { return particles_ ? particles_->lost() : std::string(); }
+  [[nodiscard]] std::string lost() const { return particles_.lost(); }
 
  private:
   void remove_later_files() const;
@@ -37,7 +35,7 @@ class Outputs {
   const scene::Scene& scene_;
   std::filesystem::path folder_;
   Walls walls_;
-  std::optional<ParticleWriter> particles_;
+  ParticleWriter particles_;  ///< also where no frames are due, so that it keeps those that there are
   std::optional<VdbWriter> volumes_;
   Schedule frames_, pictures_, force_maps_;
 };

@@ -33,6 +33,10 @@ const std::vector<std::string>& resumable_keys() {
 }
 
 scene::Scene load_resumed(const std::filesystem::path& folder, const std::vector<std::string>& overrides) {
+  if (std::error_code none; std::filesystem::is_directory(folder, none)) {
+    const FolderLock lock(folder);
+    FormerRun::recover(folder);  // of a run that was to replace it and was stopped before it began
+  }
   std::vector<InputMistake> mistakes;
   if (!holds_run(folder))
     mistakes.push_back({folder.string(), 1, 1, "holds no run, expected the --out folder of a run"});

@@ -5,12 +5,12 @@
 #include <chrono>
 #include <exception>
 #include <optional>
-#include <thread>
 
 #include "cases/files/output_file.h"
 #include "cases/runner/check.h"
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/machine.h"
+#include "cases/runner/options.h"
 #include "cases/runner/output_folder.h"
 #include "cases/runner/run.h"
 #include "cases/scene/names.h"
@@ -55,7 +55,7 @@ NumericalFailure with_checkpoint(const NumericalFailure& e, const std::filesyste
 
 RunResult run_to_folder(const scene::Scene& scene, const RunOptions& options, const Runner& runner) {
   const auto start = std::chrono::steady_clock::now();
-  const int threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+  const int threads = threads_or_all(options.threads);
   const CheckReport report = check_scene(scene, threads);
   PreparedFolder folder =
       options.resume ? PreparedFolder{FolderLock(options.out), {}} : prepare_output(options.out, options.overwrite);

@@ -323,6 +323,19 @@ void add_places(const scene::Scene& s, List& list) {
         walls.nearest(p.position).distance < -slack)
       list.push_back(fmt::format("probe[{}] lies in a wall", i));
   }
+  constexpr double clear = 1.5;  // cells: cells at an open face hold less than what leaves through it
+  for (const scene::FluxSection& section : s.sections)
+    for (int a = 0; s.fluid.enabled && a < 3; ++a)
+      for (const int side : {0, 1}) {
+        const double from_face =
+            std::abs(section.point[a] - (side == 0 ? s.domain.lower : s.domain.upper)[a]) / s.fluid.cell_size;
+        if (s.domain.open(static_cast<scene::Face>(2 * a + side)) && from_face < clear &&
+            std::abs(section.normal[a]) > 0.9 * section.normal.norm())
+          list.push_back(
+              fmt::format("section \"{}\" is {:.1f} cells off an open face, where it reads up to a fifth too "
+                          "much; 2 cells off it reads what passes",
+                          section.name, from_face));
+      }
   const auto& packings = s.grains.packings;
   for (std::size_t i = 0; i < packings.size(); ++i)
     for (std::size_t k = 0; k < i; ++k)

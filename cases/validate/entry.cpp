@@ -31,9 +31,22 @@ Row at_most_row(std::string label, double value, double bar) {
   return {std::move(label), value, 0, value, bar, value <= bar};
 }
 
-bool Outcome::pass() const {
-  return failure.empty() && !rows.empty() && std::all_of(rows.begin(), rows.end(), [](const Row& r) { return r.pass; });
+Row note_row(std::string label, double value, double reference) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const bool known = std::isfinite(value);
+  return {std::move(label), value, reference, none, none, known, known};
 }
+
+std::size_t Outcome::asked() const {
+  return static_cast<std::size_t>(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return !r.note; }));
+}
+
+std::size_t Outcome::reached() const {
+  return static_cast<std::size_t>(
+      std::count_if(rows.begin(), rows.end(), [](const Row& r) { return !r.note && r.pass; }));
+}
+
+bool Outcome::pass() const { return failure.empty() && asked() > 0 && reached() == asked(); }
 
 std::string Source::line() const {
   std::string text_and_files = text;
@@ -58,6 +71,13 @@ std::string group_of(const std::string& name) { return name.substr(0, name.find(
 }
 
 nlohmann::json number(double x) { return std::isfinite(x) ? nlohmann::json(x) : nlohmann::json(nullptr); }
+
+nlohmann::json row_json(const Row& r) {
+  nlohmann::json row{{"label", r.label},         {"value", number(r.value)},         {"reference", number(r.reference)},
+                     {"error", number(r.error)}, {"tolerance", number(r.tolerance)}, {"pass", r.pass}};
+  if (r.note) row["note"] = true;
+  return row;
+}
 
 }  // namespace
 
@@ -91,11 +111,16 @@ Outcome run_entry(const Entry& entry, const Context& context) {
   return outcome;
 }
 
+std::string figure_text(const Row& row, double figure, int digits) {
+  return row.note && std::isnan(figure) ? "-" : fmt::format("{:.{}g}", figure, digits);
+}
+
 std::string outcome_text(const Outcome& o) {
   std::string text = fmt::format("{} {}  ({:.1f} s; {})\n", o.pass() ? "pass " : "SHORT", o.name, o.seconds, o.source);
   for (const Row& r : o.rows)
-    text += fmt::format("      {}  {:<52} {:>12.5g}  reference {:>10.5g}  error {:>9.3g}  tolerance {:>8.3g}\n",
-                        r.pass ? "    " : "MISS", r.label, r.value, r.reference, r.error, r.tolerance);
+    text += fmt::format("      {}  {:<52} {:>12.5g}  reference {:>10}  error {:>9}  tolerance {:>8}\n",
+                        r.pass ? "    " : "MISS", r.label, r.value, figure_text(r, r.reference, 5),
+                        figure_text(r, r.error, 3), figure_text(r, r.tolerance, 3));
   if (!o.failure.empty()) text += "      stopped: " + o.failure + "\n";
   return text;
 }
@@ -111,13 +136,7 @@ std::string outcomes_json(const std::vector<Outcome>& outcomes, const Context& c
   nlohmann::json entries = nlohmann::json::array();
   for (const Outcome& o : outcomes) {
     nlohmann::json rows = nlohmann::json::array();
-    for (const Row& r : o.rows)
-      rows.push_back({{"label", r.label},
-                      {"value", number(r.value)},
-                      {"reference", number(r.reference)},
-                      {"error", number(r.error)},
-                      {"tolerance", number(r.tolerance)},
-                      {"pass", r.pass}});
+    for (const Row& r : o.rows) rows.push_back(row_json(r));
     nlohmann::json entry = {
         {"name", o.name}, {"rows", rows}, {"pass", o.pass()}, {"seconds", o.seconds}, {"source", o.source}};
     if (!o.alias.empty()) entry["alias"] = o.alias;

@@ -3,6 +3,7 @@
 // cases/validate/<group> exports one entry; entries.txt lists the files.
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct Row {
   std::string label;
   double value = 0, reference = 0, error = 0, tolerance = 0;
   bool pass = false;
+  bool note = false;  ///< shown without a bar: neither reached nor missed
 };
 
 /// |value - reference| / |reference| <= tolerance.
@@ -24,6 +26,9 @@ Row absolute_row(std::string label, double value, double reference, double toler
 Row at_least_row(std::string label, double value, double bar);
 /// value <= bar; `error` is the value, `tolerance` the bar, the reference 0.
 Row at_most_row(std::string label, double value, double bar);
+/// A value without a bar, perhaps beside a reference: error and tolerance are not numbers. A value that is not a number
+/// is no note but a miss.
+Row note_row(std::string label, double value, double reference = std::numeric_limits<double>::quiet_NaN());
 
 enum class Precision { float32, float64 };
 /// As on the command line: float, double.
@@ -63,6 +68,10 @@ struct Outcome {
   std::vector<Row> rows;
   double seconds = 0;
   std::string failure;  ///< why it stopped before its end; empty otherwise
+  /// Rows with a bar, and those of them that reach it.
+  [[nodiscard]] std::size_t asked() const;
+  [[nodiscard]] std::size_t reached() const;
+  /// Something was asked, all of it is reached, and nothing failed.
   [[nodiscard]] bool pass() const;
 };
 
@@ -76,12 +85,15 @@ std::vector<Entry> select_entries(const std::vector<Entry>& entries, const std::
 /// Runs an entry; what it throws becomes its failure.
 Outcome run_entry(const Entry& entry, const Context& context);
 
+/// Reference, error or tolerance of a row in so many digits; "-" where a note has none.
+std::string figure_text(const Row& row, double figure, int digits);
 /// Table for the terminal.
 std::string outcome_text(const Outcome& outcome);
 /// A field of a table of results (CSV), in double quotes where it needs them. A row stays one line: line ends become
 /// "; ".
 std::string csv_field(std::string text);
-/// {"machine", "commit", "precision", "quick", "entries": [...]}; numbers that are not finite become null.
+/// {"machine", "commit", "precision", "quick", "entries": [...]}; numbers that are not finite become null. Rows that
+/// are notes pass, with neither error nor tolerance, and have "note": true.
 std::string outcomes_json(const std::vector<Outcome>& outcomes, const Context& context);
 /// Whether a text is what outcomes_json writes.
 bool is_outcomes_json(const std::string& text);

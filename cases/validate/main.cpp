@@ -1,15 +1,11 @@
 // validate: runs the ladder of questions with known answers. Exit code 1 if one falls short.
 #include <fmt/format.h>
 
-#include <thread>
-
 #include "cases/files/output_file.h"
 #include "cases/runner/interrupt.h"
-#include "cases/runner/machine.h"
 #include "cases/runner/options.h"
 #include "cases/runner/output_folder.h"
 #include "cases/validate/entry.h"
-#include "core/check.h"
 #include "core/parallel.h"
 
 namespace lahar::validate {
@@ -22,14 +18,13 @@ struct Arguments {
   cases::CommonOptions common;
 };
 
-[[noreturn]] void refuse(const std::string& why) {
-  throw InputError(std::vector<InputMistake>{{"command line", 1, 1, why}});
+std::vector<Entry> chosen_by(const Arguments& a) {
+  cases::refuse_changes(a.common, "the entries have no keys to set, expected names of entries (see --list)");
+  return cases::ask_by_name([&] { return select_entries(all_entries(), a.names); });
 }
 
+/// Makes the folder of charts.
 Context context_of(const Arguments& a) {
-  if (!a.common.set.empty())
-    refuse("--set " + a.common.set.front() +
-           ": the entries have no keys to set, expected names of entries (see --list)");
   Context context;
   if (a.common.precision == "float") context.precision = Precision::float32;
   context.quick = a.quick;
@@ -42,20 +37,14 @@ Context context_of(const Arguments& a) {
 }
 
 int run(const Arguments& a) {
-  const Context context = context_of(a);
-  std::vector<Entry> entries;
-  try {
-    entries = select_entries(all_entries(), a.names);
-  } catch (const std::invalid_argument& e) {
-    refuse(e.what());
-  }
+  const std::vector<Entry> entries = chosen_by(a);
   if (a.list) {
     for (const Entry& e : entries)
       fmt::print("{:<44} {:<28} {}\n", e.name, e.alias.empty() ? "" : "(" + e.alias + ")", e.source.line());
     return cases::exit_done;
   }
-  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
-                                               : static_cast<int>(std::thread::hardware_concurrency()));
+  const Context context = context_of(a);
+  const ThreadLimit limit(cases::threads_or_all(a.common.threads));
   cases::watch_for_interrupt();
   std::vector<Outcome> outcomes;
   for (const Entry& e : entries) {
@@ -78,12 +67,13 @@ int run(const Arguments& a) {
 int main(int argc, char** argv) {
   using namespace lahar;
   CLI::App app("Runs Lahar against known answers", "validate");
-  app.set_version_flag("--version", "validate " + cases::version() + " (" + cases::commit() + ")");
+  cases::add_version(app);
   validate::Arguments arguments;
   app.add_option("names", arguments.names, "Entries or groups (default: all)")->type_name("NAME|GROUP");
   app.add_flag("--list", arguments.list, "List the entries, their aliases and sources, and do not run them");
   app.add_flag("--quick", arguments.quick, "Coarser grids and fewer steps: minutes instead of hours, fewer bars");
   app.add_option("--json", arguments.json, "Write the results there")->type_name("FILE");
-  cases::add_common_options(app, arguments.common);
+  cases::add_common_options(app, arguments.common,
+                            {.out = "Folder for charts (default: none are drawn)", .overwrite = false});
   return cases::parse_and_run(app, argc, argv, [&] { return validate::run(arguments); });
 }

@@ -41,65 +41,102 @@ bool is_wet_around(const Vec3& middle, const Vec3& normal, double reduced, doubl
   return wet >= 2;
 }
 
-/// What a film is made of.
+/// How fast its films together slow a grain, 1/s: what each may do in a step is judged by all of them (as dampers of
+/// one body are, docs/decisions/0051). With C the sum of the resistances of a grain over its mass, and shares 1 /
+/// max(1, dt (C_i + C_j)), no motion of any crowd turns round (Cauchy-Schwarz); a lone film at most stops its pair.
+struct Slowing {
+  double squeeze = 0, shear = 0;
+};
+
+/// A film as it is now: first all are measured, then they act.
 struct Film {
+  dem::ParticleIndex i = 0, j = 0;  ///< j of pairs alone
+  Vec3 normal = Vec3::Zero();       ///< from i to j or to the wall
+  Vec3 wall_velocity = Vec3::Zero();
+  double distance = 0;  ///< of centres, m
+  double squeeze = 0;   ///< N s/m
+  ShearResistance shear{};
+};
+
+struct Films {
   double cut_off, shear_cut_off, viscosity, time_step;
   dem::Particles& particles;
+  std::vector<Slowing> slowing;
+  std::vector<Film> between{}, at_walls{};
 
-  bool between(dem::ParticleIndex i, dem::ParticleIndex j) const {
+  void measure(dem::ParticleIndex i, dem::ParticleIndex j) {
     const double a = particles.radius[i], b = particles.radius[j];
     const Vec3 apart = particles.position[j] - particles.position[i];
-    const double distance = apart.norm(), gap = distance - a - b;
-    const double inverse_mass = particles.inverse_mass[i] + particles.inverse_mass[j];
-    if (gap >= cut_off || distance <= 0 || inverse_mass <= 0) return false;
-    const Vec3 normal = apart / distance;
-    const Vec3 past = particles.velocity[j] - particles.velocity[i];
-    const double approach = -past.dot(normal);
-    const Vec3 turn = normal.cross(past) / distance;  // of the line of centres
-    const Vec3 spin_i = across(particles.angular_velocity[i], normal) - turn,
-               spin_j = across(particles.angular_velocity[j], normal) - turn;
-    const bool shears = gap < shear_cut_off && !(spin_i.isZero(0) && spin_j.isZero(0));
-    if (approach == 0 && !shears) return false;
-    if (shears) shear(i, j, gap, distance, normal, spin_i, spin_j);
-    const double resistance =
-        std::min(squeeze_resistance(a, b, gap, cut_off, viscosity), 1 / (inverse_mass * time_step));
-    const Vec3 force = resistance * approach * normal;
-    particles.external_force.add(i, -force);
-    particles.external_force.add(j, force);
-    return true;
+    Film f;
+    f.i = i, f.j = j;
+    f.distance = apart.norm();
+    const double gap = f.distance - a - b;
+    if (gap >= cut_off || f.distance <= 0 || particles.inverse_mass[i] + particles.inverse_mass[j] <= 0) return;
+    f.normal = apart / f.distance;
+    f.squeeze = squeeze_resistance(a, b, gap, cut_off, viscosity);
+    if (gap < shear_cut_off) f.shear = shear_resistance(a, b, gap, shear_cut_off, viscosity);
+    const double across = (f.shear.aa + 2 * f.shear.ab + f.shear.bb) / (f.distance * f.distance);
+    for (const auto& [k, own] : {std::pair{i, f.shear.aa}, std::pair{j, f.shear.bb}}) {
+      slowing[k].squeeze += f.squeeze * particles.inverse_mass[k];
+      slowing[k].shear += own * particles.inverse_inertia(k) + across * particles.inverse_mass[k];
+    }
+    between.push_back(f);
   }
 
-  void shear(dem::ParticleIndex i, dem::ParticleIndex j, double gap, double distance, const Vec3& normal,
-             const Vec3& spin_i, const Vec3& spin_j) const {
-    const ShearResistance c = shear_resistance(particles.radius[i], particles.radius[j], gap, shear_cut_off, viscosity);
-    const double rate =
-        c.aa * particles.inverse_inertia(i) + c.bb * particles.inverse_inertia(j) +
-        (c.aa + 2 * c.ab + c.bb) / (distance * distance) * (particles.inverse_mass[i] + particles.inverse_mass[j]);
-    const double share = bounded_share(rate, time_step);
-    const Vec3 torque_i = -share * (c.aa * spin_i + c.ab * spin_j), torque_j = -share * (c.ab * spin_i + c.bb * spin_j);
-    const Vec3 force = normal.cross(torque_i + torque_j) / distance;
-    particles.external_force.add(i, -force), particles.external_force.add(j, force);
-    particles.external_torque.add(i, torque_i), particles.external_torque.add(j, torque_j);
-  }
-
-  bool at_wall(dem::ParticleIndex i, const Walls& walls, std::size_t wall) const {
+  void measure(dem::ParticleIndex i, const Walls& walls, std::size_t wall) {
     const double a = particles.radius[i], inverse_mass = particles.inverse_mass[i];
     const Vec3 centre = particles.position[i];
     const double gap = walls.distance(wall, centre) - a;
-    if (gap >= cut_off || inverse_mass <= 0) return false;
-    const Vec3 normal = -walls.gradient(wall, centre);
-    const Vec3 past = walls.all()[wall].surface_velocity(centre + a * normal) - Vec3(particles.velocity[i]);
-    const double approach = -past.dot(normal);
-    const double resistance =
-        std::min(squeeze_resistance_at_wall(a, gap, cut_off, viscosity), 1 / (inverse_mass * time_step));
-    particles.external_force.add(i, -resistance * approach * normal);
-    const Vec3 slip = across(past, normal), spin = across(particles.angular_velocity[i], normal);
-    if (gap >= shear_cut_off || (slip.isZero(0) && spin.isZero(0))) return approach != 0;
-    const double unit = 4.0 / 5.0 * std::numbers::pi * viscosity * a * film_logarithm(a, gap, shear_cut_off);
-    const double rate = 4 * unit * (inverse_mass + a * a * particles.inverse_inertia(i));
-    const double share = bounded_share(rate, time_step) * unit;
-    particles.external_force.add(i, share * (4 * slip + a * normal.cross(spin)));
-    particles.external_torque.add(i, share * a * (normal.cross(slip) - 4 * a * spin));
+    if (gap >= cut_off || inverse_mass <= 0) return;
+    Film f;
+    f.i = i;
+    f.normal = -walls.gradient(wall, centre);
+    f.wall_velocity = walls.all()[wall].surface_velocity(centre + a * f.normal);
+    f.squeeze = squeeze_resistance_at_wall(a, gap, cut_off, viscosity);
+    if (gap < shear_cut_off)
+      f.shear.ab = 4.0 / 5.0 * std::numbers::pi * viscosity * a * film_logarithm(a, gap, shear_cut_off);
+    slowing[i].squeeze += f.squeeze * inverse_mass;
+    slowing[i].shear += 4 * f.shear.ab * (inverse_mass + a * a * particles.inverse_inertia(i));
+    at_walls.push_back(f);
+  }
+
+  /// Whether it does anything.
+  bool act_between(const Film& f) const {
+    const Vec3 past = particles.velocity[f.j] - particles.velocity[f.i];
+    const double approach = -past.dot(f.normal);
+    const Vec3 turn = f.normal.cross(past) / f.distance;  // of the line of centres
+    const Vec3 spin_i = across(particles.angular_velocity[f.i], f.normal) - turn,
+               spin_j = across(particles.angular_velocity[f.j], f.normal) - turn;
+    const bool shears = f.shear.aa > 0 && !(spin_i.isZero(0) && spin_j.isZero(0));
+    if (approach == 0 && !shears) return false;
+    if (shears) act_across(f, spin_i, spin_j);
+    const double share = bounded_share(slowing[f.i].squeeze + slowing[f.j].squeeze, time_step);
+    const Vec3 force = share * f.squeeze * approach * f.normal;
+    particles.external_force.add(f.i, -force);
+    particles.external_force.add(f.j, force);
+    return true;
+  }
+
+  void act_across(const Film& f, const Vec3& spin_i, const Vec3& spin_j) const {
+    const double share = bounded_share(slowing[f.i].shear + slowing[f.j].shear, time_step);
+    const Vec3 torque_i = -share * (f.shear.aa * spin_i + f.shear.ab * spin_j),
+               torque_j = -share * (f.shear.ab * spin_i + f.shear.bb * spin_j);
+    const Vec3 force = f.normal.cross(torque_i + torque_j) / f.distance;
+    particles.external_force.add(f.i, -force), particles.external_force.add(f.j, force);
+    particles.external_torque.add(f.i, torque_i), particles.external_torque.add(f.j, torque_j);
+  }
+
+  bool act_at_wall(const Film& f) const {
+    const double a = particles.radius[f.i];
+    const Vec3 past = f.wall_velocity - Vec3(particles.velocity[f.i]);
+    const double approach = -past.dot(f.normal);
+    particles.external_force.add(f.i,
+                                 -bounded_share(slowing[f.i].squeeze, time_step) * f.squeeze * approach * f.normal);
+    const Vec3 slip = across(past, f.normal), spin = across(particles.angular_velocity[f.i], f.normal);
+    if (f.shear.ab == 0 || (slip.isZero(0) && spin.isZero(0))) return approach != 0;
+    const double share = bounded_share(slowing[f.i].shear, time_step) * f.shear.ab;
+    particles.external_force.add(f.i, share * (4 * slip + a * f.normal.cross(spin)));
+    particles.external_torque.add(f.i, share * a * (f.normal.cross(slip) - 4 * a * spin));
     return true;
   }
 };
@@ -162,10 +199,12 @@ void LubricationFilms::find(const dem::Particles& particles, const Walls& walls,
 }
 
 std::size_t LubricationFilms::add(dem::Particles& particles, const Walls& walls, double time_step) const {
-  const Film film{cut_off_, shear_cut_off_, viscosity_, time_step, particles};
+  Films films{cut_off_, shear_cut_off_, viscosity_, time_step, particles, std::vector<Slowing>(particles.size())};
+  for (const Pair& p : pairs_) films.measure(p.i, p.j);
+  for (const AtWall& w : at_walls_) films.measure(w.grain, walls, w.wall);
   std::size_t count = 0;
-  for (const Pair& p : pairs_) count += film.between(p.i, p.j);
-  for (const AtWall& w : at_walls_) count += film.at_wall(w.grain, walls, w.wall);
+  for (const Film& f : films.between) count += films.act_between(f);
+  for (const Film& f : films.at_walls) count += films.act_at_wall(f);
   return count;
 }
 

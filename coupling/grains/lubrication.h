@@ -86,8 +86,8 @@ class LubricationFilms {
             const std::function<bool(const Vec3&)>& is_wet);
 
   /// Adds their forces and torques to external_force and external_torque of the grains as they are now. In a step of
-  /// this length (s) they at most stop the approach and the motion past each other. Returns the number of films that
-  /// act. What walls get is not kept.
+  /// this length (s) they at most stop the approach and the motion past each other, all films of a grain together.
+  /// Returns the number of films that act. What walls get is not kept.
   std::size_t add(dem::Particles& particles, const Walls& walls, double time_step) const;
 
   [[nodiscard]] bool empty() const { return pairs_.empty() && at_walls_.empty(); }

@@ -1,7 +1,7 @@
 #pragma once
 // Wires that the cells resolve, in the fluid's blocks: the pieces between their beads are bodies as grains are
 // (grains/resolved_exchange.h), with the same fields, the same exchange and the same books of the liquid. What a piece
-// does is shared by its two beads (wire_piece.h): force and torque, the weight and the inertia of the liquid in its
+// does is shared by its two beads (grid_cylinder.h): force and torque, the weight and the inertia of the liquid in its
 // place, the volume that it displaces.
 //
 // Written after the grains. A block without grains whose pieces all are, move and turn as before keeps its fields.
@@ -17,10 +17,6 @@
 #include "lbm/step/fluid.h"
 
 namespace lahar::coupling {
-
-/// Drag at most of a cell that no grain covers. Wires hold such cells, but do not cover them: only spheres keep books
-/// of what covered cells hold.
-inline constexpr double kWireDrag = 0.1 * kCoveredDrag;
 
 template <class Real>
 class WireMap {

@@ -27,10 +27,9 @@ template <bool kByDistance, class Real>
         add_to_row(f.solid_fraction + row, cover.fraction);
         add_to_row(f.exchange_weight + row, cover.weight);
         if constexpr (kByDistance) {
+          // Held whole, but not covered: only spheres, which write before, keep books of what covered cells hold.
           const Row<Real> sum = load_aligned<Row<Real>>(f.drag + row);
-          Row<Real> joined = joined_drag<Row<Real>>(sum, cover.weight, number<Row<Real>>(kGapDrag));
-          joined = select(sum < static_cast<Real>(kCoveredDrag), min(joined, number<Row<Real>>(kWireDrag)), joined);
-          store_aligned(f.drag + row, joined);
+          store_aligned(f.drag + row, joined_drag<Row<Real>>(sum, cover.weight, number<Row<Real>>(kGapDrag)));
         } else {
           add_to_row(f.drag + row, cover.weight);
         }

@@ -70,7 +70,7 @@ template <bool kByDistance, class Real, class Load>
         const R liquid = around.wet ? around.wet->row(row) : R(1);
         const R weight = load_aligned<R>(f.coverage_weight + row);
         const R entrained = part * weight * liquid, wet = cover.fraction * liquid;
-        const R interior = kByDistance ? wet : entrained;
+        const R interior = kByDistance ? min(wet, entrained) : entrained;  // no more than the exchange sets in motion
         const ArmRow<Real> arm[2] = {ArmRow<Real>::from(piece.start, lowest.x(), y, z),
                                      ArmRow<Real>::from(piece.end, lowest.x(), y, z)};
         const MotionRow<Real> rise = blend(motion_row(rises[0], arm[0].x, arm[0].y, arm[0].z),

@@ -102,12 +102,15 @@ void advance(const Arrays& arrays, const BondConstants& constants, double dt, st
       const double ca = taut * acting * c.axial_damping * a.axial_mass[b];
       const double cs = acting * c.shear_damping * shear_mass<axial>(a, b, w.length[t]);
       const double cb = acting * c.bending_damping * a.inertia[b], ct = acting * c.torsion_damping * a.inertia[b];
-      axial_total += ca * stretch;
+      if constexpr (axial == Axial::linear)
+        axial_total += ca * stretch;
+      else
+        axial_total = std::max(f + ca * stretch, c.axial.lowest);  // what only pulls is not made to push by its damper
       shear_total = shear_total + cs * m.shear;
       bending_total = bending_total + cb * m.bend;
       torsion_total += ct * m.twist;
       w.loss[t] =
-          ca * stretch * stretch + cs * dot(m.shear, m.shear) + cb * dot(m.bend, m.bend) + ct * m.twist * m.twist;
+          (axial_total - f) * stretch + cs * dot(m.shear, m.shear) + cb * dot(m.bend, m.bend) + ct * m.twist * m.twist;
     }
     // Force and moment on i; j gets the opposite. The shear force acts in the middle of the bond, so that both ends
     // feel its lever in the same sense and angular momentum is kept.

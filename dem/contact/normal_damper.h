@@ -20,10 +20,20 @@ namespace lahar::dem {
 /// forces on contacts to forces on bodies. It is relaxed by one Jacobi step a time step, from the damping forces d of
 /// the step before, with the diagonal made so large that it bounds the matrix: by the Cauchy-Schwarz inequality x' G'
 /// M^-1 G x <= sum over contacts of x^2/c (C_i/m_i + C_j/m_j), C the sum of a body's dampers. So the relaxation neither
-/// grows nor swings, whatever the dampers, and a lone contact is solved as before.
+/// grows nor swings, whatever the dampers, and a lone contact is solved as before. The work of a contact may then be
+/// negative while it takes up what the others left; their sum is not.
+///
+/// Without a step (dt = 0: the forces of a state before it moves) the damper's force stays as it was.
 template <class V>
 [[gnu::always_inline]] inline V set_normal_force(const ContactStateOf<V>& s, const V& elastic, const V& damping,
                                                  double dt, ContactHistoryOf<V>& history, ContactForceOf<V>& f) {
+  if (!(dt > 0)) {
+    f.normal = max(elastic + history.damping_force, V{});
+    f.damping = damping;
+    history.normal_force = f.normal;
+    history.damping_force = f.normal - elastic;
+    return V(std::numeric_limits<double>::infinity());
+  }
   const V per_force = select(s.effective_mass > 0, 0.5 * dt / s.effective_mass, V{});  // change of the closing speed
   const V lumped = max(V(per_force * damping), V(0.5 * dt * s.damping_rate));
   const V elastic_before = history.normal_force - history.damping_force;

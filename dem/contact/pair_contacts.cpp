@@ -198,7 +198,8 @@ void PairContacts::give_way_along_rails(ContactLanes& c, const Batch& at) const 
 
 /// Rolling resistance, after the law: the torque on the owners.
 Lanes3 PairContacts::roll(const ContactLanes& c, const ContactHistoryOf<Lanes>& history, const Lanes& stiffness_before,
-                          const Batch& at, const ContactMaterials& materials, double dt, ContactTally& tally) const {
+                          const Lanes& damper, const Batch& at, const ContactMaterials& materials, double dt,
+                          ContactTally& tally) const {
   Lanes3 torques{};
   for (std::size_t l = 0; l < kContactLanes; ++l) {
     const std::uint32_t k = at.slot[l];
@@ -215,7 +216,7 @@ Lanes3 PairContacts::roll(const ContactLanes& c, const ContactHistoryOf<Lanes>& 
                                    inverse_rolling_inertia(j[2 * kRow + 6], j[2 * kRow + 7]);
     state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
     ContactTally booked;
-    const Triple torque = roll_lane(c, history, l, state, stiffness_before[l], dt, at.rolling[k], booked);
+    const Triple torque = roll_lane(c, history, l, state, stiffness_before[l], damper[l], dt, at.rolling[k], booked);
     tally += booked;
     if (at.of_rolling != nullptr) at.of_rolling[k] = booked;
     torques.x.set(l, torque.x), torques.y.set(l, torque.y), torques.z.set(l, torque.z);
@@ -246,7 +247,7 @@ template <ContactLaw L>
 
   Lanes3 torque_i = arms.i * f.twist, torque_j = arms.j * f.twist;
   if (at.rolling != nullptr) {
-    const Lanes3 rolled = roll(c, h, stiffness_before, at, materials, dt, tally);
+    const Lanes3 rolled = roll(c, h, stiffness_before, f.damper, at, materials, dt, tally);
     torque_i = torque_i + rolled, torque_j = torque_j - rolled;
   }
   double* sums = bodies_.sums();

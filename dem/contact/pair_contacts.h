@@ -54,8 +54,8 @@ class PairContacts {
   void give_way_along_rails(ContactLanes& contacts, const Batch& at) const;
   void prefetch(const std::uint32_t* slot, const double* history) const;
   [[nodiscard]] Lanes3 roll(const ContactLanes& contacts, const ContactHistoryOf<Lanes>& history,
-                            const Lanes& stiffness_before, const Batch& at, const ContactMaterials& materials,
-                            double dt, ContactTally& tally) const;
+                            const Lanes& stiffness_before, const Lanes& damper, const Batch& at,
+                            const ContactMaterials& materials, double dt, ContactTally& tally) const;
 
   ActiveContacts active_;
   ContactBodies bodies_;

@@ -1,9 +1,12 @@
 #include "dem/contact/rolling_lane.h"
 
+#include <algorithm>
+
 namespace lahar::dem {
 
 Triple roll_lane(const ContactLanes& contacts, const ContactHistoryOf<Lanes>& history, std::size_t lane,
-                 RollingState state, double stiffness_before, double dt, Triple& angle, ContactTally& tally) {
+                 RollingState state, double stiffness_before, double damper, double dt, Triple& angle,
+                 ContactTally& tally) {
   state.effective_radius = contacts.effective_radius[lane];
   state.last_shear_stiffness = stiffness_before;
   if (!contacts.touches[lane]) {
@@ -17,6 +20,8 @@ Triple roll_lane(const ContactLanes& contacts, const ContactHistoryOf<Lanes>& hi
   state.normal_force = history.normal_force[lane];
   state.shear_stiffness = history.tangential_stiffness[lane];
   state.damping_ratio = contacts.damping_ratio[lane];
+  if (const double alone = damper * contacts.inverse_mass[lane]; alone > 0)
+    state.crowd = std::max(1.0, contacts.damping_rate[lane] / alone);
   const RollingTorque t = roll(state, angle, dt);
   tally.damping += t.damping_work;
   tally.elastic_rolling += t.elastic;

@@ -12,10 +12,10 @@ inline double inverse_rolling_inertia(double inverse_mass, double radius) {
 }
 
 /// The torque on i, N m. `history`: after the law; `stiffness_before` is that of the tangential spring in the step
-/// before. `state` brings the spins, the inertia and the coefficient. Advances `angle` (rad) and books what rolling
-/// holds and loses.
+/// before, `damper` the normal damper (N s/m). `state` brings the spins, the inertia and the coefficient. Advances
+/// `angle` (rad) and books what rolling holds and loses.
 [[nodiscard]] Triple roll_lane(const ContactLanes& contacts, const ContactHistoryOf<Lanes>& history, std::size_t lane,
-                               RollingState state, double stiffness_before, double dt, Triple& angle,
+                               RollingState state, double stiffness_before, double damper, double dt, Triple& angle,
                                ContactTally& tally);
 
 }  // namespace lahar::dem

@@ -33,6 +33,15 @@ Vec3 gradient_of(const Walls& walls, std::uint32_t w, const Vec3& p) {
   return plane != nullptr ? plane->normal : walls.gradient(w, p);
 }
 
+/// The direction in which the distance to a wall grows, and by how much of the way: 1 but for sampled shapes.
+std::pair<Triple, double> growth_of(const Walls& walls, std::uint32_t w, const Vec3& p) {
+  const auto* sampled = std::get_if<SampledDistance>(&walls.all()[w].shape);
+  if (sampled == nullptr) return {triple(gradient_of(walls, w, p)), 1.0};
+  const Vec3 slope = sampled->grid->slope(p);
+  const double steep = slope.norm();
+  return {steep > 0 ? (1 / steep) * triple(slope) : Triple{0, 0, 1}, steep};
+}
+
 /// Not inlined: a compiler may or may not fuse product and sum, but here it does the same wherever this is called from.
 [[gnu::noinline]] void add_work(double dt, double power, ContactTally& tally) { tally.wall_work += dt * power; }
 
@@ -49,9 +58,14 @@ struct WallContacts::Work {
 };
 
 /// Contacts side by side. Idle lanes hold what was there before, which is harmless: they do not touch.
+///
+/// A sampled distance grows by less than the way along its normal where it has a crease (DistanceGrid::slope): by
+/// `steepness` of it. The overlap then closes at that share of the speed, and the force that it makes acts with that
+/// share: so the force is the slope of the energy that the ledger books, and a concave edge makes none.
 struct WallContacts::Batch {
   ContactLanes contacts;
   ContactHistoryOf<Lanes> history;
+  Lanes steepness = Lanes(1);
   std::size_t count = 0;
   std::array<std::uint32_t, kContactLanes> slot{};
   std::array<std::uint16_t, kContactLanes> material{};
@@ -79,11 +93,14 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
   ContactLanes& c = contacts;
   c.touches.set(lane, distance < r);
   c.overlap.set(lane, std::max(0.0, r - distance));
-  const Triple normal = -1.0 * triple(gradient_of(work.walls, w, p.position[i]));
-  const double moved_mass = p.free_share(i, normal) * inverse_mass;  // along the normal
+  const auto [out, steep] = growth_of(work.walls, w, p.position[i]);
+  const Triple normal = -1.0 * out;
+  const double moved_mass = steep * steep * p.free_share(i, normal) * inverse_mass;  // along the normal
+  steepness.set(lane, steep);
   set(c.normal, lane, normal);
   set(c.slip, lane, v - wall_velocity);
-  set(c.slip_end, lane, v_end - wall_velocity);
+  const Triple slip_end = v_end - wall_velocity;
+  set(c.slip_end, lane, slip_end + ((steep - 1) * dot(slip_end, normal)) * normal);
   set(c.spin, lane, spin);
   set(c.rim, lane, r * spin);  // a wall adds nothing: its spin is zero
   set(c.rim_end, lane, r * spin_end);
@@ -114,7 +131,8 @@ template <ContactLaw L>
     work.slots.history.set(
         k, {lane_of(h.tangential_displacement, l), h.tangential_stiffness[l], h.normal_force[l], h.damping_force[l]});
     Answer& answer = answers_[k];
-    answer.force = lane_of(f.force, l);
+    answer.force =
+        lane_of(f.force, l) + ((1 - batch.steepness[l]) * h.normal_force[l]) * lane_of(batch.contacts.normal, l);
     answer.damper = f.damper[l];
     answer.torque = (work.particles.radius[i] - 0.5 * batch.contacts.overlap[l]) * lane_of(f.twist, l);
     const double rolling_friction = work.materials[batch.material[l]][ContactMaterials::kRollingFriction];
@@ -126,7 +144,7 @@ template <ContactLaw L>
       const double inverse_inertia =
           inverse_rolling_inertia(work.particles.inverse_mass[i], batch.contacts.effective_radius[l]);
       state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
-      answer.torque = answer.torque + roll_lane(batch.contacts, h, l, state, stiffness_before[l], work.dt,
+      answer.torque = answer.torque + roll_lane(batch.contacts, h, l, state, stiffness_before[l], f.damper[l], work.dt,
                                                 work.slots.rolling[k], rolled);
       tally += rolled;
     }

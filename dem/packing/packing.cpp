@@ -13,8 +13,8 @@ namespace lahar::dem {
 namespace {
 
 constexpr double kFinalOverlap = 5e-4;     // largest overlap / radius to stop at
-constexpr double kBearableOverlap = 0.01;  // the same, above which a packing is refused: it would fly apart
-constexpr int kMaxTaps = 10;
+constexpr double kBearableOverlap = 1e-3;  // the same, above which a packing is refused: it would fly apart
+constexpr int kMaxTaps = 10, kMaxTapsOfJams = 40;
 
 void check(const PackingSpec& spec) {
   const Vec3 box = spec.upper - spec.lower;
@@ -71,15 +71,15 @@ std::vector<ParticleSpec> pack(const PackingSpec& spec) {
   };
   settle(5);
   const double speed = 0.5 * std::sqrt(Relaxer::kGravity * relaxer.largest_radius());
-  const auto tap_while = [&](const auto& needed) {
-    for (int k = 0; k < kMaxTaps && needed(); ++k) {
-      relaxer.tap(speed);
+  const auto tap_while = [&](int most, double harder, const auto& needed) {
+    for (int k = 0; k < most && needed(); ++k) {
+      relaxer.tap(speed * (1 + k * harder));
       settle(1);
     }
   };
-  // Spheres that are jammed side by side on the floor find no way up without a kick.
-  tap_while([&] { return relaxer.max_relative_overlap() > kBearableOverlap; });
-  tap_while([&] { return spec.target_height > 0 && relaxer.surface_height() > spec.target_height; });
+  // Spheres that are jammed side by side find no way up without a kick that lifts those above them.
+  tap_while(kMaxTapsOfJams, 0.25, [&] { return relaxer.max_relative_overlap() > kBearableOverlap; });
+  tap_while(kMaxTaps, 0, [&] { return spec.target_height > 0 && relaxer.surface_height() > spec.target_height; });
   if (const double overlap = relaxer.max_relative_overlap(); overlap > kBearableOverlap)
     throw InputError("packing: settled spheres still overlap by " + std::to_string(overlap) +
                      " of a radius, expected fewer, or a larger box");

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/check.h"
+
 namespace lahar::dem {
 
 namespace {
@@ -9,7 +11,10 @@ namespace {
 void add(WireSide& side, ParticleIndex particle, double weight, const Triple& gradient) {
   std::size_t k = 0;
   while (k < side.count && side.shares[k].particle != particle) ++k;
-  if (k == side.count) side.shares[side.count++] = {particle, 0, Triple{}};
+  if (k == side.count) {
+    require(side.count < side.shares.size(), "a patch of smooth wires over more beads than it has room for");
+    side.shares[side.count++] = {particle, 0, Triple{}};
+  }
   side.shares[k].weight += weight;
   side.shares[k].gradient = side.shares[k].gradient + gradient;
 }

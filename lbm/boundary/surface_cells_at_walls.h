@@ -10,14 +10,10 @@
 //   of 3 nu u / F. The populations are those of a full cell, whose momentum changes F times less than the film's: over
 //   the cell 3 nu u / F^2.
 //   Otherwise nu u / (1/2).
-// Neither is more than bounce-back's u/3. Films of less than half a cell run faster than that (docs/decisions/0044).
+// Neither is more than bounce-back's u/3: films with F below sqrt(9 nu) run faster than theory (docs/decisions/0044).
 #include "lbm/boundary/wall_traction.h"
 
 namespace lahar::lbm {
-
-inline constexpr double kLargestStressShare = 1.0 / 3;  ///< of u: what bounce-back takes
-/// From here on (tau of 1) the collision forgets everywhere and bounce-back is right.
-inline constexpr double kBounceBackViscosity = 1.0 / 6;
 
 /// Velocity of a no-slip wall at an interface cell, as the reflection sees it. Liquid at rest sends what weighs on it
 /// with half a step's force, which is no velocity: the wall stands still then.

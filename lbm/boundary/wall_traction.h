@@ -204,6 +204,10 @@ struct WallSample {
 /// & Larsson 2012, Phys. Fluids 24, 015105).
 inline constexpr int kSampledCell = 2;
 
+inline constexpr double kLargestStressShare = 1.0 / 3;  ///< of u: what bounce-back takes
+/// From here on (tau of 1) the collision forgets everywhere and bounce-back is right.
+inline constexpr double kBounceBackViscosity = 1.0 / 6;
+
 /// The law's stress over that of a laminar layer above which a layer is turbulent: y+ of 24.
 inline constexpr double kTurbulent = 2;
 
@@ -262,10 +266,7 @@ std::array<Real, 3> braking_velocity(FluidGrid<Real>& grid, CellPlace place, con
                                      const CellMoments<Real>& m, const Vec3& t, double speed, double stress) {
   const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
   const LinkTraction links(OutgoingStress<Real>(grid, place, parity, static_cast<double>(m.drho)), n, t);
-  // Interface cells at flat no-slip walls do without the pressure, with which they get no better (0076).
-  const bool pressed = wall.slip == WallSlip::wall_model || is_in_steps(wall);
-  double own = slip_of(wall, m).dot(t);
-  if (pressed) own += half_a_step_of_pressure(grid, place, parity, m).dot(t);
+  const double own = (slip_of(wall, m) + half_a_step_of_pressure(grid, place, parity, m)).dot(t);
   const double wanted = own + (links.carried / (1 + static_cast<double>(m.drho)) - stress) / links.mobility;
   // Where the cells are too coarse for any profile. Walls in steps never push: P is noise too, which they would feed.
   const double most = is_in_steps(wall) ? std::clamp(own, -2 * speed, 2 * speed) : 2 * speed;
@@ -286,6 +287,20 @@ std::array<Real, 3> own_velocity(const WallCell& wall) {
   return v;
 }
 
+/// Stress of a law on the film that an interface cell holds where gas is on its far side, lu: the populations are those
+/// of a full cell, whose momentum changes F times less than the film's, F its fill level. No more than bounce-back's.
+template <class Real>
+double stress_of_film(FluidGrid<Real>& grid, CellPlace place, const Vec3& n, double own_speed, double law) {
+  const Block<Real>& block = grid.block(place.block);
+  const CellType beyond = grid.type(grid.neighbour(place, direction_away(n)));
+  if (!block.surface || grid.type(place) != CellType::interface || is_wet(beyond) || beyond == CellType::wall)
+    return law;
+  const double fill = std::max(static_cast<double>(block.surface->fill_level[place.cell]), 1e-3);
+  return std::max(law, std::min(law / fill, kLargestStressShare * own_speed));
+}
+
+/// Where viscosity takes as much as bounce-back does, or more, the wall's own velocity: a law would ask for more than a
+/// step can take.
 template <class Real>
 std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                         const WallPhysics& physics, const CellMoments<Real>& m) {
@@ -296,7 +311,7 @@ std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, 
   WallSample sample{slip_of(wall, m) - (half_force - half_force.dot(n) * n),
                     std::max(0.5, static_cast<double>(wall.distance))};
   const double own_speed = sample.velocity.norm();
-  if (own_speed < 1e-12) return own_velocity<Real>(wall);
+  if (own_speed < 1e-12 || physics.viscosity >= kBounceBackViscosity) return own_velocity<Real>(wall);
   double law = wall_stress(own_speed, sample.distance, physics.viscosity, wall.roughness);
   // Steps keep the law of the cell itself: each brakes its own cells, which the law must see.
   if (wall.even && law > kTurbulent * physics.viscosity * own_speed / sample.distance) {
@@ -305,6 +320,7 @@ std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, 
   }
   const double speed = sample.velocity.norm();
   if (speed < 1e-12) return own_velocity<Real>(wall);
+  law = stress_of_film(grid, place, n, own_speed, law);
   return braking_velocity(grid, place, wall, parity, m, Vec3(sample.velocity / speed), speed, law);
 }
 

@@ -26,6 +26,7 @@ namespace {
 /// Gas around a cell at which liquid no longer holds its stress: a cell at the edge of a cube has 9 of 18, at a flat
 /// surface or in a film on a wall 5.
 constexpr int kExposedSides = 9;
+constexpr int kLinksToALayer = 4;  ///< of a cell, to those of a layer beside it
 
 /// The interface cells of one row, or of two at y and y + 1, y even; lanes that hold other cells compute along and
 /// write nothing. V: a pack of 8 numbers or of 16.
@@ -61,7 +62,7 @@ class RowExchange {
     const V half_fill = V(Real(0.5)) * load<V>(block_.surface->fill_level + 8 * row), one(1);
     const Sight<V> sight(near_, row & 7, row >> 3);
     const auto interface = sight.template interface<0, 0, 0>();
-    V gain(0), empty(0), fullest(0);
+    V gain(0), empty(0), fullest(0), full(0);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       if constexpr (CX * CX + CY * CY + CZ * CZ == 1)
         gain += through_faces<P, CX, CY, CZ>(row, sight, half_fill);
@@ -71,8 +72,9 @@ class RowExchange {
       empty = select(sight.template empty<-CX, -CY, -CZ>(), empty + one, empty);
       const V full_ahead = sight.template full<CX, CY, CZ>(), full_behind = sight.template full<-CX, -CY, -CZ>();
       fullest = max(fullest, max(full_ahead, full_behind));
+      full += full_ahead + full_behind;
     });
-    note(row, interface, gain, empty, fullest);
+    note(row, interface, gain, empty, fullest, full);
     const auto open = interface && empty > V(0);
     const auto held = interface && at_bodies(row, sight);
     if (none(open || held)) return;
@@ -319,13 +321,20 @@ class RowExchange {
 
   /// Mass, and how the cells stand: exposed with gas on half of their links or more, alone without liquid around.
   template <class Mask>
-  [[gnu::always_inline]] void note(int row, const Mask& interface, const V& gain, const V& empty, const V& fullest) {
+  [[gnu::always_inline]] void note(int row, const Mask& interface, const V& gain, const V& empty, const V& fullest,
+                                   const V& full) {
     SurfaceFields<Real>& s = *block_.surface;
     V mass = load<V>(s.mass + 8 * row);
     mass = select(interface, mass + gain, mass);
     store(s.mass + 8 * row, mass);
     const auto exposed = interface && empty >= V(kExposedSides);
-    V rate(static_cast<Real>(kLargestRate));
+    // How far the surface lies below the centre, of cells on a layer of liquid that it hardly moves through.
+    V low = select(full >= V(kLinksToALayer), max(V(Real(0.5)) - fill_of_now(row), V(0)), V(0));
+    if (block_.body) low = select(load<V>(block_.body->exchange_weight + 8 * row) > V(0), V(0), low);
+    const V calm = max(V(1) - V(static_cast<Real>(1 / kCalmGain)) * max(gain, V(-gain)), V(0));
+    V rate =
+        select(interface, V(static_cast<Real>(kLargestRate)) - V(static_cast<Real>(kRateLostBelow)) * low * low * calm,
+               V(static_cast<Real>(kLargestRate)));
     rate = select(exposed, V(static_cast<Real>(kLargestExposedRate)), rate);
     store(s.largest_rate + 8 * row, rate);
     s.exposed += count(exposed);

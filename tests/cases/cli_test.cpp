@@ -1,9 +1,13 @@
-// The built executable: exit codes, what it prints, and that bad input leaves nothing behind.
+// The built executables: exit codes, what they print, and that bad input leaves nothing behind.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "tests/cases/scene/scene_files.h"
 
@@ -15,12 +19,12 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Runs `BEFORE lahar ARGUMENTS` in a folder of its own.
-Outcome lahar(const std::string& before, const std::string& arguments, const ScratchFolder& folder,
-              const ScratchFolder& streams) {
+/// Runs `BEFORE PROGRAM ARGUMENTS` in a folder of its own.
+Outcome start(const std::string& before, const std::string& program, const std::string& arguments,
+              const ScratchFolder& folder, const ScratchFolder& streams) {
   const std::string out = (streams.path() / "out").string(), err = (streams.path() / "err").string();
-  const std::string command = "cd '" + folder.path().string() + "' && " + before + "'" LAHAR_EXECUTABLE "' " +
-                              arguments + " > '" + out + "' 2> '" + err + "'";
+  const std::string command = "cd '" + folder.path().string() + "' && " + before + "'" + program + "' " + arguments +
+                              " > '" + out + "' 2> '" + err + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, file_text(out), file_text(err)};
 }
@@ -29,7 +33,12 @@ class Cli : public testing::Test {
  protected:
   Outcome run(const std::string& arguments, const std::string& before = "") {
     const ScratchFolder streams_beside_results;
-    return lahar(before, arguments, folder_, streams_beside_results);
+    return start(before, LAHAR_EXECUTABLE, arguments, folder_, streams_beside_results);
+  }
+  /// Another one that stands beside it.
+  Outcome run_other(const std::string& program, const std::string& arguments) {
+    const ScratchFolder streams_beside_results;
+    return start("", LAHAR_STUDIES "/" + program, arguments, folder_, streams_beside_results);
   }
   [[nodiscard]] std::size_t files() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_.path()), {}));
@@ -53,8 +62,8 @@ TEST_F(Cli, QuietIsQuiet) {
 
 TEST_F(Cli, MistakesAreOneLineEachOnStderr) {
   folder_.write("bad.toml", small_scene + "[gravity]\nslope_degree = 1\nmagnitude_m_s2 = -1\n");
-  for (const char* command : {"check", "run"}) {
-    const Outcome o = run(std::string(command) + " bad.toml --set run.duration_s=0 --out out");
+  for (const char* command : {"check", "run --out out"}) {
+    const Outcome o = run(std::string(command) + " bad.toml --set run.duration_s=0");
     EXPECT_EQ(o.code, 2);
     EXPECT_EQ(o.out, "");
     EXPECT_NE(o.err.find("bad.toml:17:1: unknown key \"slope_degree\" in [gravity] (did you mean \"slope_deg\"?)"),
@@ -74,8 +83,8 @@ TEST_F(Cli, MalformedFilesExitWithTwoAndLeaveNothing) {
   folder_.write("binary.toml", std::string("\x00\xff\x01\x80", 4));
   std::filesystem::create_directory(folder_.path() / "folder.toml");
   for (const char* name : {"empty.toml", "syntax.toml", "binary.toml", "folder.toml", "missing.toml"})
-    for (const char* command : {"check ", "run "}) {
-      const Outcome o = run(command + std::string(name) + " --out out");
+    for (const char* command : {"check ", "run --out out "}) {
+      const Outcome o = run(command + std::string(name));
       EXPECT_EQ(o.code, 2) << name;
       EXPECT_TRUE(o.err.starts_with(std::string(name) + ":")) << o.err;
       EXPECT_EQ(files(), 4u) << name;
@@ -85,8 +94,8 @@ TEST_F(Cli, MalformedFilesExitWithTwoAndLeaveNothing) {
 TEST_F(Cli, AFileThatIsNoMeshIsAMistakeOfItsKey) {
   folder_.write("scene.toml", small_scene + "[[wall]]\nshape = \"mesh\"\nfile = \"scrap.stl\"\nmaterial = \"rock\"\n");
   folder_.write("scrap.stl", "solid scrap\nvertex 0 0\n");
-  for (const char* command : {"check ", "run "}) {
-    const Outcome o = run(command + std::string("scene.toml --out out"));
+  for (const char* command : {"check scene.toml", "run scene.toml --out out"}) {
+    const Outcome o = run(command);
     EXPECT_EQ(o.code, 2);
     EXPECT_TRUE(o.err.starts_with("scene.toml:18:8: wall[0].file: \"")) << o.err;
     EXPECT_NE(o.err.find("scrap.stl\" line 2: expected \"vertex x y z\"\n"), std::string::npos) << o.err;
@@ -102,10 +111,58 @@ TEST_F(Cli, BadCommandLinesExitWithTwo) {
   }
 }
 
+TEST_F(Cli, WhatAProgramHasNoUseForIsUnknownToIt) {
+  const std::vector<std::pair<std::string, std::string>> command_lines{
+      {"lahar", "check scene.toml --out out"},   {"lahar", "check scene.toml --overwrite"},
+      {"lahar", "resume folder --out out"},      {"lahar", "resume folder --overwrite"},
+      {"validate", "--list --overwrite"},        {"benchmark", "--list --overwrite"},
+      {"benchmark", "--list --precision float"}, {"compare_cfd_dem", "--list --overwrite"}};
+  for (const auto& [program, arguments] : command_lines) {
+    const Outcome o = run_other(program, arguments);
+    EXPECT_EQ(o.code, 2) << program << " " << arguments;
+    EXPECT_TRUE(o.err.starts_with("command line:1:1: ")) << o.err;
+    EXPECT_NE(o.err.find("not expected"), std::string::npos) << o.err;
+    EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 1) << o.err;
+    EXPECT_EQ(files(), 0u) << program << " " << arguments;
+  }
+}
+
+TEST_F(Cli, WhatAProgramCannotTakeIsRefusedWithTheReason) {
+  const std::vector<std::tuple<std::string, std::string, std::string>> command_lines{
+      {"validate", "--set a.b=1 --out out", "--set a.b=1: the entries have no keys to set"},
+      {"hard_cases", "--set a.b=1 --out out", "--set a.b=1: hard cases have no keys to set"},
+      {"benchmark", "--set a.b=1 --out out", "--set a.b=1: benchmarks have no keys to set"},
+      {"speed_error", "--set a.b=1 --out out", "--set a.b=1: the study turns its own knobs"},
+      {"speed_error", "--precision float --out out", "--precision: the study turns this knob itself"},
+      {"compare_cfd_dem", "--precision double --records r --out out", "--records with --set or --precision"},
+      {"validate", "fluid.tow --out out", "no entry or group is called 'fluid.tow'"},
+      {"hard_cases", "H21 --out out", "no hard case is called 'H21'"},
+      {"speed_error", "dambreak --out out", "dambreak"},
+      {"benchmark", "fluid.plane --out out", "did you mean 'fluid.plain'?"}};
+  for (const auto& [program, arguments, reason] : command_lines) {
+    const Outcome o = run_other(program, arguments);
+    EXPECT_EQ(o.code, 2) << program << " " << arguments;
+    EXPECT_TRUE(o.err.starts_with("command line:1:1: ")) << o.err;
+    EXPECT_NE(o.err.find(reason), std::string::npos) << o.err;
+    EXPECT_EQ(files(), 0u) << program << " " << arguments;
+  }
+}
+
+TEST_F(Cli, AListMakesNoFolder) {
+  for (const char* program : {"validate", "hard_cases", "speed_error", "benchmark", "compare_cfd_dem"}) {
+    const Outcome o = run_other(program, "--list --out out");
+    EXPECT_EQ(o.code, 0) << program << " " << o.err;
+    EXPECT_NE(o.out, "") << program;
+    EXPECT_EQ(files(), 0u) << program;
+  }
+}
+
 TEST_F(Cli, HelpVersionAndKeys) {
   EXPECT_EQ(run("--help").code, 0);
   EXPECT_NE(run("run --help").out.find("--set"), std::string::npos);
-  EXPECT_TRUE(run("--version").out.starts_with("lahar "));
+  for (const char* program :
+       {"lahar", "validate", "hard_cases", "speed_error", "benchmark", "compare_cfd_dem", "ring_pull"})
+    EXPECT_TRUE(run_other(program, "--version").out.starts_with(program + std::string(" "))) << program;
   const Outcome keys = run("keys");
   EXPECT_EQ(keys.code, 0);
   EXPECT_EQ(keys.out, file_text(source_folder() / "docs/scene_reference.md"));

@@ -186,6 +186,26 @@ TEST(Comparison, IntegratesForcesOverTheSecondAfterGrainsArrive) {
   EXPECT_TRUE(std::isnan(result_of(run).value("grains_impulse_water"))) << "the run ends before";
 }
 
+/// A peak that lasts 0.1 s among steady forces, in rows that are not even: the best window of 0.2 s holds all of it.
+TEST(Comparison, LargestMeanHoldsTheWholePeak) {
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", 4.1, 1};
+  run.series.time_s = {0, 0.5, 0.6, 0.65, 0.7, 0.8, 1.0, 1.2};
+  run.series.columns = {{"barrier_force_sum_N", "N", "", {1000, 1000, 1000, 9000, 1000, 1000, 1000, 1000}}};
+  EXPECT_NEAR(result_of(run).value("barrier_sum_mean"), (1 * 0.2 + 8 * 0.05) / 0.2, 1e-9);
+  run.series.time_s = {0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07};
+  EXPECT_TRUE(std::isnan(result_of(run).value("barrier_sum_mean"))) << "shorter than the mean";
+}
+
+/// The constants of the comparison are those of the scene.
+TEST(Comparison, CountsInTheScenesGravity) {
+  const StudyCase study_case{"as_printed", "coarse", "resolved", "study", 4.1, 1};
+  const scene::Scene s = scene::load(study_case.scene_file(), {});
+  EXPECT_EQ(s.gravity.magnitude, 9.81);
+  EXPECT_EQ(s.gravity.slope_deg, 35);
+  EXPECT_EQ(s.fluid.density, 1000);
+}
+
 TEST(Comparison, HoldsTheirsAndOurs) {
   std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10), made_up(8.6, 100, 10)};
   const std::string csv = comparison_csv(results);
@@ -203,7 +223,7 @@ TEST(Comparison, HoldsTheirsAndOurs) {
   std::size_t agree = 0;
   const std::vector<Trend> found = trends(results);
   for (const Trend& t : found) agree += t.agrees == Agreement::yes;
-  EXPECT_EQ(found.size(), 12u);
+  EXPECT_EQ(found.size(), 13u);
   EXPECT_EQ(agree, 3u);  // retained mass and zeta fall, eta rises; of forces and of what passed nothing is known
   EXPECT_NE(
       trends_csv(found).find("\"eta rises (4.4), about the bed at the net\",matched,resolved,coarse,3,1.00,yes\n"),
@@ -293,7 +313,8 @@ TEST(Comparison, PartsOfWhatLeavesAreThoseOfTheWhole) {
 TEST(Record, HoldsWhatIsShown) {
   const cases::TestFolder folder;
   CaseResult c = made_up(4.1, 50, 10, 3);
-  take_summary(c, R"({"wall_seconds": 90, "commit": "abc", "checks": [{"name": "a", "pass": false}]})", "a.json");
+  take_summary(c, R"({"wall_seconds": 90, "commit": "abc", "metrics": {}, "checks": [{"name": "a", "pass": false}]})",
+               "a.json");
   const std::string name = shown_columns().at(1).name;
   c.curves.time_s = {0, 0.004, 0.0099999999, 0.012, 0.0301, 0.033};
   c.curves.columns = {{name, "N", "a force", {1, 2, std::nan(""), 4, 1.23456789e6, 6}}};
@@ -314,6 +335,21 @@ TEST(Record, HoldsWhatIsShown) {
   write_record(found[0], folder.path() / "again");
   EXPECT_EQ(read_records(folder.path() / "again").at(0).curves.time_s, found[0].curves.time_s);
   EXPECT_EQ(comparison_csv(found), comparison_csv({c}));
+}
+
+/// What is asked for since a record was made is taken of its curves and metrics; what it holds stays.
+TEST(Record, GivesWhatIsAskedForSince) {
+  const cases::TestFolder folder;
+  CaseResult c = made_up(4.1, 50, 10);
+  take_summary(c, R"({"wall_seconds": 90, "metrics": {"e_in_kJ": 60, "liquid_left_kg": 3}, "checks": []})", "a.json");
+  c.curves.time_s = {0, 0.1, 0.2, 0.3};
+  c.curves.columns = {{"barrier_force_sum_N", "N", "", {0, 1000, 2000, 3000}}};
+  write_record(c, folder.path());
+  const CaseResult found = read_records(folder.path()).at(0);
+  EXPECT_EQ(found.value("water_left"), 3);
+  EXPECT_NEAR(found.value("barrier_sum_mean"), 2, 1e-12);
+  EXPECT_EQ(found.value("e_in"), 50);
+  EXPECT_TRUE(std::isnan(found.value("grains_arrival"))) << "the mass of the grains is not kept";
 }
 
 TEST(Record, FilesThatAreNoneAreNamed) {

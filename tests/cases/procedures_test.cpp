@@ -1,4 +1,4 @@
-// Parameters of the procedures, what they refuse, their executables, and the quick form of their entries.
+// Parameters of the procedures, what they refuse, and their executables.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -20,7 +20,6 @@
 #include "cases/ring_pull/report.h"
 #include "cases/rockfall/describe.h"
 #include "cases/rockfall/report.h"
-#include "cases/validate/entry.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::cases {
@@ -248,20 +247,6 @@ TEST(ProcedureExecutable, AnInterruptedOneEndsWith130) {
         EXPECT_NE(entry.path().extension(), ".png") << entry.path();
     }
 }
-
-class QuickCalibration : public testing::TestWithParam<const char*> {};
-
-TEST_P(QuickCalibration, ReachesItsBars) {
-  const auto chosen = validate::select_entries(validate::all_entries(), {GetParam()});
-  ASSERT_EQ(chosen.size(), 1u);
-  const validate::Outcome outcome = validate::run_entry(chosen[0], {.quick = true, .plots = {}});
-  EXPECT_TRUE(outcome.pass()) << validate::outcome_text(outcome);
-}
-
-INSTANTIATE_TEST_SUITE_P(Barrier, QuickCalibration,
-                         testing::Values("barrier.ring_pull", "barrier.energy_dissipator", "barrier.rockfall",
-                                         "barrier.net_at_rest"),
-                         [](const auto& param) { return std::string(param.param).substr(8); });
 
 }  // namespace
 }  // namespace lahar::cases

@@ -1,7 +1,9 @@
 #pragma once
 // Closed surfaces for tests.
 #include <cmath>
+#include <memory>
 
+#include "core/distance_grid.h"
 #include "core/triangle_mesh.h"
 
 namespace lahar {
@@ -34,6 +36,29 @@ inline TriangleMesh sphere_mesh(const Vec3& centre, double radius, std::uint32_t
     }
   weld(m);
   return m;
+}
+
+/// Samples of a distance, fine everywhere.
+template <class Distance>
+std::shared_ptr<const DistanceGrid> sampled(const Vec3& lower, const Vec3& upper, double spacing,
+                                            const Distance& distance) {
+  auto grid = std::make_shared<DistanceGrid>(lower, upper, spacing);
+  const auto at = [&](const Vec3i& node) { return static_cast<float>(distance(grid->node(node))); };
+  std::vector<Vec3i> all;
+  const Vec3i bricks = grid->bricks();
+  for (int x = 0; x <= bricks.x(); ++x)
+    for (int y = 0; y <= bricks.y(); ++y)
+      for (int z = 0; z <= bricks.z(); ++z) {
+        grid->coarse({x, y, z}) = at(DistanceGrid::brick_cells * Vec3i(x, y, z));
+        if (x < bricks.x() && y < bricks.y() && z < bricks.z()) all.emplace_back(x, y, z);
+      }
+  grid->refine(all);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (int x = 0; x < 9; ++x)
+      for (int y = 0; y < 9; ++y)
+        for (int z = 0; z < 9; ++z)
+          grid->fine(k)[81 * x + 9 * y + z] = at(DistanceGrid::brick_cells * all[k] + Vec3i(x, y, z));
+  return grid;
 }
 
 }  // namespace lahar

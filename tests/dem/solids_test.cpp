@@ -8,6 +8,7 @@
 
 #include "core/parallel.h"
 #include "dem/time_step.h"
+#include "tests/core/shapes.h"
 #include "tests/dem/small_scenes.h"
 
 namespace lahar::dem {
@@ -95,6 +96,8 @@ TEST(Solids, a_bead_on_a_rail_is_hit_across_as_if_it_were_fixed) {
   EXPECT_NEAR(expected, 0.1, 0.005);
   EXPECT_NEAR(rebound_from(across, 0.1), expected, 1e-6);
   EXPECT_NEAR(rebound_from(along, 0.1), rebound_from(bead, 0.1), 1e-9) << "free where it may move";
+  across.kind = ParticleKind::grain;
+  EXPECT_NEAR(rebound_from(across, 0.1), expected, 1e-6) << "a grain on a rail";
 }
 
 /// Most energy that a boulder gains which falls at `speed` (m/s) onto a wire that lies on the bed, over its own; the
@@ -351,6 +354,45 @@ TEST(Solids, two_that_touch_may_leave_together) {
   solids.remove(0);
   solids.remove(1);
   EXPECT_NEAR(solids.ledger().total(), before, 1e-12 * before) << "what their spring held left once";
+}
+
+TEST(Solids, a_particle_is_removed_once) {
+  Particles p;
+  p.add(sphere({0, 0, 0}, 0.02, 2650));
+  p.add(sphere({0.0399, 0, 0}, 0.02, 2650));
+  Solids solids(p, {}, one_material(1e7, 0.2, 0, 1), {}, options(1e-6));
+  solids.step();
+  solids.remove(0);
+  const double once = solids.ledger().total();
+  solids.remove(0);
+  EXPECT_EQ(solids.ledger().total(), once);
+}
+
+/// Grooves of sampled distance: in the crease both sides push at once, and a grain that rolls across it, or comes to
+/// rest there, neither hops nor wins energy.
+TEST(Solids, a_grain_comes_to_rest_in_a_sampled_groove) {
+  constexpr double r = 0.02;
+  for (const double slope : {1.0, 0.18}) {
+    const Vec3 left = Vec3(slope, 0, 1).normalized(), right = Vec3(-slope, 0, 1).normalized();
+    const auto grid = sampled(Vec3(-0.2, -0.1, -0.1), Vec3(0.2, 0.1, 0.3), 0.005,
+                              [&](const Vec3& p) { return std::min(p.dot(left), p.dot(right)); });
+    Walls walls;
+    walls.add({"groove", SampledDistance{grid}});
+    const Materials m = one_material(7e8, 0.3, 0.5, 0.5);
+    Particles p;
+    p.add(sphere({0.07, 0, slope * 0.07 + 1.5 * r}, r, 2650, {0, 0.02, 0}));
+    const double step = 0.2 * rayleigh_time_step(r, 2650, m[0]);
+    Solids solids(p, {}, m, walls, options(step, {0, 0, -kG}));
+    solids.advance(0);
+    const EnergyLedger first = solids.ledger();
+    solids.advance(static_cast<int>(1.5 / step));
+    const EnergyLedger last = solids.ledger();
+    const double lost = first.gravitational - last.gravitational;
+    EXPECT_NEAR(last.total(), first.total(), 0.01 * lost) << slope;
+    if (slope < 1) continue;  // it rolls to and fro
+    EXPECT_LT(std::abs(solids.particles().position.x[0]), 0.1 * r) << slope;
+    EXPECT_LT(std::hypot(solids.particles().velocity.x[0], solids.particles().velocity.z[0]), 0.02) << slope;
+  }
 }
 
 TEST(Solids, particles_may_join_later) {

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "cases/files/output_file.h"
 #include "cases/runner/interrupt.h"
@@ -14,7 +13,6 @@
 #include "cases/runner/options.h"
 #include "cases/runner/output_folder.h"
 #include "cases/scene/names.h"
-#include "core/check.h"
 #include "core/parallel.h"
 #include "tests/performance/benchmark.h"
 #include "tests/performance/stream.h"
@@ -59,10 +57,6 @@ struct Arguments {
 
 std::string group_of(const Benchmark& b) { return b.name.substr(0, b.name.find('.')); }
 
-[[noreturn]] void refuse(const std::string& why) {
-  throw InputError(std::vector<InputMistake>{{"command line", 1, 1, why}});
-}
-
 bool asks_for(const std::string& name, const Benchmark& b) { return name == b.name || name == group_of(b); }
 
 /// What the names ask for, and what that needs.
@@ -75,7 +69,8 @@ std::vector<Benchmark> select(const std::vector<Benchmark>& all, const std::vect
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) == known.end()) {
       const std::string nearest = scene::nearest_name(name, known);
-      refuse("no benchmark is called '" + name + "'" + (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
+      cases::refuse_command_line("no benchmark is called '" + name + "'" +
+                                 (nearest.empty() ? "" : ", did you mean '" + nearest + "'?"));
     }
     for (const Benchmark& b : all)
       if (asks_for(name, b)) {
@@ -159,7 +154,7 @@ void check_kept(const std::filesystem::path& folder, const std::vector<Benchmark
 }
 
 int run(const Arguments& a) {
-  if (!a.common.set.empty()) refuse("--set " + a.common.set.front() + ": benchmarks have no keys to set");
+  cases::refuse_changes(a.common, "benchmarks have no keys to set");
   const auto chosen = select(all_benchmarks(), a.names);
   if (a.list) {
     for (const Benchmark& b : a.names.empty() ? all_benchmarks() : chosen)
@@ -172,8 +167,7 @@ int run(const Arguments& a) {
   check_kept(session.folder, chosen);
   if (!a.json.empty()) cases::require_record(a.json, "--json", "benchmark", is_session_json);
   if (!a.common.out.empty()) cases::create_folder(session.folder);
-  const ThreadLimit limit(a.common.threads > 0 ? a.common.threads
-                                               : static_cast<int>(std::thread::hardware_concurrency()));
+  const ThreadLimit limit(cases::threads_or_all(a.common.threads));
   cases::watch_for_interrupt();
   bool all_pass = true;
   for (const Benchmark& b : chosen) {
@@ -202,7 +196,7 @@ int run(const Arguments& a) {
 int main(int argc, char** argv) {
   using namespace lahar;
   CLI::App app("Measures Lahar's speed against what the machine can do", "benchmark");
-  app.set_version_flag("--version", "benchmark " + cases::version() + " (" + cases::commit() + ")");
+  cases::add_version(app);
   performance::Arguments arguments;
   app.add_option("names", arguments.names, "Entries or groups (default: all but those that only run by name)")
       ->type_name("NAME|GROUP");
@@ -211,6 +205,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(1, 100))
       ->type_name("N");
   app.add_option("--json", arguments.json, "Write the results there")->type_name("FILE");
-  cases::add_common_options(app, arguments.common);
+  cases::add_common_options(
+      app, arguments.common,
+      {.out = "Folder for runs that entries keep (default results/benchmark)", .precision = false, .overwrite = false});
   return cases::parse_and_run(app, argc, argv, [&] { return performance::run(arguments); });
 }

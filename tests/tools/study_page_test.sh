@@ -24,7 +24,7 @@ for case in coarse-resolved coarse-averaged standard-resolved; do
 done
 capture "$page"
 expect_equal 'status' "$status" 0
-expect_contains "$output" '| matched-L4.10-coarse-resolved-seed1 | 10.0 | 1 | abc | momentum_audit |'
+expect_contains "$output" '| matched-L4.10-coarse-resolved-seed1 | 10.0 | 1 | abc | ? | momentum_audit |'
 expect_contains "$output" '## matched, L = 4.10 m'
 expect_contains "$output" '| `e_in` | kJ | 54.36 | 50 | 52.12 | 40 |'
 expect_contains "$output" '| `depth` | m | - | 0.25 | - | 0.2 |'

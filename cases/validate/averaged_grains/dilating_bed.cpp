@@ -123,15 +123,12 @@ Row averaged_row(const Bed& bed, double length, coupling::BedDrag law, PressureD
                       0.20);
 }
 
-/// What the choice of the law makes; it has no bar.
+/// What the choice of the law makes.
 Row law_row(const Bed& bed) {
-  const double time = 0.5 * (kStart + kEnd), by_di_felice = suction(di_felice, bed.fraction, bed.diameter, time);
-  return {fmt::format("suction by Di Felice, by Ergun, N: phi {:g}, d {:g} m", bed.fraction, bed.diameter),
-          by_di_felice,
-          suction(ergun, bed.fraction, bed.diameter, time),
-          0,
-          0,
-          std::isfinite(by_di_felice)};
+  const double time = 0.5 * (kStart + kEnd);
+  return note_row(fmt::format("suction by Di Felice, by Ergun, N: phi {:g}, d {:g} m", bed.fraction, bed.diameter),
+                  suction(di_felice, bed.fraction, bed.diameter, time),
+                  suction(ergun, bed.fraction, bed.diameter, time));
 }
 
 std::vector<Row> run(const Context& context) {

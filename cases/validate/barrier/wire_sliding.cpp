@@ -113,16 +113,13 @@ std::vector<Row> run(const Context& context) {
     return measure(s, beads);
   };
   const Pull rough = pull(dem::WireContacts::beads), smooth = pull(dem::WireContacts::capsules);
-  const auto reported = [](std::string label, double value, double against) {
-    return Row{std::move(label), value, against, 0, 0, std::isfinite(value)};
-  };
   const double coulomb = kFriction * kLoad;
   return {relative_row("capsules: mean pull, N, against friction x load", smooth.mean, coulomb, 0.01),
           relative_row("capsules: mean load on the cable, N", smooth.load, kLoad, 0.01),
           at_most_row("capsules: ripple of the pull, rms over mean", smooth.ripple / smooth.mean, 0.02),
-          reported("beads: mean pull, N, against friction x load", rough.mean, coulomb),
-          reported("beads: ripple of the pull, rms over mean", rough.ripple / rough.mean, smooth.ripple / smooth.mean),
-          reported("cost of a step, capsules over beads", smooth.cost / rough.cost, 1)};
+          note_row("beads: mean pull, N, against friction x load", rough.mean, coulomb),
+          note_row("beads: ripple of the pull, rms over mean", rough.ripple / rough.mean, smooth.ripple / smooth.mean),
+          note_row("cost of a step, capsules over beads", smooth.cost / rough.cost, 1)};
 }
 
 }  // namespace

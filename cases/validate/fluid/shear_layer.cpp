@@ -17,7 +17,7 @@ void add_row(std::vector<Row>& rows, const StabilityCase& c) {
   if (stable_without_eddies(c.collision) || c.smagorinsky > 0)
     rows.push_back(at_most_row(label + ": energy", s.energy, 1.001));
   else
-    rows.push_back(at_least_row(label + ": time run (no bar)", s.finished, 0));
+    rows.push_back(note_row(label + ": time run", s.finished));
 }
 
 std::vector<Row> run(const Context& context) {

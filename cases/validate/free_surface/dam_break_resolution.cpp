@@ -16,7 +16,8 @@ std::vector<Row> run(const Context& context) {
       return run_dam_break<Real>(dam).time_at(3.5);
     };
     const double coarse = arrival(12, 0.1), middle = arrival(23, 0.1);
-    std::vector<Row> rows{relative_row("time to Z = 3.5 at 20 mm against 10 mm (no bar)", coarse, middle, 1.0),
+    // Twice the bar between cells of half the size: what is left is of first order.
+    std::vector<Row> rows{relative_row("time to Z = 3.5 at 20 mm against 10 mm", coarse, middle, 0.06),
                           relative_row("time to Z = 3.5 at 10 mm against that of Martin & Moyce (ours are ahead)",
                                        middle, measured_arrival(3.5), 0.15)};
     if (!context.quick)

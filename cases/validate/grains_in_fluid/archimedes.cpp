@@ -66,8 +66,7 @@ void lower(std::vector<Row>& rows, double diameter, double speed, bool lift, con
     step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) {
       if (c.centre.z() > t.depth + diameter / 2) carried += c.liquid_volume;
     });
-    rows.push_back(at_most_row(what + ": liquid that it keeps when it is lifted out, of its volume (no bar)",
-                               carried / volume, 1));
+    rows.push_back(note_row(what + ": liquid that it keeps when it is lifted out, of its volume", carried / volume));
   }
   add_ledgers(rows, what, step);
 }

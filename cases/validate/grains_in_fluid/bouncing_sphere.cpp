@@ -78,7 +78,8 @@ std::vector<Row> run(const Context& context) {
           relative_row(fmt::format("contacts, {} sub-steps", substeps), b.contacts, reference.contacts, 0.05));
       rows.push_back(relative_row(fmt::format("impulse on the floor, {} sub-steps", substeps), b.impulse,
                                   reference.impulse, 0.05));
-      rows.push_back(at_most_row(fmt::format("largest force over that of Hertz, {} sub-steps", substeps), b.peak, 10));
+      // H17 asks for 10; twice what is found.
+      rows.push_back(at_most_row(fmt::format("largest force over that of Hertz, {} sub-steps", substeps), b.peak, 1.3));
       rows.push_back(at_most_row(fmt::format("momentum audit, {} sub-steps", substeps), b.audit,
                                  sizeof(Real) == 8 ? 1e-10 : 1e-4));
     }

@@ -28,7 +28,7 @@ Momentum run_into_bed(BedInChute b) {
 std::vector<Row> run(const Context& context) {
   constexpr double bar = 0.02;
   using enum lbm::BodyWeighting;
-  constexpr double stopped = 0.2;  // of the momentum, at least: else there would be nothing to make
+  constexpr double stopped = 0.5;  // of the momentum, at least: else there would be little to make
   std::vector<Row> rows;
   const auto ask = [&](const char* name, int cells, const BedInChute& b) {
     const std::string what = fmt::format("{}, sheet of {} cells: ", name, cells);

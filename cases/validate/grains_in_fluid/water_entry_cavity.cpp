@@ -129,7 +129,7 @@ void enter(std::vector<Row>& rows, const Entering& e) {
   if (e.driven)
     rows.push_back(absolute_row(depth + " (theory 0.5, our bar)", c.neck / c.reached, 0.5, 0.1));
   else
-    rows.push_back(at_most_row(depth + " (no bar)", c.neck / c.reached, 1));
+    rows.push_back(note_row(depth, c.neck / c.reached));
   if (e.driven)
     rows.push_back(at_most_row(
         what + ": gas left between it and half its depth long after it was stopped, of its volume", c.left, 0.01));

@@ -147,6 +147,20 @@ TEST(Estimates, TimeStepIsTheSmallerShare) {
   EXPECT_EQ(solids_time_step(load(case_file("dam_break/scene.toml"))), std::numeric_limits<double>::infinity());
 }
 
+/// As few long steps as grains allow, and no longer than they must be to be so few.
+TEST(Estimates, LongStepsAreAlike) {
+  struct Row {
+    std::int64_t substeps;
+    double grain_step;  ///< in particle steps
+    std::int64_t long_step;
+  };
+  for (const Row& row :
+       {Row{10, 0.5, 1}, Row{10, 1.9, 1}, Row{10, 2, 2}, Row{10, 3.5, 3}, Row{10, 4.9, 4}, Row{10, 7, 5},
+        Row{10, 9.9, 5}, Row{10, 1000, 10}, Row{7, 5, 4}, Row{137, 5.03, 5}, Row{1, 9, 1}})
+    EXPECT_EQ(long_step(row.substeps, 1e-5, row.grain_step * 1e-5), row.long_step)
+        << row.substeps << ", " << row.grain_step;
+}
+
 TEST(Estimates, WholeSubstepsFit) {
   EXPECT_EQ(substeps(1e-4, 1e-5), 10);
   EXPECT_EQ(substeps(1e-4, 0.99e-5), 11);

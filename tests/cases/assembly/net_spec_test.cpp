@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "barrier/topology.h"
 #include "tests/cases/scene/scene_files.h"
@@ -53,6 +56,47 @@ TEST(NetSpec, ScaleActsOnEveryStiffnessAndNotOnForceLimits) {
   EXPECT_EQ(spec.dissipator.axial.stiffness, (std::array<double, 3>{4e10, 1e9, 3e9}));
   EXPECT_EQ(spec.dissipator.axial.force_limit, (std::array<double, 2>{100, 200}));
   EXPECT_TRUE(spec.dissipator.axial.plastic_unloading);
+}
+
+/// Each of the four strengths is that of its own bonds; where a scene gives none, as of dissipators always, nothing
+/// breaks.
+TEST(NetSpec, StrengthsOfRingsAndCables) {
+  const auto strengths = [](const std::vector<std::string>& set) {
+    const barrier::RingNetSpec spec = make_net_spec(load(case_file("hanging_net/scene.toml"), set));
+    return std::vector<double>{spec.ring.tensile_strength,       spec.ring.shear_strength,
+                               spec.cable.tensile_strength,      spec.cable.shear_strength,
+                               spec.dissipator.tensile_strength, spec.dissipator.shear_strength};
+  };
+  const char* keys[] = {"ring_tensile_strength_Pa", "ring_shear_strength_Pa", "cable_tensile_strength_Pa",
+                        "cable_shear_strength_Pa"};
+  const std::vector<double> unbreakable(6, infinite);
+  EXPECT_EQ(strengths({}), unbreakable);
+  std::vector<std::string> all;
+  for (int k = 0; k < 4; ++k) {
+    all.push_back(std::string("barrier.bonds.") + keys[k] + "=" + std::to_string(k + 1) + "e8");
+    std::vector<double> one = unbreakable;
+    one[static_cast<std::size_t>(k)] = (k + 1) * 1e8;
+    EXPECT_EQ(strengths({all.back()}), one) << keys[k];
+  }
+  EXPECT_EQ(strengths(all), (std::vector<double>{1e8, 2e8, 3e8, 4e8, infinite, infinite}));
+}
+
+/// The laws of single wires and of twists are their own. A softer mesh reaches the same forces at longer strains.
+TEST(NetSpec, WiresOfAHexagonalMesh) {
+  using Points = std::array<double, 3>;
+  const auto mesh = [](const std::vector<std::string>& set) {
+    return make_net_spec(load(case_file("hexagonal_net/scene.toml"), set)).mesh.value();
+  };
+  const barrier::HexagonalMesh as_written = mesh({}), soft = mesh({"solids.bond_stiffness_scale=0.5"});
+  EXPECT_EQ(as_written.single.strain, (Points{0.00192, 0.05, 0.35}));
+  EXPECT_EQ(as_written.single.force, (Points{1431, 2192, 3240}));
+  EXPECT_EQ(as_written.twist.strain, (Points{0.00192, 0.02, 0.14}));
+  EXPECT_EQ(as_written.twist.force, (Points{2862, 4384, 6480}));
+  EXPECT_EQ(soft.single.strain, (Points{0.00384, 0.1, 0.7}));
+  EXPECT_EQ(soft.single.force, as_written.single.force);
+  EXPECT_EQ(soft.twist.strain, (Points{0.00384, 0.04, 0.28}));
+  EXPECT_TRUE(as_written.plastic_unloading);
+  EXPECT_FALSE(mesh({"barrier.net.wires_unload_plastically=false"}).plastic_unloading);
 }
 
 TEST(NetSpec, WithoutDissipatorsCablesAreWireThroughout) {

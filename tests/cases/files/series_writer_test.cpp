@@ -98,18 +98,24 @@ TEST(SeriesWriter, ResumeDropsWhatCameLater) {
   EXPECT_TRUE(std::isnan(series.find("dropped")->values[5]));
 }
 
-TEST(SeriesWriter, AKilledRunKeepsItsFlushedRows) {
-  const TestFolder folder;
-  std::fflush(nullptr);
-  const pid_t child = fork();
-  if (child == 0) {
-    SeriesWriter writer(folder / "series.h5", 4);
-    writer.declare("a", "m", "");
-    for (int n = 0; n < 6; ++n) writer.append(n, {2.0 * n});
-    kill(getpid(), SIGKILL);
+/// The first row is copied at once, the next ones with the first that comes a second later.
+TEST(SeriesWriter, AKilledRunKeepsWhatWasCopied) {
+  for (const bool late : {false, true}) {
+    const TestFolder folder;
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    if (child == 0) {
+      SeriesWriter writer(folder / "series.h5");
+      writer.declare("a", "m", "");
+      for (int n = 0; n < 3; ++n) writer.append(n, {2.0 * n});
+      if (late) std::this_thread::sleep_for(std::chrono::milliseconds(1100));
+      if (late) writer.append(3, {6});
+      kill(getpid(), SIGKILL);
+    }
+    waitpid(child, nullptr, 0);
+    const std::vector<double> kept = read_series(folder / "series.h5").find("a")->values;
+    EXPECT_EQ(kept, late ? (std::vector<double>{0, 2, 4, 6}) : std::vector<double>{0});
   }
-  waitpid(child, nullptr, 0);
-  EXPECT_EQ(read_series(folder / "series.h5").find("a")->values, (std::vector<double>{0, 2, 4, 6}));
 }
 
 TEST(SeriesWriter, IsWholeWheneverTheRunIsKilled) {

@@ -1,11 +1,12 @@
 #pragma once
 // A heap of water on its way to a section, as several tests look at it.
-#include <memory>
+#include <gtest/gtest.h>
+
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "cases/observers/observer_list.h"
-#include "tests/cases/scene/scene_files.h"
+#include "tests/cases/observers/sampled.h"
 
 namespace lahar::cases {
 
@@ -37,28 +38,19 @@ class HeapOfWater : public testing::Test {
  protected:
   /// Takes a row of the scene as it begins.
   Metrics first_row(const std::vector<std::string>& set = {}) {
-    scene_ = scene::load_text(heap_of_water, set);
-    simulation_ = build_simulation(scene_);
-    observers_ = std::make_unique<ObserverList>(scene_, *simulation_);
-    series_.reset();  // the file of a row before
-    series_ = std::make_unique<SeriesWriter>(scratch_.path() / "series.h5");
-    observers_->declare(*series_);
+    run_.emplace(scene::load_text(heap_of_water, set));
+    simulation_ = run_->simulation.get();
+    observers_ = &run_->observers;
     return take_row(0);
   }
   /// Takes a row after so many steps.
   Metrics take_row(int steps) {
-    for (int s = 0; s < steps; ++s) {
-      simulation_->advance();
-      observers_->after_step();
-    }
-    observers_->sample(*series_);
-    return observers_->metrics();
+    run_->take_row(steps);
+    return run_->metrics();
   }
-  scene::ScratchFolder scratch_;
-  scene::Scene scene_;
-  std::unique_ptr<Simulation> simulation_;
-  std::unique_ptr<ObserverList> observers_;
-  std::unique_ptr<SeriesWriter> series_;
+  std::optional<Sampled> run_;
+  Simulation* simulation_ = nullptr;
+  const ObserverList* observers_ = nullptr;
 };
 
 }  // namespace lahar::cases

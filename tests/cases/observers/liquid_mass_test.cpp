@@ -26,6 +26,16 @@ TEST_F(LiquidMassOfHeap, LeavesThroughAnOpenFace) {
   EXPECT_LT(metrics.at("liquid_mass_drift_rel"), 1e-10);
 }
 
+/// The heap runs against the far end and splashes: drops without neighbours go through the pool, a little of the whole.
+TEST_F(LiquidMassOfHeap, TellsWhatWentThroughThePool) {
+  EXPECT_EQ(first_row().at("liquid_pooled_kg"), 0);
+  Metrics metrics;
+  for (int k = 0; k < 20 && simulation_->fluid()->transfers().pooled == 0; ++k) metrics = take_row(200);  // it splashes
+  EXPECT_EQ(metrics.at("liquid_pooled_kg"), simulation_->fluid()->transfers().pooled);
+  EXPECT_GT(metrics.at("liquid_pooled_kg"), 0);
+  EXPECT_LT(metrics.at("liquid_pooled_kg"), 0.01 * kStart);
+}
+
 TEST_F(LiquidMassOfHeap, IsHeldAgainstItsStart) {
   first_row();
   const LiquidMass& ledger = *observers_->find<LiquidMass>();

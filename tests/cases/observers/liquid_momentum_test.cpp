@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "cases/files/series_reader.h"
-#include "cases/observers/observer_list.h"
-#include "tests/cases/scene/scene_files.h"
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tests/cases/observers/sampled.h"
 
 namespace lahar::cases {
 namespace {
@@ -98,31 +100,18 @@ struct Ledger {
 };
 
 Ledger after(int rows, const std::vector<std::string>& set, const std::string& text = chute, int steps_per_row = 5) {
-  const scene::Scene scene = scene::load_text(text, set);
-  const auto simulation = build_simulation(scene);
-  simulation->fluid()->measure_walls();
-  ObserverList observers(scene, *simulation);
-  const scene::ScratchFolder scratch;
+  Sampled run(scene::load_text(text, set));
+  const FluidView& fluid = *run.simulation->fluid();
+  run.simulation->fluid()->measure_walls();
+  run.take_row();
+  for (int row = 0; row < rows; ++row) run.take_row(steps_per_row);
   Ledger ledger;
-  {
-    SeriesWriter writer(scratch.path() / "series.h5");
-    observers.declare(writer);
-    observers.sample(writer);
-    for (int row = 0; row < rows; ++row) {
-      for (int step = 0; step < steps_per_row; ++step) {
-        simulation->advance();
-        observers.after_step();
-      }
-      observers.sample(writer);
-    }
-  }
-  const Series series = read_series(scratch.path() / "series.h5");
-  ledger.start = series.find("fluid_momentum_x_Ns")->values.front();
-  ledger.momentum = series.find("fluid_momentum_x_Ns")->values.back();
-  ledger.gap = series.find("fluid_momentum_gap_x_Ns")->values.back();
-  ledger.left = simulation->fluid()->transfers().left;
-  for (const lbm::WallLoad& load : simulation->fluid()->wall_loads()) ledger.walls += load.impulse.x();
-  ledger.time = simulation->time();
+  ledger.start = run.column("fluid_momentum_x_Ns").front();
+  ledger.momentum = run.column("fluid_momentum_x_Ns").back();
+  ledger.gap = run.column("fluid_momentum_gap_x_Ns").back();
+  ledger.left = fluid.transfers().left;
+  for (const lbm::WallLoad& load : fluid.wall_loads()) ledger.walls += load.impulse.x();
+  ledger.time = run.simulation->time();
   return ledger;
 }
 

@@ -2,16 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <numeric>
 #include <random>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "cases/assembly/measured_names.h"
-#include "cases/files/series_reader.h"
 #include "cases/observers/flow.h"
 #include "cases/observers/fluid_cells.h"
-#include "tests/cases/scene/scene_files.h"
+#include "tests/cases/observers/sampled.h"
 
 namespace lahar::cases {
 namespace {
@@ -36,90 +39,133 @@ TEST(ObserverList, NamesAreTheirOwnAndEndInTheirUnit) {
   EXPECT_GT(metrics.size(), 50u);
 }
 
-/// What the check of a scene takes for names is what a run writes.
-TEST(ObserverList, NamesAreThoseThatTheSceneIsCheckedFor) {
-  const scene::Scene scene = everything();
+/// Names of all columns and metrics of a scene's run.
+std::set<std::string> written_by(const scene::Scene& scene) {
   const auto simulation = build_simulation(scene, Beginning::checkpoint);
   const ObserverList observers(scene, *simulation);
-  std::set<std::string> of_program, of_scene, written;
+  std::set<std::string> names;
+  for (const Quantity* q : observers.quantities()) {
+    if (q->is_column) names.insert(q->label.name);
+    for (const Metric& m : q->metrics) names.insert(m.label.name);
+  }
+  return names;
+}
+
+/// What the check of a scene takes for names is what a run writes, and all of it: with rings, with a mesh, with posts.
+TEST(ObserverList, NamesAreThoseThatTheSceneIsCheckedFor) {
+  const scene::Scene scene = everything();
+  std::set<std::string> of_program, of_scene, of_any_run;
   for (const std::string& name : scene::own_names()) of_program.insert(name);
   for (const auto& probe : scene.probes)
     for (const std::string& name : scene::names_of(probe)) of_scene.insert(name);
   for (const auto& section : scene.sections)
     for (const std::string& name : scene::names_of(section)) of_scene.insert(name);
-  for (const Quantity* q : observers.quantities()) {
-    if (q->is_column) written.insert(q->label.name);
-    for (const Metric& m : q->metrics) written.insert(m.label.name);
-  }
-  for (const std::string& name : written) EXPECT_TRUE(of_program.contains(name) || of_scene.contains(name)) << name;
+  const std::set<std::string> written = written_by(scene);
   for (const std::string& name : of_scene) EXPECT_TRUE(written.contains(name)) << name;
+  for (const scene::Scene& one : {scene, scene::load(scene::case_file("hexagonal_net/scene.toml")),
+                                  scene::load(scene::case_file("two_spans/scene.toml"))})
+    of_any_run.merge(written_by(one));
+  for (const std::string& name : of_any_run) EXPECT_TRUE(of_program.contains(name) || of_scene.contains(name)) << name;
+  of_any_run.insert({"time_s", "ring_links_changed"});  // of the rows themselves, and of a check
+  for (const std::string& name : of_program) EXPECT_TRUE(of_any_run.contains(name)) << name << " is in no run";
 }
 
-/// With posts there are foundations in place of the ends of cables, whose names are the program's too.
+/// With posts there are foundations in place of the ends of cables.
 TEST(ObserverList, TellsOfFoundations) {
-  const scene::Scene scene = scene::load(scene::case_file("two_spans/scene.toml"));
-  const auto simulation = build_simulation(scene, Beginning::checkpoint);
-  const ObserverList observers(scene, *simulation);
-  const std::vector<std::string> own = scene::own_names();
-  std::set<std::string> of_program(own.begin(), own.end()), written;
-  for (const Quantity* q : observers.quantities()) written.insert(q->label.name);
-  for (const char* name : {"posts_foot_force_N", "posts_foot_moment_Nm", "retaining_cables_anchor_force_N"})
-    EXPECT_TRUE(written.contains(name) && of_program.contains(name)) << name;
-  EXPECT_TRUE(written.contains("barrier_contact_force_x_N"));
+  const std::set<std::string> written = written_by(scene::load(scene::case_file("two_spans/scene.toml")));
+  for (const char* name :
+       {"posts_foot_force_N", "posts_foot_moment_Nm", "retaining_cables_anchor_force_N", "barrier_contact_force_x_N"})
+    EXPECT_TRUE(written.contains(name)) << name;
   EXPECT_FALSE(written.contains("upper_cable_end_force_N"));
 }
 
 /// The row of a moment, and the metrics that follow from it.
 TEST(ObserverList, ARowHoldsWhatIsThere) {
-  const scene::Scene scene = everything();
-  const auto simulation = build_simulation(scene);
-  ObserverList observers(scene, *simulation);
-  const scene::ScratchFolder scratch;
-  {
-    SeriesWriter series(scratch.path() / "series.h5");
-    observers.declare(series);
-    observers.sample(series);
-    simulation->advance();
-    observers.after_step();
-    observers.sample(series);
-  }
-  const Series series = read_series(scratch.path() / "series.h5");
-  ASSERT_EQ(series.time_s.size(), 2u);
-  EXPECT_EQ(series.find("liquid_mass_kg")->values[1], simulation->fluid()->liquid_mass());
-  EXPECT_EQ(series.find("wet_cells")->values[1], static_cast<double>(simulation->fluid()->wet_cells()));
-  EXPECT_EQ(series.find("fluid_kinetic_J")->values[1], observers.find<Flow>()->now().kinetic);
-  EXPECT_GT(series.find("grains_potential_J")->values[0], 0);
-  const Metrics metrics = observers.metrics();
-  EXPECT_EQ(metrics.at("max_speed_lu"), simulation->fluid()->max_speed_lu());
+  Sampled run(everything());
+  run.take_row();
+  run.take_row(1);
+  const FluidView& fluid = *run.simulation->fluid();
+  ASSERT_EQ(run.rows().time_s.size(), 2u);
+  EXPECT_EQ(run.column("liquid_mass_kg")[1], fluid.liquid_mass());
+  EXPECT_EQ(run.column("wet_cells")[1], static_cast<double>(fluid.wet_cells()));
+  EXPECT_EQ(run.column("fluid_kinetic_J")[1], run.observers.find<Flow>()->now().kinetic);
+  EXPECT_GT(run.column("grains_potential_J")[0], 0);
+  const Metrics metrics = run.metrics();
+  EXPECT_EQ(metrics.at("max_speed_lu"), fluid.max_speed_lu());
   EXPECT_EQ(metrics.at("retained_mass_ratio"), 1);
   EXPECT_FALSE(metrics.contains("front_arrival_s"));
-  EXPECT_GE(observers.find<FluidCells>()->most_blocks(), simulation->fluid()->active_blocks());
-  EXPECT_EQ(observers.last_time(), simulation->time());
-  for (const ResultCheck& check : observers.checks()) EXPECT_TRUE(check.pass) << check.name;
-  EXPECT_EQ(observers.checks().size(), 3u);
+  EXPECT_GE(run.observers.find<FluidCells>()->most_blocks(), fluid.active_blocks());
+  EXPECT_EQ(run.observers.last_time(), run.simulation->time());
+  for (const ResultCheck& check : run.observers.checks()) EXPECT_TRUE(check.pass) << check.name;
+  EXPECT_EQ(run.observers.checks().size(), 3u);
+}
+
+/// Columns of the parts of a vector.
+using Parts = std::vector<std::string>;
+
+/// A value in a row, or the length of a vector, whose parts may be sums of several columns.
+double size_in_row(Sampled& run, const std::vector<Parts>& summands, std::size_t row) {
+  double sum = 0, square = 0;
+  for (std::size_t part = 0; part < summands.front().size(); ++part) {
+    sum = 0;
+    for (const Parts& columns : summands) sum += run.column(columns[part])[row];
+    square += sum * sum;
+  }
+  return summands.front().size() == 1 ? sum : std::sqrt(square);
+}
+
+Parts along_axes(const std::string& before, const std::string& after) {
+  return {before + "x" + after, before + "y" + after, before + "z" + after};
+}
+
+/// Gauges in the water of the small debris flow: what is largest among the rows, and when that was first.
+TEST(ObserverList, PeaksAreTheLargestRowsAndTheirTimes) {
+  Sampled run(scene::load(scene::source_folder() / "tests/cases/observers/everything.toml",
+                          {"probe[0].position_m=[0.28, 0.1, 0]", "probe[1].position_m=[0.2, 0.1, 0.01]",
+                           "probe[2].position_m=[0.2, 0.1, 0.05]", "section[0].point_m=[0.2, 0.13, 0.2]"}));
+  run.take_rows_until(0.06, 0.005);
+  struct Peak {
+    const char *peak, *time;
+    std::vector<Parts> of;
+  };
+  const Peak peaks[] = {{"depth_peak_m", "depth_peak_time_s", {{"depth"}}},
+                        {"pressure_peak_Pa", "pressure_peak_time_s", {{"pressure"}}},
+                        {"current_speed_peak_m_s", "current_speed_peak_time_s", {along_axes("current_", "_m_s")}},
+                        {"stone_speed_peak_m_s", "stone_speed_peak_time_s", {along_axes("stone_", "_m_s")}},
+                        {"load_force_peak_N",
+                         "load_force_peak_time_s",
+                         {along_axes("load_fluid_force_", "_N"), along_axes("load_grains_force_", "_N")}},
+                        {"load_moment_peak_Nm",
+                         "load_moment_peak_time_s",
+                         {along_axes("load_fluid_moment_", "_Nm"), along_axes("load_grains_moment_", "_Nm")}},
+                        {"gate_discharge_peak_m3_s", "gate_discharge_peak_time_s", {{"gate_discharge_m3_s"}}}};
+  const Metrics metrics = run.metrics();
+  for (const Peak& expected : peaks) {
+    double largest = 0, when = 0;
+    for (std::size_t row = 0; row < run.rows().time_s.size(); ++row)
+      if (const double now = size_in_row(run, expected.of, row); now > largest)
+        largest = now, when = run.rows().time_s[row];
+    EXPECT_GT(largest, 0) << expected.peak;
+    EXPECT_NEAR(metrics.at(expected.peak), largest, 1e-12 * largest) << expected.peak;
+    EXPECT_EQ(metrics.at(expected.time), when) << expected.time;
+  }
 }
 
 /// All that a run reads, row by row, as bits: some are not known.
 std::vector<std::uint64_t> readings(const scene::Scene& scene, bool renumbers) {
-  const auto simulation = build_simulation(scene);
-  ObserverList observers(scene, *simulation);
-  const scene::ScratchFolder scratch;
-  SeriesWriter series(scratch.path() / "series.h5");
-  observers.declare(series);
+  Sampled run(scene);
   std::vector<std::uint64_t> all;
   std::mt19937 random(3);
-  for (int n = 0; n < 120; ++n) {
-    simulation->advance();
-    observers.after_step();
-    if (n % 20 != 19) continue;
-    std::vector<dem::ParticleIndex> order(simulation->solids()->particles().size());
+  for (int row = 0; row < 6; ++row) {
+    for (int n = 0; n < 20; ++n) run.step();
+    std::vector<dem::ParticleIndex> order(run.solids().particles().size());
     std::iota(order.begin(), order.end(), 0U);
     std::shuffle(order.begin(), order.end(), random);
-    if (renumbers) simulation->solids()->renumber(dem::Renumbering(std::move(order)));
-    observers.sample(series);
-    for (const Quantity* q : observers.quantities()) all.push_back(std::bit_cast<std::uint64_t>(q->read()));
+    if (renumbers) run.solids().renumber(dem::Renumbering(std::move(order)));
+    run.take_row();
+    for (const Quantity* q : run.observers.quantities()) all.push_back(std::bit_cast<std::uint64_t>(q->read()));
   }
-  for (const auto& [name, value] : observers.metrics()) all.push_back(std::bit_cast<std::uint64_t>(value));
+  for (const auto& [name, value] : run.metrics()) all.push_back(std::bit_cast<std::uint64_t>(value));
   return all;
 }
 

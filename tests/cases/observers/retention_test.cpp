@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "cases/observers/observer_list.h"
 #include "tests/cases/observers/two_balls.h"
 
@@ -50,10 +52,27 @@ TEST(Retention, ABulgedNetHoldsWhatItCarries) {
   }();
   ASSERT_GT(grains, 1u);
   ASSERT_EQ(observers.metrics().at("retained_mass_ratio"), 1);
-  p.position.x[bead] = 50;
-  p.position.x[grain] = 50 + 0.9 * p.radius[bead];
+  const double foremost = scene.domain.upper.x() - 2 * p.radius[bead];
+  p.position.x[bead] = foremost;
+  p.position.x[grain] = foremost + 0.9 * p.radius[bead];
   EXPECT_EQ(observers.metrics().at("retained_mass_ratio"), 1);
-  p.position.x[grain] = 50 + 1.1 * p.radius[bead];
+  p.position.x[grain] = foremost + 1.1 * p.radius[bead];
+  EXPECT_NEAR(observers.metrics().at("retained_mass_ratio"), share, 1e-12);
+  // A wire that is torn, or has left the domain, holds nothing.
+  p.position.x[grain] = foremost;
+  const barrier::Net& net = *simulation->net();
+  const auto holds_it = [&](const barrier::Wire& w) {
+    return w.first_bead <= p.id(bead) && p.id(bead) < w.first_bead + w.beads;
+  };
+  const auto wire = std::find_if(net.rings.begin(), net.rings.end(), holds_it);
+  const auto cable = std::find_if(net.cables.begin(), net.cables.end(), holds_it);
+  ASSERT_TRUE(wire != net.rings.end() || cable != net.cables.end());
+  std::uint8_t& bond = simulation->solids()->bonds().intact[(wire != net.rings.end() ? *wire : *cable).first_bond];
+  bond = 0;
+  EXPECT_NEAR(observers.metrics().at("retained_mass_ratio"), share, 1e-12);
+  bond = 1;
+  EXPECT_EQ(observers.metrics().at("retained_mass_ratio"), 1);
+  p.position.x[bead] = scene.domain.upper.x() + 1;
   EXPECT_NEAR(observers.metrics().at("retained_mass_ratio"), share, 1e-12);
 }
 

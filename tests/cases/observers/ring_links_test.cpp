@@ -9,15 +9,15 @@ namespace {
 using RingLinksOfNet = SmallNet;
 
 TEST_F(RingLinksOfNet, ALostLinkIsToldOf) {
-  EXPECT_TRUE(observers_.warnings().empty());
-  ASSERT_EQ(observers_.checks().size(), 1u);
-  EXPECT_TRUE(observers_.checks()[0].pass);
-  dem::Particles& p = simulation_->solids()->particles();
+  EXPECT_TRUE(run_.observers.warnings().empty());
+  ASSERT_EQ(run_.observers.checks().size(), 1u);
+  EXPECT_TRUE(run_.observers.checks()[0].pass);
+  dem::Particles& p = run_.solids().particles();
   const auto ring = p.body[p.size() / 2];
   for (std::size_t i = 0; i < p.size(); ++i)
     if (p.body[i] == ring) p.position.x[i] += 10;
-  ASSERT_EQ(observers_.warnings().size(), 1u);
-  EXPECT_FALSE(observers_.checks()[0].pass);
+  ASSERT_EQ(run_.observers.warnings().size(), 1u);
+  EXPECT_FALSE(run_.observers.checks()[0].pass);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "cases/observers/observer_list.h"
 #include "tests/cases/observers/small_net.h"
 
 namespace lahar::cases {
@@ -20,14 +19,11 @@ bool passes(const std::vector<ResultCheck>& checks) {
 
 /// A net that swings under its weight: all that it falls is stored, or lost in bonds, contacts and friction.
 TEST_F(SmallNet, EnergyOfASwingingNetIsBooked) {
-  SeriesWriter series(scratch_.path() / "series.h5");
-  observers_.declare(series);
-  dem::Solids& solids = *simulation_->solids();
+  const dem::Solids& solids = run_.solids();
   const double before = solids.ledger().stored();
-  observers_.sample(series);
-  for (int k = 0; k < 2000; ++k) simulation_->advance();
-  observers_.sample(series);
-  const Metrics metrics = observers_.metrics();
+  run_.take_row();
+  run_.take_row(2000);
+  const Metrics metrics = run_.metrics();
   const dem::EnergyLedger now = solids.ledger();
   const double lost = now.friction + now.contact_damping + now.bonds.dissipated();
   EXPECT_GT(lost, 0);
@@ -37,42 +33,52 @@ TEST_F(SmallNet, EnergyOfASwingingNetIsBooked) {
   EXPECT_NEAR(metrics.at("solids_energy_gap_max_J"), std::abs(now.stored() + lost - before), 1e-9);
   EXPECT_LT(metrics.at("solids_energy_gap_max_J"), 0.02 * lost);
   EXPECT_NEAR(metrics.at("solids_energy_turned_over_max_J"), now.kinetic + now.rotational + lost, 1e-9);
-  EXPECT_TRUE(passes(observers_.checks()));
+  EXPECT_TRUE(passes(run_.observers.checks()));
 }
 
 /// Twice their speed comes from nowhere, as from steps that are too long.
 TEST_F(SmallNet, EnergyFromNowhereFailsTheCheck) {
-  SeriesWriter series(scratch_.path() / "series.h5");
-  observers_.declare(series);
-  observers_.sample(series);
-  for (int k = 0; k < 1000; ++k) simulation_->advance();
-  observers_.sample(series);
-  EXPECT_TRUE(passes(observers_.checks()));
-  dem::Particles& p = simulation_->solids()->particles();
+  run_.take_row();
+  run_.take_row(1000);
+  EXPECT_TRUE(passes(run_.observers.checks()));
+  dem::Particles& p = run_.solids().particles();
   for (std::size_t i = 0; i < p.size(); ++i) p.velocity.set(i, 2 * p.velocity[i]);
-  observers_.sample(series);
-  EXPECT_FALSE(passes(observers_.checks()));
+  run_.take_row();
+  EXPECT_FALSE(passes(run_.observers.checks()));
 }
 
 /// Work of outside forces is no gap; what the run before the first row lost does not count.
 TEST_F(SmallNet, WorkFromOutsideIsBooked) {
-  dem::Solids& solids = *simulation_->solids();
-  for (int k = 0; k < 100; ++k) simulation_->advance();
-  const double before = solids.ledger().dissipated();
-  EXPECT_GT(before, 0);
-  SeriesWriter series(scratch_.path() / "series.h5");
-  observers_.declare(series);
-  observers_.sample(series);
-  EXPECT_EQ(observers_.metrics().at("solids_friction_kJ"), 0);
+  dem::Solids& solids = run_.solids();
+  for (int k = 0; k < 100; ++k) run_.step();
+  EXPECT_GT(solids.ledger().dissipated(), 0);
+  run_.take_row();
+  EXPECT_EQ(run_.metrics().at("solids_friction_kJ"), 0);
   dem::Particles& p = solids.particles();
   const double push = 0.1;  // N, on each free bead
   for (std::size_t i = 0; i < p.size(); ++i)
     if (p.inverse_mass[i] > 0) p.external_force.set(i, Vec3(push, 0, 0));
-  for (int k = 0; k < 500; ++k) simulation_->advance();
-  observers_.sample(series);
-  const Metrics metrics = observers_.metrics();
+  run_.take_row(500);
+  const Metrics metrics = run_.metrics();
   EXPECT_GT(metrics.at("solids_work_kJ"), 0);
   EXPECT_LT(metrics.at("solids_energy_gap_max_J"), 0.02 * 1000 * metrics.at("solids_work_kJ"));
+}
+
+/// What bonds lose in dampers and by breaking, since the first row.
+TEST_F(SmallNet, LossesOfBondsAreBooked) {
+  dem::Bonds& bonds = run_.solids().bonds();
+  for (int k = 0; k < 100; ++k) run_.step();
+  ASSERT_GT(bonds.damping_loss, 0);
+  run_.take_row();
+  bonds.damping_loss += 0.25, bonds.breakage_loss += 0.5;
+  run_.take_row();
+  const double before = bonds.damping_loss;
+  run_.take_row(100);
+  EXPECT_GT(bonds.damping_loss, before);
+  const std::vector<double>& lost = run_.column("bonds_lost_J");
+  EXPECT_EQ(lost[0], 0);
+  EXPECT_NEAR(lost[1], 0.75, 1e-12);
+  EXPECT_NEAR(lost[2], 0.75 + bonds.damping_loss - before, 1e-12);
 }
 
 }  // namespace

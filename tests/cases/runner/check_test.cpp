@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 
 #include "cases/assembly/estimates.h"
 #include "coupling/coupling_options.h"
@@ -24,16 +21,6 @@ bool warns(const CheckReport& report, const std::string& part) {
   return false;
 }
 
-/// All scene files of the cases, by their path below cases/; files of parameters of procedures have no [scene].
-std::vector<std::string> scene_files() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(case_file("")))
-    if (entry.path().extension() == ".toml" && scene::file_text(entry.path()).find("\n[scene]\n") != std::string::npos)
-      names.push_back(std::filesystem::relative(entry.path(), case_file("")).string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 class SceneOfACase : public testing::TestWithParam<std::string> {};
 
 TEST_P(SceneOfACase, PassesItsChecks) {
@@ -41,12 +28,7 @@ TEST_P(SceneOfACase, PassesItsChecks) {
   EXPECT_GT(check_scene(load(case_file(GetParam()))).run_time, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Check, SceneOfACase, testing::ValuesIn(scene_files()), [](const auto& one) {
-  std::string name = one.param;
-  for (char& c : name)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Check, SceneOfACase, testing::ValuesIn(scene::scene_files()), scene::name_of_test);
 
 /// A ball of liquid is less than the box around it; 6 l that flow in over the first half of the run are there for half
 /// of it, and for a half on the mean before.
@@ -260,6 +242,19 @@ TEST(Warnings, WallsBetweenCells) {
                     "domain.upper_m at x = 1.613 m acts on the liquid at 1.62 m, the nearest faces of cells"));
   EXPECT_FALSE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]", "fluid.wall_placement=interpolated"}), "acts on"));
   EXPECT_FALSE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]", "domain.open_faces=['x+']"}), "acts on"));
+}
+
+TEST(Warnings, SectionsAtOpenFaces) {
+  const auto warned = [](const std::string& x, const std::string& normal) {
+    return warns(check_scene(load(case_file("dam_break/scene.toml"),
+                                  {"domain.open_faces=['x+']",
+                                   "section=[{name='end', point_m=[" + x + ", 0.1, 0.1], normal=" + normal + "}]"})),
+                 "cells off an open face");
+  };
+  const double end = load(case_file("dam_break/scene.toml")).domain.upper.x();
+  EXPECT_TRUE(warned(std::to_string(end), "[1, 0, 0]"));
+  EXPECT_FALSE(warned(std::to_string(end - 0.1), "[1, 0, 0]"));
+  EXPECT_FALSE(warned(std::to_string(end), "[0, 0, 1]")) << "along the face";
 }
 
 /// Rows come at the first step that has reached their time; the dam's steps are 5.8e-4 s.

@@ -124,6 +124,42 @@ TEST_F(Resume, ParticlesGoOn) {
     EXPECT_EQ(one.read<float>("/frames/" + frame + "/position"), two.read<float>("/frames/" + frame + "/position"));
 }
 
+/// Its last row was taken before it ended: what metrics say of the end is known from then.
+TEST_F(Resume, AFinishedRunOfParticlesKeepsItsMetrics) {
+  const RunResult whole =
+      run_to_folder(scene::load(scene::case_file("bouncing_sphere/scene.toml"),
+                                {"run.duration_s=0.5", "run.series_interval_s=1e-6", "contact[0].restitution=0.5"}),
+                    {.out = folder("out"), .threads = 1, .quiet = true}, run_scene);
+  EXPECT_GT(whole.summary.metrics.at("solids_damping_kJ"), 0);
+  EXPECT_EQ(resume("out").summary.metrics, whole.summary.metrics);
+  EXPECT_EQ(resume("out").summary.metrics, whole.summary.metrics);
+}
+
+TEST_F(Resume, FramesAreKeptWhileNoneAreAskedFor) {
+  run_to_folder(scene::load(scene::case_file("bouncing_sphere/scene.toml"),
+                            {"run.duration_s=0.11", "run.output_interval_s=0.05"}),
+                {.out = folder("out"), .threads = 1, .quiet = true}, run_scene);
+  resume("out", {"run.duration_s=0.2", "run.output_interval_s=0"});
+  resume("out", {"run.duration_s=0.3", "run.output_interval_s=0.05"});
+  const Hdf5File file = Hdf5File::open_for_reading(folder("out") / "particles.h5");
+  const std::vector<std::string> frames = file.members("/frames");
+  ASSERT_GE(frames.size(), 5U);
+  EXPECT_NEAR(file.number_attribute("/frames/" + frames.front(), "time_s"), 0, 1e-9);
+  EXPECT_NEAR(file.number_attribute("/frames/" + frames.back(), "time_s"), 0.3, 0.01);
+}
+
+/// A run that was to replace it was killed while it prepared: the former one is there to go on with.
+TEST_F(Resume, AFormerRunThatStandsAsideComesBack) {
+  run("out", {"run.duration_s=0.05"});
+  const auto aside = folder("out") / ".former_run";
+  std::filesystem::create_directory(aside);
+  for (const char* name : {"scene.resolved.toml", "series.h5", "checkpoint.h5", "summary.json"})
+    std::filesystem::rename(folder("out") / name, aside / name);
+  std::ofstream(folder("out") / "scene.resolved.toml") << "# Lahar: resolved scene of the run that was killed\n";
+  EXPECT_NEAR(resume("out", {"run.duration_s=0.08"}).summary.simulated_seconds, 0.08, 0.001);
+  EXPECT_FALSE(std::filesystem::exists(aside));
+}
+
 /// Cuts a file short, as a full disk or a copy that was broken off would.
 void halve(const std::filesystem::path& path) {
   std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);

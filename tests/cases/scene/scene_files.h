@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -50,6 +52,24 @@ inline std::filesystem::path case_file(const std::string& name) { return source_
 inline std::string file_text(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// All scene files of the cases, by their path below cases/; files of parameters of procedures have no [scene].
+inline std::vector<std::string> scene_files() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(case_file("")))
+    if (entry.path().extension() == ".toml" && file_text(entry.path()).find("\n[scene]\n") != std::string::npos)
+      names.push_back(std::filesystem::relative(entry.path(), case_file("")).string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// For tests of one file each: its path in letters, digits and `_`.
+inline std::string name_of_test(const testing::TestParamInfo<std::string>& file) {
+  std::string name = file.param;
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
 }
 
 /// The scene of the debris flow. Loading it builds its net once to see that it can be built: a small one here, to save

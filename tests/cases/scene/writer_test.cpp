@@ -14,14 +14,11 @@ void expect_round_trip(const Scene& scene) {
   EXPECT_EQ(to_toml(back), text);
 }
 
-class CaseFile : public testing::TestWithParam<const char*> {};
+class CaseFile : public testing::TestWithParam<std::string> {};
 
 TEST_P(CaseFile, ResolvedSceneLoadsAsTheSameScene) { expect_round_trip(load(case_file(GetParam()))); }
 
-INSTANTIATE_TEST_SUITE_P(Writer, CaseFile,
-                         testing::Values("debris_flow/scene.toml", "debris_flow/demo.toml", "dam_break/scene.toml",
-                                         "bouncing_sphere/scene.toml", "hanging_net/scene.toml", "two_spans/scene.toml",
-                                         "hexagonal_net/scene.toml"));
+INSTANTIATE_TEST_SUITE_P(Writer, CaseFile, testing::ValuesIn(scene_files()), name_of_test);
 
 TEST(Writer, EveryShapeAndAwkwardTextSurvive) {
   const Scene scene = load_text(small_scene + R"(

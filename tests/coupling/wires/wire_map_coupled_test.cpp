@@ -120,6 +120,30 @@ TEST(ResolvedWiresInTheStep, ARingSinksAlikeByEitherWay) {
   EXPECT_NEAR(mapped / law, 1, 0.3);
 }
 
+/// A free cable that is set going in still water of its own viscosity: the water in its place must be held, and no more
+/// of its inertia given back than the exchange moves, or its beads spin up.
+TEST(ResolvedWiresInTheStep, ACableInWaterWinsNoSpeed) {
+  for (const double cells : {1.5, 3.0}) {
+    lbm::FluidOptions fluid = by_distance(stream(32, 0.02, 5e-4));
+    fluid.kinematic_viscosity = 1e-6;
+    fluid.smagorinsky = 0.16;
+    const double d = cells * fluid.domain.cell_size;
+    const int beads = 1 + static_cast<int>(0.36 / d);
+    Chains c;
+    c.add(straight_line(Vec3(0.14, 0.33, 0.31), Vec3(0.14 + d * (beads - 1), 0.32, 0.33), beads), d, false,
+          dem::ParticleState::free, 7850);
+    for (std::size_t i = 0; i < c.particles.size(); ++i) c.particles.velocity.set(i, Vec3(0, 0, 0.1));
+    CouplingOptions options;
+    options.substeps = 200;
+    options.mapped_wires = MappedWires{1.0};
+    CoupledStep<double> step(fluid, solids_of(std::move(c), Vec3::Zero()), options);
+    step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
+    for (int s = 0; s < 240; ++s) step.advance();
+    const dem::Particles& p = step.solids()->particles();
+    for (std::size_t i = 0; i < p.size(); ++i) EXPECT_LT(Vec3(p.velocity[i]).norm(), 0.11) << cells << ' ' << i;
+  }
+}
+
 TEST(ResolvedWiresInTheStep, SameResultWithAnyNumberOfThreads) {
   const auto end = [](int threads) {
     const ThreadLimit limit(threads);

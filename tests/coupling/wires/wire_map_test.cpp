@@ -107,7 +107,7 @@ TEST(WireMap, PiecesFitTogether) {
             distance, segment_distance(p, c.particles.position[c.bonds.i[b]], c.particles.position[c.bonds.j[b]]));
       if (distance > 1.8) return;
       ++inside;
-      least = std::min({least, f.solid_fraction[n], f.drag[n] / kWireDrag});
+      least = std::min({least, f.solid_fraction[n], f.drag[n] / kInteriorDrag});
     });
     EXPECT_GT(inside, 800);
     EXPECT_DOUBLE_EQ(most, 1);

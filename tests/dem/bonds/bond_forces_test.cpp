@@ -322,6 +322,22 @@ Rig dissipator(bool plastic) {
   return rig;
 }
 
+/// A wire that only pulls: its damper brakes ends that close on each other, but never so that it pushes.
+TEST(BondForces, WhatOnlyPullsIsNotMadeToPushByItsDamper) {
+  BondSort sort = wire();
+  sort.axial.tension_only = true;
+  sort.damping_ratio = 0.05;
+  Rig rig = chain(1, ParticleState::fixed, sort);
+  rig.start();
+  const double taut = 8e-6, step = 1e-6;
+  rig.particles.position.set(1, {kBead + taut, 0, 0});
+  rig.evaluate(step);
+  rig.particles.position.set(1, {kBead + taut - 2 * step, 0, 0});  // 2 m/s
+  rig.evaluate(step);
+  EXPECT_GT(rig.bonds.axial_force[0], 0);
+  EXPECT_LE(rig.particles.force.x[1], 0);
+}
+
 /// Moves the second bead to an elongation in n steps; gives the work done on the bond.
 double pull(Rig& rig, double elongation, int n) {
   double work = 0, force = rig.bonds.axial_force[0];

@@ -160,6 +160,24 @@ TEST(Rolling, AHeapClosesItsLedger) {
   EXPECT_EQ(alone.ledger().rolling, last.rolling);
 }
 
+/// Dashpots of many contacts on one grain, nearly dead: each would take what the others take as well.
+TEST(Rolling, DashpotsOfACrowdMakeNoEnergy) {
+  for (const double restitution : {0.1, 0.3}) {
+    Materials m = testing::one_material(1e7, 0.25, 0.5, restitution);
+    m.set_pair(0, 0, 0.5, restitution, 0.3);
+    const double step = 0.14 * rayleigh_time_step(0.02, 2650, m[0]);
+    Solids s(testing::loose_grains(4, 4, 4, 0.02, 0.04, 4), {}, m, testing::open_box({0.33, 0.33, 1}),
+             testing::options(step, {0, 0, -9.81}));
+    s.advance(1);
+    const EnergyLedger first = s.ledger();
+    s.advance(static_cast<int>(0.3 / step));
+    const EnergyLedger last = s.ledger();
+    const double exchanged = first.gravitational - last.gravitational;
+    EXPECT_NEAR(last.total(), first.total(), 0.01 * exchanged) << restitution;
+    EXPECT_LT(last.kinetic + last.rotational, 0.1 * exchanged) << restitution;
+  }
+}
+
 /// What i feels, j feels the other way round.
 TEST(Rolling, KeepsAngularMomentum) {
   Materials m = testing::one_material(1e7, 0.25, 0.5, 0.5);

@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/distance_grid.h"
 #include "core/worst.h"
+#include "tests/core/shapes.h"
 #include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
@@ -201,26 +201,11 @@ TEST(SlipWall, DamBreakKeepsItsMass) {
 
 /// A bed that is level and then rises, as one surface.
 Wall bent_bed(double level, double bend, double slope) {
-  auto grid = std::make_shared<DistanceGrid>(Vec3(-0.1, -0.1, -0.1), Vec3(0.5, 0.2, 0.4), 0.005);
   const Vec3 up_slope = Vec3(-slope, 0, 1).normalized();
-  const auto distance = [&](const Vec3& p) {
+  const auto grid = sampled(Vec3(-0.1, -0.1, -0.1), Vec3(0.5, 0.2, 0.4), 0.005, [&](const Vec3& p) {
     const Vec3 from_bend = p - Vec3(bend, 0, level);
-    return static_cast<float>(std::min(from_bend.z(), from_bend.dot(up_slope)));
-  };
-  std::vector<Vec3i> all;
-  const Vec3i bricks = grid->bricks();
-  for (int x = 0; x <= bricks.x(); ++x)
-    for (int y = 0; y <= bricks.y(); ++y)
-      for (int z = 0; z <= bricks.z(); ++z) {
-        grid->coarse({x, y, z}) = distance(grid->node(DistanceGrid::brick_cells * Vec3i(x, y, z)));
-        if (x < bricks.x() && y < bricks.y() && z < bricks.z()) all.emplace_back(x, y, z);
-      }
-  grid->refine(all);
-  for (std::size_t k = 0; k < all.size(); ++k)
-    for (int x = 0; x < 9; ++x)
-      for (int y = 0; y < 9; ++y)
-        for (int z = 0; z < 9; ++z)
-          grid->fine(k)[81 * x + 9 * y + z] = distance(grid->node(DistanceGrid::brick_cells * all[k] + Vec3i(x, y, z)));
+    return std::min(from_bend.z(), from_bend.dot(up_slope));
+  });
   return {"bed", SampledDistance{grid}, WallSlip::free_slip};
 }
 

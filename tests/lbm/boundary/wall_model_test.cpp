@@ -85,6 +85,43 @@ TEST(WallModel, LayerLosesTheStressOfTheLaw) {
       }
 }
 
+/// Where viscosity takes as much as bounce-back does the law asks for no more.
+TEST(WallModel, ViscousFlowComesToRest) {
+  FluidOptions o = lattice_options({24, 16, 16}, 0.3);
+  o.domain.faces.fill(FaceKind::closed);
+  o.domain.slip = WallSlip::wall_model;
+  Fluid<double> fluid(o);
+  fluid.fill_everything(
+      [](const Vec3& p) { return Vec3(1e-3 * std::sin(p.y()), 1e-3 * std::cos(p.z()), 1e-3 * std::sin(p.x())); },
+      no_pressure);
+  for (int s = 0; s < 1500; ++s) fluid.step();
+  EXPECT_LT(largest_speed(fluid), 1e-6);
+}
+
+/// Films that hold a part of a cell lose the stress of the law, whatever that part is.
+TEST(WallModel, FilmsLoseTheStressOfTheLaw) {
+  const double viscosity = 5e-6, speed = 0.05;
+  for (const double roughness : {0.0, 0.3})
+    for (const double fill : {0.3, 0.5, 0.8}) {
+      FluidOptions o = open_channel(8, viscosity, WallSlip::wall_model, roughness);
+      o.domain.faces[5] = FaceKind::open;
+      Fluid<double> fluid(o);
+      fluid.fill({{Vec3::Zero(), Vec3(8, 8, fill), Vec3(speed, 0, 0)}});
+      const auto momentum = [&] {
+        double sum = 0;
+        fluid.for_each_wet_cell([&](const WetCell& c) { sum += c.liquid_volume * c.velocity.x() / 64; });
+        return sum;
+      };
+      const double start = momentum();
+      double taken = 0;
+      for (int s = 0; s < 20; ++s) {
+        fluid.step();
+        taken += wall_stress(fluid.cell_at(Vec3(4.5, 4.5, 0.5))->velocity.x(), 0.5, viscosity, roughness);
+      }
+      EXPECT_NEAR((start - momentum()) / taken, 1, 0.1) << roughness << ' ' << fill;
+    }
+}
+
 /// Flow along y over a bed that is tilted about y: the wall is a staircase, the stress is that of the law at its cells.
 TEST(WallModel, ObliqueWallTakesTheStressOfTheLaw) {
   const double viscosity = 5e-6, speed = 0.05, roughness = 0.3;

@@ -23,7 +23,6 @@ FluidOptions dam(double cell_size) {
   return o;
 }
 
-/// Water in a tank stays at rest, with the pressure of its depth, wherever the level stands in a cell.
 /// A time step far too long for the fall of the water: the limit of the speed must not hide it.
 TEST(FreeSurface, TooLongAStepStopsTheRun) {
   FluidOptions o =
@@ -45,14 +44,15 @@ TEST(FreeSurface, RegionUpToThePeriodicEndIsFilledOnce) {
   EXPECT_NEAR(fluid.liquid_mass() / (1000 * 0.8 * 0.8 * 0.35), 1, 0.01);  // compressed by its own weight
 }
 
+/// Water in a tank stays at rest, with the pressure of its depth, wherever the level stands in a cell.
 TEST(FreeSurface, HydrostaticRest) {
-  for (const double depth : {0.2, 0.205}) {
+  for (const double depth : {0.2, 0.203, 0.205}) {
     FluidOptions o = tank_options(Vec3(0.16, 0.16, 0.4), 0.01, 2.0);
     o.kinematic_viscosity = 1e-4;
     Fluid<double> fluid(o);
     fluid.fill({{Vec3::Zero(), Vec3(0.16, 0.16, depth)}});
     for (int s = 0; s < 2000; ++s) fluid.step();
-    EXPECT_LT(largest_speed(fluid), 0.005 * std::sqrt(9.81 * depth));
+    EXPECT_LT(largest_speed(fluid), 1e-4);
     double pressure = 0;
     for (int s = 0; s < 200; ++s) {
       fluid.step();
@@ -62,6 +62,35 @@ TEST(FreeSurface, HydrostaticRest) {
     // bottom, 0.08 cells of the whole column, and may still swing a little.
     EXPECT_NEAR(pressure, 9810 * (depth - 0.005), 9810 * 0.0015) << "depth " << depth;
     EXPECT_NEAR(fluid.mass_drift(), 0, 1e-12);
+  }
+}
+
+/// The same with the viscosity of water, which damps nothing: roundings must not grow. (With levels in the lower half
+/// of a cell they reached 0.02 m/s in 0.8 s, docs/decisions/0083.)
+TEST(FreeSurface, StillWaterStaysStillWhateverItsLevel) {
+  constexpr double dx = 0.005;
+  for (const double level : {12.02, 12.05, 12.1, 12.3, 12.49, 12.6})
+    for (const WallSlip slip : {WallSlip::free_slip, WallSlip::no_slip}) {
+      FluidOptions o = tank_options(Vec3(16 * dx, 8 * dx, 20 * dx), dx, 0.5, 0.05);
+      o.domain.slip = slip;
+      Fluid<double> fluid(o);
+      fluid.fill({{Vec3::Zero(), Vec3(16 * dx, 8 * dx, level * dx)}});
+      for (int s = 0; s < 2400; ++s) fluid.step();  // 1.2 s
+      EXPECT_LT(largest_speed(fluid), 1e-4) << level << ' ' << static_cast<int>(slip);
+    }
+}
+
+/// What weighs on a cell is no velocity along the walls beside it, where two of them meet either.
+TEST(FreeSurface, EdgesOfNoSlipTanksDriveNothing) {
+  for (const double viscosity : {0.05, 0.1}) {
+    FluidOptions o = lattice_options(Vec3i(16, 16, 24), viscosity);
+    o.domain.faces.fill(FaceKind::closed);
+    o.domain.faces[5] = FaceKind::open;
+    o.gravity = Vec3(0, 0, -4e-4);
+    Fluid<double> fluid(o);
+    fluid.fill({{Vec3::Zero(), Vec3(16, 16, 14.59)}});
+    for (int s = 0; s < 2000; ++s) fluid.step();
+    EXPECT_LT(largest_speed(fluid), 1e-6) << viscosity;
   }
 }
 
