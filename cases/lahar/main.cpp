@@ -71,7 +71,6 @@ int main(int argc, char** argv) {
   add_version(app);
   app.require_subcommand(1);
   Arguments arguments;
-  const Taken no_folder{.out = "", .overwrite = false};
   const auto add = [&](const char* name, const char* what, const Taken& taken) {
     CLI::App* command = app.add_subcommand(name, what);
     command->add_option("scene", arguments.scene_file, "Scene file (TOML)")->required()->type_name("SCENE.toml");
@@ -81,8 +80,9 @@ int main(int argc, char** argv) {
   const CLI::App* run_command = add("run", "Run a scene", {});
   CLI::App* resume_command = app.add_subcommand("resume", "Go on with a run from its last checkpoint");
   resume_command->add_option("folder", arguments.folder, "Folder of the run (its --out)")->required()->type_name("DIR");
-  add_common_options(*resume_command, arguments.common, no_folder);  // a run goes on in its own
-  const CLI::App* check_command = add("check", "Validate a scene and print what it will take", no_folder);
+  add_common_options(*resume_command, arguments.common, {.out = "", .overwrite = false});  // a run goes on in its own
+  const CLI::App* check_command = add("check", "Validate a scene and print what it will take",
+                                      {.out = "As of the run to come; nothing is written", .overwrite = false});
   CLI::App* quantities_command = app.add_subcommand("quantities", "Print what a run of a scene measures (Markdown)");
   quantities_command->add_option("scene", arguments.scene_file, "Scene file (TOML)")
       ->required()

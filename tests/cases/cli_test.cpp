@@ -113,10 +113,9 @@ TEST_F(Cli, BadCommandLinesExitWithTwo) {
 
 TEST_F(Cli, WhatAProgramHasNoUseForIsUnknownToIt) {
   const std::vector<std::pair<std::string, std::string>> command_lines{
-      {"lahar", "check scene.toml --out out"},   {"lahar", "check scene.toml --overwrite"},
-      {"lahar", "resume folder --out out"},      {"lahar", "resume folder --overwrite"},
-      {"validate", "--list --overwrite"},        {"benchmark", "--list --overwrite"},
-      {"benchmark", "--list --precision float"}, {"compare_cfd_dem", "--list --overwrite"}};
+      {"lahar", "check scene.toml --overwrite"}, {"lahar", "resume folder --out out"},
+      {"lahar", "resume folder --overwrite"},    {"validate", "--list --overwrite"},
+      {"benchmark", "--list --overwrite"},       {"compare_cfd_dem", "--list --overwrite"}};
   for (const auto& [program, arguments] : command_lines) {
     const Outcome o = run_other(program, arguments);
     EXPECT_EQ(o.code, 2) << program << " " << arguments;
@@ -133,6 +132,7 @@ TEST_F(Cli, WhatAProgramCannotTakeIsRefusedWithTheReason) {
       {"hard_cases", "--set a.b=1 --out out", "--set a.b=1: hard cases have no keys to set"},
       {"benchmark", "--set a.b=1 --out out", "--set a.b=1: benchmarks have no keys to set"},
       {"speed_error", "--set a.b=1 --out out", "--set a.b=1: the study turns its own knobs"},
+      {"benchmark", "--precision float --out out", "--precision: each entry has its own"},
       {"speed_error", "--precision float --out out", "--precision: the study turns this knob itself"},
       {"compare_cfd_dem", "--precision double --records r --out out", "--records with --set or --precision"},
       {"validate", "fluid.tow --out out", "no entry or group is called 'fluid.tow'"},

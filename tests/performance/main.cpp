@@ -155,6 +155,7 @@ void check_kept(const std::filesystem::path& folder, const std::vector<Benchmark
 
 int run(const Arguments& a) {
   cases::refuse_changes(a.common, "benchmarks have no keys to set");
+  if (!a.common.precision.empty()) cases::refuse_command_line("--precision: each entry has its own, expected its name");
   const auto chosen = select(all_benchmarks(), a.names);
   if (a.list) {
     for (const Benchmark& b : a.names.empty() ? all_benchmarks() : chosen)
@@ -207,6 +208,6 @@ int main(int argc, char** argv) {
   app.add_option("--json", arguments.json, "Write the results there")->type_name("FILE");
   cases::add_common_options(
       app, arguments.common,
-      {.out = "Folder for runs that entries keep (default results/benchmark)", .precision = false, .overwrite = false});
+      {.out = "Folder for runs that entries keep (default results/benchmark)", .overwrite = false});
   return cases::parse_and_run(app, argc, argv, [&] { return performance::run(arguments); });
 }
