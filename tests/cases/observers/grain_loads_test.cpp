@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/cases/observers/sampled.h"
+#include "tests/cases/observers/tank_with_ball.h"
 
 namespace lahar::cases {
 namespace {
@@ -17,23 +18,7 @@ constexpr double kRadius = 0.05, kDensity = 2500;                   // m, kg/m^3
 const double kVolume = 4 * M_PI / 3 * kRadius * kRadius * kRadius;  // m^3
 
 /// A ball of ten cells a diameter under still water.
-const std::string ball_in_water = R"([scene]
-name = "ball_in_water"
-[run]
-duration_s = 0.3
-precision = "double"
-[domain]
-lower_m = [0, 0, 0]
-upper_m = [0.32, 0.16, 0.4]
-open_faces = ["z+"]
-[fluid]
-enabled = true
-cell_size_m = 0.01
-kinematic_viscosity_m2_s = 1e-3
-[[fluid.region]]
-lower_m = [0, 0, 0]
-upper_m = [0.32, 0.16, 0.3]
-[materials.rock]
+const std::string ball_in_water = tank_of_water + R"([materials.rock]
 youngs_modulus_Pa = 1e7
 poisson_ratio = 0.3
 [[contact]]

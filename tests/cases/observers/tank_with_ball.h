@@ -1,10 +1,10 @@
 #pragma once
-// A tank of water with a ball in it, as text.
+// A tank of water, and one with a ball in it as a wall, as text.
 #include <string>
 
 namespace lahar::cases {
 
-inline const std::string tank_with_ball = R"([scene]
+inline const std::string tank_of_water = R"([scene]
 name = "tank"
 [run]
 duration_s = 0.3
@@ -13,11 +13,6 @@ precision = "double"
 lower_m = [0, 0, 0]
 upper_m = [0.32, 0.16, 0.4]
 open_faces = ["z+"]
-[[wall]]
-name = "ball"
-shape = "sphere"
-centre_m = [0.16, 0.08, 0.1]
-radius_m = 0.05
 [fluid]
 enabled = true
 cell_size_m = 0.01
@@ -25,6 +20,13 @@ kinematic_viscosity_m2_s = 1e-3
 [[fluid.region]]
 lower_m = [0, 0, 0]
 upper_m = [0.32, 0.16, 0.3]
+)";
+
+inline const std::string tank_with_ball = tank_of_water + R"([[wall]]
+name = "ball"
+shape = "sphere"
+centre_m = [0.16, 0.08, 0.1]
+radius_m = 0.05
 )";
 
 }  // namespace lahar::cases
