@@ -129,8 +129,9 @@ template <class Real>
 AveragedExchange<Real>::AveragedExchange(const AveragedGrains& options, const lbm::FluidOptions& fluid)
     : options_(options),
       nodes_at_(lbm::Domain(fluid.domain), std::max(options.averaging_length, fluid.domain.cell_size)),
+      half_way_(0.5 * nodes_at_.spacing().minCoeff()),
       // Sound takes as long from node to node; what is faster the cells do not know.
-      smoothing_(std::numbers::sqrt3 * nodes_at_.spacing().minCoeff()) {
+      smoothing_(2 * std::numbers::sqrt3 * half_way_) {
   nodes_.resize(nodes_at_.size());
 }
 
@@ -283,7 +284,7 @@ void AveragedExchange<Real>::choose_nodes(const lbm::Fluid<Real>& fluid) {
   for (WetGrain& grain : grains_) {
     std::size_t n = 0;
     nodes_at_.around(grain.place, [&](std::size_t node, double weight) { grain.answers[n++] = {node, weight}; });
-    for (const AveragingGrid::Share& s : grain.answers) nodes_[s.node].used = true;
+    nodes_at_.within(grain.place, half_way_, [&](std::size_t node) { nodes_[node].used = true; });
     for (const AveragingGrid::Share& s : grain.shares) nodes_[s.node].used = true;
   }
   blocks_.clear();
@@ -352,6 +353,38 @@ auto AveragedExchange<Real>::look_around(const lbm::Fluid<Real>& fluid, const We
 }
 
 template <class Real>
+std::optional<Vec3> AveragedExchange<Real>::liquid_at(const Vec3& place) const {
+  double water = 0;
+  Vec3 sum = Vec3::Zero();
+  nodes_at_.around(place, [&](std::size_t n, double weight) {
+    const Node& node = nodes_[n];
+    if (node.water <= 0) return;
+    const double held = node.solid > kDensest * node.water ? kDensest * node.water / node.solid : 1.0;
+    const Vec3 liquid = (node.water_momentum - held * node.solid_momentum) / (node.water - held * node.solid);
+    water += weight * node.water, sum += weight * node.water * liquid;
+  });
+  if (water <= 0) return std::nullopt;
+  return Vec3(sum / water);
+}
+
+/// One-sided where there is no water on the other side.
+template <class Real>
+Vec3 AveragedExchange<Real>::convective_acceleration(const LatticeUnits& units, const Vec3& place,
+                                                     const Vec3& slip) const {
+  const double speed = slip.norm();
+  if (speed <= 0) return Vec3::Zero();
+  const Vec3 step = half_way_ / speed * slip;
+  const std::optional<Vec3> ahead = liquid_at(place + step), behind = liquid_at(place - step);
+  const std::optional<Vec3> here = ahead && behind ? std::nullopt : liquid_at(place);
+  const auto change = [&](const std::optional<Vec3>& from, const std::optional<Vec3>& to, double way) {
+    return from && to ? Vec3((*to - *from) * (speed * units.velocity_to_si(1.0) / (way * units.cell_size)))
+                      : Vec3(Vec3::Zero());
+  };
+  if (ahead && behind) return change(behind, ahead, 2 * half_way_);
+  return ahead ? change(here, ahead, half_way_) : change(behind, here, half_way_);
+}
+
+template <class Real>
 Vec3 AveragedExchange<Real>::liquid_velocity(const Vec3& place, const Vec3& sampled) const {
   double near = 0, phi = 0;
   Vec3 of_grains = Vec3::Zero();
@@ -413,7 +446,9 @@ void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, double stretc
   if (state.known) {
     const Vec3 driven = slip - (state.liquid - state.velocity) + state.dragged;
     state.driven += kDriveShare * (driven - state.driven);
-    state.acceleration += ((liquid_velocity - state.liquid) / dt - state.acceleration) / smoothing_;
+    const Vec3 along_its_way = (liquid_velocity - state.liquid) / dt,
+               past_it = convective_acceleration(units, grain.place, slip);
+    state.acceleration += (along_its_way + past_it - state.acceleration) / smoothing_;
   } else {
     state.driven = state.acceleration = Vec3::Zero();
   }

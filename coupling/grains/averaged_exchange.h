@@ -16,10 +16,13 @@
 // and step to step and dies slowly (staggered momentum; Zanetti 1989, Phys. Rev. A 40:1539). Answered at the next step,
 // with its sign changed, it would grow.
 //
+// Du/Dt of the liquid at a grain is the change of u along the grain's way and, where the liquid moves past the grain,
+// ((u - v) . grad) u, by u at the nodes half a spacing ahead and behind.
+//
 // Left out: what separate velocities of liquid and grains carry beyond that of the mixture, rho phi (1 - phi)
-// (u - v)(u - v); of Du/Dt, which is that along a grain's way, ((u - v) . grad) u; added mass, lift, torque; a
-// viscosity of the mixture.
+// (u - v)(u - v); added mass, lift, torque; a viscosity of the mixture.
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "coupling/grains/averaging_grid.h"
@@ -74,7 +77,7 @@ class AveragedExchange final : public GrainExchange<Real> {
     Vec3 velocity = Vec3::Zero();      ///< m/s, at the last step
     Vec3 sampled = Vec3::Zero();       ///< m/s, of the liquid around it, at the last step
     Vec3 liquid = Vec3::Zero();        ///< m/s, mean of that and of the one before
-    Vec3 acceleration = Vec3::Zero();  ///< m/s^2, of that liquid, smoothed
+    Vec3 acceleration = Vec3::Zero();  ///< m/s^2, of that liquid as it flows, smoothed
     Vec3 driven = Vec3::Zero();        ///< m/s a step, of the slip but for the drag, smoothed
     Vec3 dragged = Vec3::Zero();       ///< m/s, that the drag of the last step took off the slip
     bool known = false;                ///< it was wet at the last step
@@ -94,12 +97,17 @@ class AveragedExchange final : public GrainExchange<Real> {
   void average_fluid(const lbm::Fluid<Real>& fluid);
   void average_grains(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   [[nodiscard]] Surroundings look_around(const lbm::Fluid<Real>& fluid, const WetGrain& grain) const;
+  /// Velocity (lu) of the liquid at a place between the nodes, by their water; none where they have no water.
+  [[nodiscard]] std::optional<Vec3> liquid_at(const Vec3& place) const;
+  /// ((u - v) . grad) u at a place, m/s^2, with the slip u - v in m/s.
+  [[nodiscard]] Vec3 convective_acceleration(const LatticeUnits& units, const Vec3& place, const Vec3& slip) const;
   /// `stretch`: the coming step of the fluid over the last.
   void act_on(const lbm::Fluid<Real>& fluid, double stretch, WetGrain& grain, dem::Particles& particles);
   Vec3 push_cells(lbm::Fluid<Real>& fluid, SolidFields<Real>& fields);
 
   AveragedGrains options_;
   AveragingGrid nodes_at_;
+  double half_way_;   // cells, from a grain to where the liquid ahead and behind is asked for
   double smoothing_;  // steps over which accelerations are smoothed
   std::vector<Node> nodes_;
   std::vector<WetGrain> grains_;         // of the step under way

@@ -68,6 +68,16 @@ class AveragingGrid {
       visit(index(Vec3i(b[0].below, b[1].below, b[2].below) + up), weight);
     }
   }
+  /// visit(node) for the nodes around all places up to `reach` cells away along each axis from a point.
+  template <class Visit>
+  void within(const Vec3& place, double reach, const Visit& visit) const {
+    Vec3i low, high;
+    for (int a = 0; a < 3; ++a)
+      low[a] = between(a, place[a] - reach).below, high[a] = between(a, place[a] + reach).below + 1;
+    for (int x = low.x(); x <= high.x(); ++x)
+      for (int y = low.y(); y <= high.y(); ++y)
+        for (int z = low.z(); z <= high.z(); ++z) visit(index(Vec3i(x, y, z)));
+  }
 
  private:
   Vec3i first_;

@@ -53,6 +53,22 @@ TEST(AveragingGrid, SharesAPoint) {
   EXPECT_NEAR(outside, 1, 1e-12);
 }
 
+/// All nodes that places in a box around a point ask for, each once.
+TEST(AveragingGrid, NodesWithinReach) {
+  const AveragingGrid grid(box(lbm::FaceKind::closed), 0.15);
+  const double half = 0.5 * grid.spacing().minCoeff();
+  for (const Vec3& p : {Vec3(5.1, 6.2, 4.0), Vec3(9.9, 3.3, 5.5)}) {
+    std::map<std::size_t, int> visits;
+    grid.within(p, half, [&](std::size_t node) { ++visits[node]; });
+    EXPECT_LE(visits.size(), 27U);
+    for (int n = 0; n < 125; ++n) {
+      const Vec3 aside = half * (Vec3(n % 5, n / 5 % 5, n / 25) / 2 - Vec3::Ones());
+      grid.around(p + aside,
+                  [&](std::size_t node, double weight) { EXPECT_TRUE(weight == 0 || visits.contains(node)); });
+    }
+  }
+}
+
 TEST(AveragingGrid, APeriodicAxisGoesRound) {
   const AveragingGrid grid(box(lbm::FaceKind::periodic), 0.15);
   EXPECT_EQ(grid.index({2, 5, 1}), grid.index({2, 0, 1}));
