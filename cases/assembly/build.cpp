@@ -4,10 +4,9 @@
 
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
-#include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/net_spec.h"
+#include "cases/assembly/packings.h"
 #include "cases/assembly/settled_barrier.h"
-#include "dem/packing/packing.h"
 
 namespace lahar::cases {
 
@@ -22,80 +21,11 @@ lbm::FaceKind face_kind(const scene::Scene& scene, int face) {
   return scene.domain.open(static_cast<scene::Face>(face)) ? lbm::FaceKind::open : lbm::FaceKind::closed;
 }
 
-dem::PackingSpec packing_spec(const scene::Scene& scene, std::size_t i) {
-  const scene::Packing& packing = scene.grains.packings[i];
-  dem::PackingSpec spec;
-  spec.lower = packing.lower;
-  spec.upper = packing.upper;
-  constexpr std::uint64_t stride = 0xD1B54A32D192ED03;  // no two packings are alike, and none is drawn as its sizes
-  spec.seed = static_cast<std::uint64_t>(scene.run.seed) + stride * i;
-  spec.target_height = packing.target_height;
-  for (const auto& s : scene::grain_sizes(scene, i))
-    spec.classes.push_back(
-        {s.diameter / 2, static_cast<int>(s.count), s.density, scene::material_index(scene, s.material)});
-  return spec;
-}
-
-/// As many grains as a packing has, anywhere.
-void add_placeholders(const dem::PackingSpec& packing, dem::Particles& particles) {
-  for (const auto& c : packing.classes)
-    for (int k = 0; k < c.count; ++k) {
-      dem::ParticleSpec grain;
-      grain.radius = c.radius;
-      grain.density = c.density;
-      particles.add(grain);
-    }
-}
-
-[[noreturn]] void refuse_packing(const scene::Scene& scene, std::size_t i, const std::string& message) {
-  const scene::WrittenAt& at = scene.grains.packings[i].written_at;
-  throw InputError(
-      std::vector<InputMistake>{{at.file, at.line, at.column, fmt::format("grains.packing[{}]: {}", i, message)}});
-}
-
-/// Throws InputError, located at the packing, if its grains do not fit.
-std::vector<dem::ParticleSpec> packed(const scene::Scene& scene, std::size_t i) {
-  try {
-    return dem::pack(packing_spec(scene, i));
-  } catch (const InputError& e) {
-    refuse_packing(scene, i, e.mistakes().front().message);
-  }
-}
-
-/// Throws InputError, located at packing i, if a grain of it lies in one of packing k.
-void check_apart(const scene::Scene& scene, std::size_t k, const std::vector<dem::ParticleSpec>& others, std::size_t i,
-                 const std::vector<dem::ParticleSpec>& grains) {
-  const scene::Packing &one = scene.grains.packings[k], &two = scene.grains.packings[i];
-  const Vec3 lower = one.lower.cwiseMax(two.lower), upper = one.upper.cwiseMin(two.upper);  // the space that they share
-  if (!(lower.array() < upper.array()).all()) return;
-  const auto reaches_in = [&](const dem::ParticleSpec& g) {
-    return (g.position.array() + g.radius > lower.array()).all() &&
-           (g.position.array() - g.radius < upper.array()).all();
-  };
-  constexpr double bearable = 0.01;  // of a radius, as within a packing
-  for (const dem::ParticleSpec& a : others) {
-    if (!reaches_in(a)) continue;
-    for (const dem::ParticleSpec& b : grains)
-      if (reaches_in(b) &&
-          a.radius + b.radius - (a.position - b.position).norm() > bearable * std::min(a.radius, b.radius))
-        refuse_packing(scene, i,
-                       fmt::format("a grain at ({:.3g}, {:.3g}, {:.3g}) m lies in one of grains.packing[{}], expected "
-                                   "boxes that share no space",
-                                   b.position.x(), b.position.y(), b.position.z(), k));
-  }
-}
-
 void add_grains(const scene::Scene& scene, dem::Particles& particles, GrainStart start) {
-  std::vector<std::vector<dem::ParticleSpec>> packings;
-  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
-    if (start == GrainStart::placeholders) {
-      add_placeholders(packing_spec(scene, i), particles);
-      continue;
-    }
-    packings.push_back(packed(scene, i));
-    for (std::size_t k = 0; k < i; ++k) check_apart(scene, k, packings[k], i, packings[i]);
-    for (const dem::ParticleSpec& grain : packings[i]) particles.add(grain);
-  }
+  if (start == GrainStart::placeholders)
+    add_placeholders(scene, particles);
+  else
+    add_packings(scene, particles);
   for (const auto& s : scene.grains.spheres) {
     dem::ParticleSpec grain;
     grain.position = s.position;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cases/assembly/build.h"
+#include "cases/assembly/packings.h"
 #include "cases/assembly/simulation.h"
 #include "cases/files/output_file.h"
 #include "cases/observers/fluid_cells.h"
@@ -118,7 +119,10 @@ class SceneRun {
     }
     observers_.emplace(scene, *simulation_);
     outputs_.emplace(scene, options.out);
-    if (from) load(*from);
+    if (from)
+      load(*from);
+    else if (const dem::Solids* solids = simulation_->solids())
+      for (const std::string& missed : missed_heights(scene, solids->particles())) monitor.warn(missed);
     series_.emplace(open_series(options.out / "series.h5", from, monitor));
     observers_->declare(*series_);
     const dem::Solids* solids = simulation_->solids();

@@ -1,0 +1,56 @@
+#include "cases/assembly/packings.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "cases/assembly/build.h"
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::cases {
+namespace {
+
+/// 120 beads of 4 cm in two packings of 0.2 m x 0.2 m: at the densest they stand 0.067 m high less what the rough
+/// surface leaves open.
+scene::Scene two_packings(const std::string& target) {
+  const std::string packing = R"(
+[[grains.packing]]
+lower_m = [0.0, LOW, 0.0]
+upper_m = [0.2, HIGH, 0.5]
+target_height_m = TARGET
+[[grains.packing.sizes]]
+diameter_m = 0.04
+count = 60
+density_kg_m3 = 2500.0
+material = "rock"
+)";
+  std::string text(scene::small_scene);
+  for (const auto& [low, high] : {std::pair{"0.0", "0.2"}, std::pair{"0.4", "0.6"}}) {
+    std::string one = packing;
+    one.replace(one.find("LOW"), 3, low);
+    one.replace(one.find("HIGH"), 4, high);
+    one.replace(one.find("TARGET"), 6, low == std::string("0.4") ? target : "0.0");
+    text += one;
+  }
+  return scene::load_text(text);
+}
+
+TEST(Packings, AMissedHeightIsTold) {
+  const scene::Scene low = two_packings("0.05"), high = two_packings("0.2");
+  const BuiltSolids built = build_solids(low);
+  const std::vector<std::string> missed = missed_heights(low, built.solids.particles());
+  ASSERT_EQ(missed.size(), 1u);
+  EXPECT_TRUE(missed[0].starts_with("grains.packing[1] stands 0.0")) << missed[0];
+  EXPECT_TRUE(missed[0].ends_with(" m high, above its target_height_m of 0.05")) << missed[0];
+  EXPECT_TRUE(missed_heights(high, build_solids(high).solids.particles()).empty());
+}
+
+TEST(Packings, PlaceholdersAreAsMany) {
+  const scene::Scene scene = two_packings("0.2");
+  EXPECT_EQ(build_solids(scene, GrainStart::placeholders).solids.particles().size(),
+            build_solids(scene).solids.particles().size());
+}
+
+}  // namespace
+}  // namespace lahar::cases
