@@ -399,22 +399,6 @@ Vec3 AveragedExchange<Real>::liquid_velocity(const Vec3& place, const Vec3& samp
   return (sampled - held * of_grains) / (1 - held * phi);
 }
 
-namespace {
-
-/// Of what drives a slip, each step adds so much of the newest to the mean: with half of it a stiff drag (x = 50)
-/// swings up, with a quarter no drag does (roots of the recursion, for masses that are up to 1.2 times too large).
-constexpr double kDriveShare = 0.25;
-
-/// Impulse of a drag `beta` (kg/s) over a step, divided by the mass that it acts on: of a slip s that decays with x =
-/// beta dt / mass while something else drives it by `driven` a step. Exact for a constant drive, so that a stiff drag
-/// neither overshoots nor loses its balance with what drives.
-Vec3 drag_of_step(double x, const Vec3& slip, const Vec3& driven) {
-  const double decayed = -std::expm1(-x), held = x > 1e-4 ? 1 - decayed / x : x / 2;
-  return decayed * slip + held * driven;
-}
-
-}  // namespace
-
 template <class Real>
 void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, double stretch, WetGrain& grain,
                                     dem::Particles& particles) {
@@ -444,17 +428,17 @@ void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, double stretc
   const double to_kg = units.mass();
   const Vec3 change = rho * wet * (velocity - before) + to_kg * grain.handed.mass * before;
   if (state.known) {
-    const Vec3 driven = slip - (state.liquid - state.velocity) + state.dragged;
-    state.driven += kDriveShare * (driven - state.driven);
     const Vec3 along_its_way = (liquid_velocity - state.liquid) / dt,
                past_it = convective_acceleration(units, grain.place, slip);
     state.acceleration += (along_its_way + past_it - state.acceleration) / smoothing_;
   } else {
-    state.driven = state.acceleration = Vec3::Zero();
+    state.acceleration = Vec3::Zero();
+    state.slip.forget();
   }
-  const Vec3 dragged = drag_of_step(beta * dt / mass, slip, state.driven), drag = mass * dragged;  // m/s, N s
+  state.slip.begin(slip);
+  const Vec3 drag = mass * state.slip.drag(beta * dt / mass);  // N s
   state.velocity = velocity, state.sampled = around.liquid, state.liquid = liquid_velocity;
-  state.dragged = dragged, state.known = true;
+  state.known = true;
 
   const Vec3 accelerated = rho * volume * dt * state.acceleration;
   const Vec3 weight = rho * wet * dt * fluid.options().gravity;  // of the liquid in its place
@@ -491,13 +475,14 @@ void AveragedExchange<Real>::transfer(Archive& archive) {
   std::size_t particles = states_.size();
   archive.value("particles", particles);
   states_.resize(particles);
-  archive.pieces<double>("grain", particles, 19, [&](std::size_t k, double* stored) {
+  constexpr std::size_t of_slip = DraggedSlip::kNumbers;
+  archive.pieces<double>("grain", particles, 13 + of_slip, [&](std::size_t k, double* stored) {
     State& s = states_[k];
-    transfer_vectors(archive, {&s.velocity, &s.sampled, &s.liquid, &s.acceleration, &s.driven, &s.dragged}, stored);
+    transfer_vectors(archive, {&s.velocity, &s.sampled, &s.liquid, &s.acceleration}, stored);
     if (archive.loading())
-      s.known = stored[18] != 0;
+      s.known = stored[12] != 0, s.slip.load(stored + 13);
     else
-      stored[18] = s.known ? 1 : 0;
+      stored[12] = s.known ? 1 : 0, s.slip.store(stored + 13);
   });
   archive.pieces<double>("node", nodes_.size(), 5, [&](std::size_t k, double* stored) {  // what liquid_velocity reads
     Node& node = nodes_[k];

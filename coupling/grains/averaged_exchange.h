@@ -25,6 +25,7 @@
 #include <optional>
 #include <vector>
 
+#include "coupling/drag_over_a_step.h"
 #include "coupling/grains/averaging_grid.h"
 #include "coupling/grains/grain_exchange.h"
 
@@ -78,9 +79,8 @@ class AveragedExchange final : public GrainExchange<Real> {
     Vec3 sampled = Vec3::Zero();       ///< m/s, of the liquid around it, at the last step
     Vec3 liquid = Vec3::Zero();        ///< m/s, mean of that and of the one before
     Vec3 acceleration = Vec3::Zero();  ///< m/s^2, of that liquid as it flows, smoothed
-    Vec3 driven = Vec3::Zero();        ///< m/s a step, of the slip but for the drag, smoothed
-    Vec3 dragged = Vec3::Zero();       ///< m/s, that the drag of the last step took off the slip
-    bool known = false;                ///< it was wet at the last step
+    DraggedSlip slip = {};
+    bool known = false;  ///< it was wet at the last step
   };
   /// Means around a grain, SI.
   struct Surroundings {

@@ -50,17 +50,41 @@ template <class Real>
   return select(wet, share, none);
 }
 
-/// Drag on a piece of wire, SI: normal and tangential parts by their own laws. What the yield stress adds is friction:
-/// it does no more than stop the wire, of which `stop` is the force, N per m/s, in this step.
-Vec3 wire_force(const Vec3& relative, const Vec3& tangent, double length, double density, const WireInCells& wire,
-                double stop) {
-  const Vec3 along = relative.dot(tangent) * tangent, across = relative - along;
-  const double sampled = across.norm(), speed = undisturbed_speed(sampled, wire, along.norm());
+/// A piece of wire in the liquid around it, SI.
+struct WirePiece {
+  Vec3 relative;  ///< velocity of the liquid less its own
+  Vec3 tangent;
+  double length, density;  ///< of the piece; of the liquid
+  double share;            ///< of the piece that is wet
+  double time_step;
+  double inverse_mass;  ///< of the bead
+  double mass;          ///< that a change of the relative velocity moves (drag_over_a_step.h)
+};
+
+/// Drag on a piece of wire, N: normal and tangential parts by their own laws. What the yield stress adds is friction:
+/// it does no more than stop the wire in this step.
+Vec3 wire_force(const WirePiece& piece, const WireInCells& wire, DraggedSlip& slip) {
+  const Vec3& t = piece.tangent;
+  const Vec3 along = piece.relative.dot(t) * t, across = piece.relative - along;
+  const double sampled = across.norm(), sampled_along = along.norm();
+  const double speed = undisturbed_speed(sampled, wire, sampled_along);
   const Vec3 normal_velocity = sampled > 0 ? Vec3(across * (speed / sampled)) : Vec3(Vec3::Zero());
-  const Vec3 drag = density * length * viscous_drag(wire, normal_velocity, along);
-  if (wire.fluid.yield_stress == 0) return drag;
-  const Vec3 friction = density * length * yield_drag(wire, normal_velocity, along);
-  return drag + std::min(1.0, stop * relative.norm() / std::max(friction.norm(), 1e-300)) * friction;
+  const double scale = piece.share * piece.density * piece.length;
+  const Vec3 drag = scale * viscous_drag(wire, normal_velocity, along);
+  const Vec3 drag_along = drag.dot(t) * t, drag_across = drag - drag_along;
+  const auto taken_off = [&](const Vec3& force, double of_slip) {  // x of drag_over_a_step.h
+    return of_slip > 0 ? force.norm() / of_slip * piece.time_step / piece.mass : 0.0;
+  };
+  slip.begin(piece.relative);
+  const Vec3 taken = slip.bounded_drag(taken_off(drag_along, sampled_along), along) +
+                     slip.bounded_drag(taken_off(drag_across, sampled), across);
+  const Vec3 force = piece.mass / piece.time_step * taken;
+  if (wire.fluid.yield_stress == 0) return force;
+  const Vec3 friction = scale * yield_drag(wire, normal_velocity, along);
+  const double stop = piece.inverse_mass > 0
+                          ? piece.share * piece.relative.norm() / (piece.inverse_mass * piece.time_step)
+                          : std::numeric_limits<double>::infinity();
+  return force + std::min(1.0, stop / std::max(friction.norm(), 1e-300)) * friction;
 }
 
 }  // namespace
@@ -261,8 +285,17 @@ double WireDrag<Real>::share_in_walls(const lbm::Fluid<Real>& fluid, const WireK
   return sum;
 }
 
-/// Drag and buoyancy of what was sampled. At the surface wires within reach of it count as partly wet; in walls there
-/// is nothing that could be wet.
+/// Share of a bead that is wet: at the surface wires within reach of it count as partly wet; in walls there is nothing
+/// that could be wet.
+template <class Real>
+double WireDrag<Real>::wet_share(const lbm::Fluid<Real>& fluid, const Bead& bead) const {
+  constexpr double whole = 1 - 1e-3;
+  const WireKernel& kernel = kernels_[static_cast<std::size_t>(place_[bead.id])];
+  const double open = bead.weight < whole ? 1 - share_in_walls(fluid, kernel) : 1.0;
+  return std::min(1.0, bead.weight / std::max(open, 0.1));
+}
+
+/// Drag and buoyancy of what was sampled.
 template <class Real>
 void WireDrag<Real>::choose_force(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
                                   const GrainCoupling<Real>* grains, Bead& bead) const {
@@ -272,26 +305,32 @@ void WireDrag<Real>::choose_force(const lbm::Fluid<Real>& fluid, const dem::Part
   for (std::size_t p = bead.first_pair; p < bead.first_pair + bead.pairs; ++p)
     bead.weight += pairs_[p].weight, velocity += pairs_[p].velocity;
   if (bead.weight < 1e-6) bead.weight = 0;
-  if (bead.weight == 0) return;
+  if (bead.weight == 0) return bead.slip.forget();
   const dem::ParticleIndex i = particles.index(bead.id);
   velocity /= bead.weight;
   if (grains)
     velocity =
         grains->liquid_velocity((particles.position[i] - fluid.grid().domain().origin()) / units.cell_size, velocity);
-  const Vec3 relative = units.velocity_to_si(1.0) * velocity - particles.velocity[i];
-  const double d = 2 * particles.radius[i], rho = fluid.options().density;
+  const double d = 2 * particles.radius[i], rho = fluid.options().density, cells = d / units.cell_size;
   const WireInCells wire{.diameter = d,
-                         .diameter_cells = d / units.cell_size,
+                         .diameter_cells = cells,
                          .fluid = lbm::shear_law(fluid.options().rheology, fluid.options().kinematic_viscosity, rho),
                          .screen = bead.crowding};
-  const double inverse_mass = particles.inverse_mass[i];
-  const double stop = inverse_mass > 0 ? 1 / (inverse_mass * units.time_step) : std::numeric_limits<double>::infinity();
-  const Vec3 drag = wire_force(relative, tangent_of(particles, bead), bead.length, rho, wire, stop);
-  const Vec3 buoyancy = -rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
-  constexpr double whole = 1 - 1e-3;
-  const WireKernel& kernel = kernels_[static_cast<std::size_t>(place_[bead.id])];
-  const double open = bead.weight < whole ? 1 - share_in_walls(fluid, kernel) : 1.0;
-  bead.force = std::min(1.0, bead.weight / std::max(open, 0.1)) * (drag + buoyancy) * units.force_to_lu(1.0);
+  const double share = wet_share(fluid, bead);
+  const double wide =
+      kernel_scale(cells) * units.cell_size / kRomaSquares;  // the liquid that feels the wire, across it
+  const double of_liquid = share * rho * wide * wide * bead.length, inverse_mass = particles.inverse_mass[i];
+  const Vec3 drag = wire_force({.relative = units.velocity_to_si(1.0) * velocity - particles.velocity[i],
+                                .tangent = tangent_of(particles, bead),
+                                .length = bead.length,
+                                .density = rho,
+                                .share = share,
+                                .time_step = units.time_step,
+                                .inverse_mass = inverse_mass,
+                                .mass = 1 / (inverse_mass + 1 / of_liquid)},
+                               wire, bead.slip);
+  const Vec3 buoyancy = -share * rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
+  bead.force = (drag + buoyancy) * units.force_to_lu(1.0);
 }
 
 /// Gives the opposite of the force to the cells, as they were sampled. The impulse of a cell is that of a full one: a
@@ -317,12 +356,12 @@ void WireDrag<Real>::spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair) const {
   pair.given = Vec3(sum_in_double(x), sum_in_double(y), sum_in_double(z));
 }
 
-/// The neighbours of the beads are looked at once in many steps.
 template <class Real>
 void WireDrag<Real>::transfer(Archive& archive) {
   archive.value("wet_beads", wet_beads_);
   archive.value("since_look", since_look_);
-  archive.pieces<double>("crowding", beads_.size(), 3, [&](std::size_t k, double* stored) {
+  constexpr std::size_t of_slip = DraggedSlip::kNumbers;
+  archive.pieces<double>("bead", beads_.size(), 3 + of_slip, [&](std::size_t k, double* stored) {
     Crowding& c = beads_[k].crowding;
     double* const own[] = {&c.area, &c.parallel, &c.solidity};
     for (std::size_t a = 0; a < 3; ++a) {
@@ -331,6 +370,10 @@ void WireDrag<Real>::transfer(Archive& archive) {
       else
         stored[a] = *own[a];
     }
+    if (archive.loading())
+      beads_[k].slip.load(stored + 3);
+    else
+      beads_[k].slip.store(stored + 3);
   });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "coupling/audit.h"
+#include "coupling/drag_over_a_step.h"
 #include "coupling/grains/grain_coupling.h"
 #include "coupling/pairs_by_block.h"
 #include "coupling/solid_fields.h"
@@ -47,6 +48,7 @@ class WireDrag {
     dem::ParticleId before, after;  ///< neighbours along the wire; itself where there is none
     double length;                  ///< m, of wire that the bead stands for
     Crowding crowding = {};         ///< the screen that it is part of
+    DraggedSlip slip = {};
     // Of this step:
     std::size_t first_pair = 0, pairs = 0;  ///< with the wet blocks in reach; they lie next to each other
     double weight = 0;                      ///< sum of kernel weights over wet cells, by liquid content
@@ -74,6 +76,7 @@ class WireDrag {
   [[nodiscard]] double share_in_walls(const lbm::Fluid<Real>& fluid, const WireKernel& kernel) const;
   void choose_force(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const GrainCoupling<Real>* grains,
                     Bead& bead) const;
+  [[nodiscard]] double wet_share(const lbm::Fluid<Real>& fluid, const Bead& bead) const;
   void spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair) const;
 
   std::vector<Bead> beads_;          // by id, ascending
