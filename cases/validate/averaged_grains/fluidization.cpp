@@ -1,7 +1,8 @@
 // Free grains on a grate in a column of water whose stream from below slowly grows: the bed lifts at the speed at which
 // Ergun's pressure drop carries its weight. Read is the speed at which its middle has risen by a quarter of a diameter,
-// which no compression gives, and Ergun's is that of the fraction that the bed then has. (Its lowest layers stay
-// longer: averaged over two diameters they have the water below the grate around them.)
+// which no compression gives, less what the stream has grown by since the bed came loose: from then on it goes up with
+// the excess of the stream, v = U - U_mf, by (U - U_mf)^2/(2 dU/dt). (Its lowest layers stay longer: averaged over two
+// diameters they have the water below the grate around them.)
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -33,8 +34,8 @@ double mean_height(const dem::Particles& p) {
 }
 
 struct Lift {
-  double fraction = 0;  ///< solid, of the bed that has risen
-  double speed = 0;     ///< m/s, superficial, at which it has
+  double fraction = 0;  ///< solid, of the bed at rest
+  double speed = 0;     ///< m/s, superficial, at which it comes loose
 };
 
 /// The stream grows from three to thirteen tenths of about what Ergun's drag asks for.
@@ -66,10 +67,10 @@ Lift lift(double viscosity) {
   const dem::Solids& solids = *step->solids();
   const auto count = static_cast<double>(centres.size());
   while (step->time() < at_rest) step->advance();
-  const double risen = mean_height(solids.particles()) + kDiameter / 4;
-  while (step->time() < at_rest + ramp && mean_height(solids.particles()) < risen) step->advance();
-  return {.fraction = volume * count / (area * 2 * (mean_height(solids.particles()) - kGrate)),
-          .speed = first + (last - first) * (step->time() - at_rest) / ramp};
+  const double start = mean_height(solids.particles()), rise = kDiameter / 4, growth = (last - first) / ramp;
+  while (step->time() < at_rest + ramp && mean_height(solids.particles()) < start + rise) step->advance();
+  return {.fraction = volume * count / (area * 2 * (start - kGrate)),
+          .speed = first + growth * (step->time() - at_rest) - std::sqrt(2 * growth * rise)};
 }
 
 Row lift_row(double viscosity) {
