@@ -38,11 +38,11 @@ struct Lift {
   double speed = 0;     ///< m/s, superficial, at which it comes loose
 };
 
-/// The stream grows from three to thirteen tenths of about what Ergun's drag asks for.
+/// The stream grows from three to sixteen tenths of about what Ergun's drag asks for. No speed if the bed stays.
 Lift lift(double viscosity) {
-  constexpr double at_rest = 4, ramp = 10;  // s: the bed settles; the stream grows
+  constexpr double at_rest = 4, ramp = 13;  // s: the bed settles; the stream grows
   const double area = kColumn.x() * kColumn.y(), volume = std::numbers::pi / 6 * std::pow(kDiameter, 3);
-  const double expected = ergun_speed(0.6, viscosity), first = 0.3 * expected, last = 1.3 * expected;
+  const double expected = ergun_speed(0.6, viscosity), first = 0.3 * expected, last = 1.6 * expected;
   AveragedBed bed{.size = kColumn,
                   .cell_size = kCell,
                   .periodic = false,
@@ -69,8 +69,9 @@ Lift lift(double viscosity) {
   while (step->time() < at_rest) step->advance();
   const double start = mean_height(solids.particles()), rise = kDiameter / 4, growth = (last - first) / ramp;
   while (step->time() < at_rest + ramp && mean_height(solids.particles()) < start + rise) step->advance();
-  return {.fraction = volume * count / (area * 2 * (start - kGrate)),
-          .speed = first + growth * (step->time() - at_rest) - std::sqrt(2 * growth * rise)};
+  const double fraction = volume * count / (area * 2 * (start - kGrate));
+  if (mean_height(solids.particles()) < start + rise) return {.fraction = fraction, .speed = 0};
+  return {.fraction = fraction, .speed = first + growth * (step->time() - at_rest) - std::sqrt(2 * growth * rise)};
 }
 
 Row lift_row(double viscosity) {
