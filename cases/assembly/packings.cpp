@@ -86,7 +86,7 @@ void add_packings(const scene::Scene& scene, dem::Particles& particles) {
 }
 
 std::vector<std::string> missed_heights(const scene::Scene& scene, const dem::Particles& particles) {
-  constexpr double bearable = 0.005;  // of the height: what the surface of one random packing differs from another's by
+  constexpr double bearable = 0.005;  // of the height: less is no news
   std::vector<std::string> missed;
   dem::ParticleId first = 0;
   for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
