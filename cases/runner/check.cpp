@@ -9,6 +9,7 @@
 #include "cases/assembly/settled_barrier.h"
 #include "cases/runner/warnings.h"
 #include "core/units.h"
+#include "coupling/grains/averaging_grid.h"
 
 namespace lahar::cases {
 namespace {
@@ -105,6 +106,15 @@ bool averages_grains(const scene::Scene& scene) {
   return scene.coupling.enabled && scene.coupling.grains == scene::GrainFluid::averaged;
 }
 
+Vec3 averaging_lengths(const scene::Scene& scene) {
+  const double dx = scene.fluid.cell_size;
+  const Vec3 extent = scene.domain.upper - scene.domain.lower;
+  return extent.unaryExpr([&](double e) {
+    const double whole_cells = dx * std::ceil(e / dx - 1e-9);
+    return whole_cells / coupling::AveragingGrid::divisions(whole_cells, scene.coupling.averaging_length);
+  });
+}
+
 SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<FluidFigures>& fluid) {
   SolidsFigures s;
   s.grains = grain_count(scene);
@@ -118,6 +128,7 @@ SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<Flui
     if (s.grains > 0 && averages_grains(scene)) {
       s.averaging_cells = scene.coupling.averaging_length / scene.fluid.cell_size;
       s.averaging_diameters = scene.coupling.averaging_length / largest_grain(scene);
+      s.averaging_lengths = averaging_lengths(scene);
     } else if (s.grains > 0) {
       s.cells_per_smallest_grain = smallest_grain(scene) / scene.fluid.cell_size;
       s.lightest_grain = lightest_grain(scene) / scene.fluid.density;

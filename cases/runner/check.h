@@ -36,6 +36,7 @@ struct SolidsFigures {
   std::optional<double> lightest_grain;                            ///< resolved: its density over the liquid's
   std::optional<double> cell_reynolds;  ///< of settling resolved grains: settling speed x cell size / viscosity
   std::optional<double> averaging_cells, averaging_diameters;  ///< averaging length over cell size, over largest grain
+  std::optional<Vec3> averaging_lengths;  ///< m, by axis: what it becomes as the domain is divided by it
 };
 
 struct CheckReport {

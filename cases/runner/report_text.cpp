@@ -82,8 +82,10 @@ std::string solids_text(const scene::Scene& scene, const SolidsFigures& s) {
     t += line("cell Re, settling grains", fmt::format("{:.3g} (radius_shift_cells: {:.2f})", *s.cell_reynolds,
                                                       coupling::radius_shift_at(*s.cell_reynolds)));
   if (s.averaging_cells)
-    t += line("averaging length", fmt::format("{:.3g} cells, {:.3g} diameters of the largest grain", *s.averaging_cells,
-                                              *s.averaging_diameters));
+    t += line("averaging length", fmt::format("{:.3g} cells, {:.3g} diameters of the largest grain; by axis {:.3g}, "
+                                              "{:.3g}, {:.3g} m",
+                                              *s.averaging_cells, *s.averaging_diameters, s.averaging_lengths->x(),
+                                              s.averaging_lengths->y(), s.averaging_lengths->z()));
   if (s.cells_per_wire) t += line("cells per wire", fmt::format("{:.3g}", *s.cells_per_wire));
   return t;
 }

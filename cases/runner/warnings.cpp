@@ -205,6 +205,18 @@ void add_solids(const scene::Scene& s, const SolidsFigures& f, List& list) {
   if (s.barrier.enabled) add_barrier(s, list);
 }
 
+/// The domain is divided into equal lengths: where few have room each is much longer than was asked for.
+void add_divided_lengths(const scene::Scene& s, const Vec3& lengths, List& list) {
+  constexpr double bearable = 1.15;  // of what was asked for
+  const double asked = s.coupling.averaging_length;
+  for (int a = 0; a < 3; ++a)
+    if (lengths[a] > bearable * asked)
+      list.push_back(
+          fmt::format("coupling.averaging_length_m is {:g}, but along {} the domain is divided into lengths "
+                      "of {:.3g} m: choose one that divides it",
+                      asked, "xyz"[a], lengths[a]));
+}
+
 void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
   if (!s.coupling.enabled) return list.push_back("fluid and particles do not feel each other: coupling is off");
   if (f.cells_per_smallest_grain && *f.cells_per_smallest_grain < 4)
@@ -220,6 +232,7 @@ void add_coupling(const scene::Scene& s, const SolidsFigures& f, List& list) {
     list.push_back(fmt::format(
         "coupling.averaging_length_m is {:.2g} diameters of the largest grain: averages swing with every grain below 2",
         *f.averaging_diameters));
+  if (f.averaging_lengths) add_divided_lengths(s, *f.averaging_lengths, list);
   constexpr double shift_of_note = 0.05;  // cells: a fifth of the drag of grains of 4 cells
   if (f.cell_reynolds && lbm::by_wall_distance(s.coupling.body_weighting))
     if (const double shift = coupling::radius_shift_at(*f.cell_reynolds);

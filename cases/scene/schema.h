@@ -478,7 +478,8 @@ void describe(V& v, Coupling& s) {
     v.value("grains", s.grains, {}, "How fluid and grains act on each other.");
     only_with(v, "grains", s.grains, {GrainFluid::averaged}, [&] {
       v.value("averaging_length_m", s.averaging_length, {positive()},
-              "Over which flow and grains are averaged, no less than a cell: two diameters or more.");
+              "Over which flow and grains are averaged, no less than a cell: two diameters or more. What divides each "
+              "length of the domain and is no shorter is taken.");
       v.value("bed_drag", s.bed_drag, {}, "Drag law of grains among others.");
       v.value("beads_as_grains", s.beads_as_grains, {},
               "Whether each bead of a wire feels the drag and buoyancy of a lone sphere by that law, as in averaged "

@@ -24,12 +24,16 @@ class AveragingGrid {
     double weight;
   };
 
-  /// Divides each axis of the domain into as many equal lengths, none shorter than `length` (m), as it has room for;
-  /// nodes stand in their middles.
+  /// Into how many equal lengths, none shorter than `length`, an extent is divided: as many as it has room for.
+  [[nodiscard]] static int divisions(double extent, double length) {
+    return std::max(1, static_cast<int>(extent / length * (1 + 1e-9)));
+  }
+
+  /// Divides each axis of the domain by `length` (m); nodes stand in the middles of what comes of it.
   AveragingGrid(const lbm::Domain& domain, double length) : first_(domain.first()) {
     for (int a = 0; a < 3; ++a) {
       const double cells = domain.cells()[a];
-      nodes_[a] = std::max(1, static_cast<int>(cells * domain.cell_size() / length * (1 + 1e-9)));
+      nodes_[a] = divisions(cells * domain.cell_size(), length);
       spacing_[a] = cells / nodes_[a];
       periodic_[a] = domain.period()[a] > 0;
     }

@@ -117,10 +117,26 @@ TEST(Check, AveragedGrainsAreJudgedByTheirLength) {
   EXPECT_FALSE(warns(report, "averaging_length_m"));
   EXPECT_DOUBLE_EQ(*report.solids->averaging_cells, 10);
   EXPECT_DOUBLE_EQ(*report.solids->averaging_diameters, 0.2 / largest_grain(debris));
-  EXPECT_NE(report_text(debris, report).find("averaging length"), std::string::npos);
+  EXPECT_NEAR((*report.solids->averaging_lengths - Vec3(0.2, 0.2, 1.5 / 7)).norm(), 0, 1e-12);
+  EXPECT_NE(report_text(debris, report).find("by axis 0.2, 0.2, 0.214 m"), std::string::npos);
 
   debris.coupling.averaging_length = 1.5 * largest_grain(debris);
   EXPECT_TRUE(warns(check_scene(debris), "coupling.averaging_length_m is 1.5 diameters"));
+}
+
+/// 1.8 m has room for three lengths of 0.5 m: each becomes 0.6 m. A domain that is shorter than a length has one.
+TEST(Check, SaysWhatTheAveragingLengthBecomes) {
+  scene::Scene debris = scene::debris_flow();
+  debris.fluid.cell_size = 0.02;
+  debris.coupling.grains = scene::GrainFluid::averaged;
+  debris.coupling.averaging_length = 0.5;
+  EXPECT_TRUE(warns(check_scene(debris), "along y the domain is divided into lengths of 0.6 m"));
+  debris.coupling.averaging_length = 0.6;
+  EXPECT_FALSE(warns(check_scene(debris), "along y the domain is divided into lengths"));
+  debris.coupling.averaging_length = 6;
+  const CheckReport report = check_scene(debris);
+  EXPECT_FALSE(warns(report, "is divided into lengths"));
+  EXPECT_NEAR(report.solids->averaging_lengths->y(), 1.8, 1e-12);
 }
 
 TEST(Check, DoubleTakesTwiceTheMemory) {

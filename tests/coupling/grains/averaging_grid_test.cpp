@@ -22,6 +22,9 @@ TEST(AveragingGrid, DividesTheDomain) {
   EXPECT_NEAR(grid.spacing().x(), 20 / 6.0, 1e-12);
   EXPECT_NEAR(grid.spacing().y(), 16 / 5.0, 1e-12);
   EXPECT_NEAR(grid.spacing().z(), 7 / 2.0, 1e-12);
+  EXPECT_EQ(AveragingGrid::divisions(0.29, 0.15), 1);
+  EXPECT_EQ(AveragingGrid::divisions(0.1, 0.15), 1);
+  EXPECT_EQ(AveragingGrid::divisions(3 * 0.15, 0.15), 3);
   const Vec3i first = box(lbm::FaceKind::periodic).first();
   const auto at_node = grid.between(0, first.x() + 1.5 * 20 / 6.0);
   EXPECT_NEAR(at_node.below + at_node.above_weight, 1, 1e-12);
