@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "cases/compare_cfd_dem/published_flows.h"
 #include "cases/compare_cfd_dem/trends.h"
 #include "cases/files/output_file.h"
 #include "cases/files/text_file.h"

@@ -13,6 +13,7 @@
 
 #include "cases/assembly/load.h"
 #include "cases/compare_cfd_dem/jobs.h"
+#include "cases/compare_cfd_dem/published_flows.h"
 #include "cases/compare_cfd_dem/record.h"
 #include "cases/compare_cfd_dem/report.h"
 #include "cases/compare_cfd_dem/trends.h"

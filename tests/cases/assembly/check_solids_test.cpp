@@ -1,3 +1,4 @@
+// Cross checks of grains, barrier and of what refers to them (check_grains.cpp, check_barrier.cpp, check_uses.cpp).
 #include <gtest/gtest.h>
 
 #include "tests/cases/assembly/rejections.h"

@@ -1,0 +1,186 @@
+// Cross checks of the barrier: its place, its bonds, and whether it can be built.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cases/assembly/cross_checks.h"
+#include "cases/assembly/estimates.h"
+#include "cases/assembly/geometry.h"
+#include "cases/assembly/grain_extent.h"
+#include "cases/assembly/net_spec.h"
+#include "dem/time_step.h"
+
+namespace lahar::scene {
+namespace {
+
+bool check_directions(const Net& net, Findings& findings) {
+  for (const auto& [v, key] : {std::pair{net.width_direction, "width"}, std::pair{net.height_direction, "height"}})
+    if (v.norm() == 0)
+      findings.mistake(fmt::format("barrier.net.{}_direction", key),
+                       fmt::format("barrier.net.{}_direction is zero, expected a direction", key));
+  if (!findings.sound({"barrier.net"})) return false;
+  const bool square = std::abs(net.width_direction.normalized().dot(net.height_direction.normalized())) < 1e-6;
+  if (!square)
+    findings.mistake("barrier.net.height_direction",
+                     "barrier.net.height_direction is not at right angles to width_direction, expected it so");
+  return square;
+}
+
+/// A frame must hold at least one ring with its cables.
+void check_frame(const Net& net, Findings& findings) {
+  if (net.kind != NetKind::rings) return;  // building it names sizes that would do
+  const double least = net.ring_diameter + 2 * net.wire_diameter;
+  for (const auto& [length, key] :
+       {std::pair{net.width, "barrier.net.width_m"}, std::pair{net.height, "barrier.net.height_m"}})
+    if (length < least)
+      findings.mistake(key,
+                       fmt::format("{} is {:g}, expected at least a ring and its cables, {:g}", key, length, least));
+}
+
+void check_net_place(const Scene& scene, Findings& findings) {
+  const Net& net = scene.barrier.net;
+  const barrier::SpansSpec spans = make_spans_spec(scene);
+  const double more = scene.barrier.posts.enabled ? (spans.spans - 1) * post_distance(spans) : 0.0;
+  const Vec3 across = (net.width + more) * net.width_direction.normalized(),
+             up = net.height * net.height_direction.normalized();
+  struct Corner {
+    Vec3 position;
+    std::string key;
+  };
+  const double slack = net.wire_diameter;
+  const Walls walls = findings.sound({"wall"}) ? make_walls(scene) : Walls{};
+  for (const auto& [p, key] : std::array<Corner, 3>{Corner{net.origin, "barrier.net.origin_m"},
+                                                    Corner{net.origin + across, "barrier.net.width_m"},
+                                                    Corner{net.origin + up, "barrier.net.height_m"}}) {
+    if (!findings.sound({"barrier.net.origin_m"})) return;
+    const double depth = walls.empty() ? 0.0 : -walls.nearest(p).distance;
+    const char* where = !scene.domain.contains(p, slack) ? "the domain" : depth > slack ? "the walls" : nullptr;
+    if (where)
+      findings.mistake(
+          key, fmt::format("{}: the net's corner ({:g}, {:g}, {:g}) lies outside {}, expected it in the channel", key,
+                           p.x(), p.y(), p.z(), where));
+  }
+}
+
+void check_dissipators(const BarrierBonds& bonds, Findings& findings) {
+  if (!findings.sound({"barrier.bonds"})) return;
+  const std::string path = "barrier.bonds.dissipator_force_limit_N";
+  const auto& k = bonds.dissipator_stiffness;
+  const auto& limits = bonds.dissipator_force_limit;
+  if (k.size() == 1)
+    return findings.mistake("barrier.bonds.dissipator_stiffness_N_m3",
+                            "barrier.bonds.dissipator_stiffness_N_m3 has 1 entry, expected none, two or three");
+  const std::size_t expected = k.empty() ? 0 : k.size() - 1;
+  if (limits.size() != expected)
+    return findings.mistake(
+        path, fmt::format("{} has {} entries, expected {}: one less than stages", path, limits.size(), expected));
+  if (limits.size() == 2 && limits[1] <= limits[0])
+    findings.mistake(path, path + " does not rise, expected the second above the first");
+  // Plastic elongation would not grow under load (dem/bonds/axial_law.h).
+  if (bonds.plastic_unloading && k.size() > 1 && (k[1] >= k[0] || k.back() > k[0]))
+    findings.mistake(
+        "barrier.bonds.plastic_unloading",
+        "barrier.bonds.plastic_unloading is true and a later stage of dissipator_stiffness_N_m3 as stiff as "
+        "the first, expected softer ones");
+}
+
+/// A stiffness that no run could follow: most likely meant in another unit.
+void check_bond_steps(const Scene& scene, Findings& findings) {
+  if (!findings.sound({"barrier", "materials", "solids"})) return;
+  constexpr double least = 1e-8;  // s; the paper's is 5e-7
+  const barrier::RingNetSpec spec = make_net_spec(scene);
+  const auto refuse = [&](double step, const barrier::WireProperties& bead, const std::string& key) {
+    if (step < least)
+      findings.mistake("barrier.bonds." + key,
+                       fmt::format("barrier.bonds.{} needs a time step of {:.2g} s with beads of {:.2g} kg, expected a "
+                                   "stiffness per unit area (N/m^3) that allows {:g} s",
+                                   key, step, bead.bead_mass(), least));
+  };
+  if (!spec.mesh) refuse(spec.bond_limit(spec.ring), spec.bead_properties(), "ring_stiffness_N_m3");
+  refuse(spec.bond_limit(spec.cable), spec.bead_properties(), "cable_stiffness_N_m3");
+  if (!scene.barrier.bonds.dissipator_stiffness.empty())
+    refuse(spec.bond_limit(spec.dissipator), spec.bead_properties(), "dissipator_stiffness_N_m3");
+}
+
+/// Grains that begin where the barrier is would burst out of it.
+void check_grains_beside_barrier(const Scene& scene, const dem::Particles& beads, Findings& findings) {
+  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
+    const Packing& packing = scene.grains.packings[i];
+    const Vec3 upper = upper_of_content(packing);
+    std::int64_t inside = 0;
+    for (dem::ParticleIndex b = 0; b < beads.size(); ++b) {
+      const Vec3 x = beads.position[b];
+      inside += (x.array() > packing.lower.array()).all() && (x.array() < upper.array()).all();
+    }
+    const std::string path = fmt::format("grains.packing[{}]", i);
+    if (inside > 0)
+      findings.mistake(path + ".lower_m",
+                       fmt::format("{} holds {} beads of the barrier, expected it beside the barrier", path, inside));
+  }
+  for (std::size_t i = 0; i < scene.grains.spheres.size(); ++i) {
+    const GrainSphere& s = scene.grains.spheres[i];
+    for (dem::ParticleIndex b = 0; b < beads.size(); ++b) {
+      const double gap = (beads.position[b] - s.position).norm() - beads.radius[b] - s.diameter / 2;
+      if (-gap <= kLargestOverlap * beads.radius[b]) continue;
+      const std::string path = fmt::format("grains.sphere[{}]", i);
+      findings.mistake(path + ".position_m", path + " overlaps the barrier, expected a gap");
+      break;
+    }
+  }
+}
+
+/// The time step comes from single bonds of beads that touch. Beads farther apart, ties and posts can ask for a shorter
+/// one.
+void check_step_of_barrier(const Scene& scene, const dem::Particles& beads, const dem::Bonds& bonds,
+                           Findings& findings) {
+  if (scene.solids.time_step > 0) return;  // asked for
+  constexpr double agree = 1.02;           // the two limits do, for a net of rings of touching beads
+  constexpr double room = 0.8;             // below the limit, as by default
+  const double step = cases::solids_time_step(scene), limit = dem::bond_time_step(bonds, beads);
+  if (step <= agree * limit) return;
+  const double safety = scene.solids.bond_safety;
+  findings.mistake("solids.bond_safety",
+                   fmt::format("solids.bond_safety is {:g}: the time step is {:.3g} s, and the barrier as built allows "
+                               "{:.3g} s, expected at most {:.2g}, or solids.time_step_s",
+                               safety, step, limit, std::floor(100 * room * safety * limit / step) / 100));
+}
+
+}  // namespace
+
+void check_barrier(const Scene& scene, Findings& findings) {
+  if (!scene.barrier.enabled) return;
+  check_dissipators(scene.barrier.bonds, findings);
+  check_ring_bonds(scene, findings);
+  check_bond_steps(scene, findings);
+  if (!findings.sound({"barrier.net"}) || !check_directions(scene.barrier.net, findings)) return;
+  check_frame(scene.barrier.net, findings);
+  if (findings.sound({"domain", "barrier.posts", "barrier.net.width_m", "barrier.net.height_m"}))
+    check_net_place(scene, findings);
+  check_hexagonal_net(scene, findings);
+  check_posts(scene, findings);
+}
+
+void check_net_can_be_built(const Scene& scene, Findings& findings) {
+  constexpr std::int64_t most_beads = 500'000;  // a few seconds; of larger nets the run finds it out
+  if (!scene.barrier.enabled || !findings.mistakes().empty() || cases::barrier_beads(scene) > most_beads) return;
+  dem::Particles particles;
+  dem::Bonds bonds;
+  const auto attempt = [&](const std::string& path, const auto& build) {
+    try {
+      build();
+    } catch (const InputError& e) {
+      for (const InputMistake& m : e.mistakes()) findings.mistake(path, path + ": " + m.message);
+    }
+  };
+  attempt("barrier.net", [&] { barrier::build_net(make_net_spec(scene), particles, bonds); });
+  if (scene.barrier.posts.enabled && findings.mistakes().empty()) {
+    particles = {}, bonds = {};
+    attempt("barrier.posts", [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
+  }
+  if (findings.mistakes().empty()) check_grains_beside_barrier(scene, particles, findings);
+  if (findings.mistakes().empty()) check_step_of_barrier(scene, particles, bonds, findings);
+}
+
+}  // namespace lahar::scene

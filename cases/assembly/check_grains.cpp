@@ -1,0 +1,106 @@
+// Cross checks of packings and spheres.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "cases/assembly/check_gradings.h"
+#include "cases/assembly/cross_checks.h"
+#include "cases/assembly/geometry.h"
+#include "cases/assembly/grain_extent.h"
+#include "cases/assembly/grain_sizes.h"
+
+namespace lahar::scene {
+namespace {
+
+/// The largest depth (m, > 0) at which points of a box lie inside walls, on a lattice that includes the corners.
+double depth_in_walls(const Walls& walls, const Vec3& lower, const Vec3& upper) {
+  constexpr int n = 8;
+  double deepest = 0;
+  for (int i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i) {
+    const Vec3 part(i % (n + 1), i / (n + 1) % (n + 1), i / ((n + 1) * (n + 1)));
+    const Vec3 p = lower + (upper - lower).cwiseProduct(part / n);
+    if (!walls.empty()) deepest = std::max(deepest, -walls.nearest(p).distance);
+  }
+  return deepest;
+}
+
+void check_packing_content(const Packing& packing, const std::string& path, Findings& findings) {
+  const Vec3 extent = packing.upper - packing.lower;
+  for (std::size_t k = 0; k < packing.sizes.size(); ++k) {
+    const GrainSize& size = packing.sizes[k];
+    const std::string key = fmt::format("{}.sizes[{}].diameter_m", path, k);
+    if (size.diameter > extent.minCoeff())
+      findings.mistake(key, fmt::format("{} is {:g}, expected at most the smallest extent of the box, {:g}", key,
+                                        size.diameter, extent.minCoeff()));
+  }
+  constexpr double densest = 0.74;  // of equal spheres; mixtures settle far below
+  const double volume = solid_volume(packing);
+  if (volume > densest * extent.prod())
+    findings.mistake(path, fmt::format("{}: grains fill {:.2f} of the box, expected at most {}", path,
+                                       volume / extent.prod(), densest));
+}
+
+void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
+  const Packing& packing = scene.grains.packings[i];
+  const std::string path = fmt::format("grains.packing[{}]", i);
+  if (!findings.sound({path})) return;
+  if (packing.sizes.empty() && packing.log_normal.empty() && packing.sieved.empty())
+    return findings.mistake(path, path + " has no grains, expected at least one [[grains.packing.sizes]]");
+  check_gradings(scene, i, findings);
+  if (findings.sound({path})) check_packing_content(packing, path, findings);
+  const double slack = 1e-6 * (packing.upper - packing.lower).norm();
+  if (findings.sound({"domain"}) &&
+      !(scene.domain.contains(packing.lower, slack) && scene.domain.contains(packing.upper, slack)))
+    return findings.mistake(path + ".lower_m", path + " reaches outside the domain, expected it inside [domain]");
+  if (!findings.sound({"wall"})) return;
+  if (const double depth = depth_in_walls(make_walls(scene), packing.lower, packing.upper); depth > slack)
+    findings.mistake(path + ".lower_m",
+                     fmt::format("{} reaches {:.3g} m into a wall, expected it in free space", path, depth));
+}
+
+void check_sphere(const Scene& scene, std::size_t i, Findings& findings) {
+  const GrainSphere& s = scene.grains.spheres[i];
+  const std::string path = fmt::format("grains.sphere[{}]", i);
+  if (!findings.sound({path})) return;
+  if (findings.sound({"domain"})) {
+    const double room = (scene.domain.upper - scene.domain.lower).minCoeff();
+    if (s.diameter > room)
+      findings.mistake(path + ".diameter_m",
+                       fmt::format("{}.diameter_m is {:g}, expected at most the smallest extent of "
+                                   "the domain, {:g}",
+                                   path, s.diameter, room));
+    if (!scene.domain.contains(s.position))
+      findings.mistake(path + ".position_m", path + ".position_m lies outside the domain, expected it inside [domain]");
+  }
+  if (s.fixed && (s.velocity.norm() > 0 || s.angular_velocity.norm() > 0))
+    findings.mistake(path + ".fixed", path + ".fixed holds it in place, expected no velocity and no spin");
+  if (!findings.sound({"wall", path})) return;
+  const Walls walls = make_walls(scene);
+  if (!s.fixed && !walls.empty() && walls.nearest(s.position).distance < (1 - kLargestOverlap) * s.diameter / 2)
+    findings.mistake(path + ".position_m", path + " is inside a wall, expected it in free space");
+  for (std::size_t k = 0; k < i; ++k) {
+    const GrainSphere& other = scene.grains.spheres[k];
+    if (!findings.sound({fmt::format("grains.sphere[{}]", k)})) continue;
+    const double gap = (s.position - other.position).norm() - (s.diameter + other.diameter) / 2;
+    if (-gap > kLargestOverlap * std::min(s.diameter, other.diameter) / 2)
+      findings.mistake(path + ".position_m", fmt::format("{} overlaps grains.sphere[{}], expected a gap", path, k));
+  }
+  for (std::size_t k = 0; k < scene.grains.packings.size(); ++k) {
+    const Packing& packing = scene.grains.packings[k];
+    if (!findings.sound({fmt::format("grains.packing[{}]", k)})) continue;
+    const Vec3 nearest = s.position.cwiseMax(packing.lower).cwiseMin(upper_of_content(packing));
+    if ((s.position - nearest).norm() < (1 - kLargestOverlap) * s.diameter / 2)
+      findings.mistake(path + ".position_m",
+                       fmt::format("{} reaches into grains.packing[{}], expected it beside the packing", path, k));
+  }
+}
+
+}  // namespace
+
+void check_grains(const Scene& scene, Findings& findings) {
+  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) check_packing(scene, i, findings);
+  for (std::size_t i = 0; i < scene.grains.spheres.size(); ++i) check_sphere(scene, i, findings);
+}
+
+}  // namespace lahar::scene

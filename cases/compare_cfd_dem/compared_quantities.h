@@ -1,0 +1,42 @@
+#pragma once
+// What is compared of a run with the paper and between couplings, and how it follows from what the run wrote.
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/compare_cfd_dem/study_case.h"
+#include "cases/files/series_reader.h"
+
+namespace lahar::study {
+
+/// What a run left in its folder, as far as the comparison asks for it.
+struct CaseRun {
+  StudyCase study_case;
+  std::map<std::string, double> metrics;    ///< of summary.json
+  double grain_mass = 0, grain_volume = 0;  ///< kg, m^3, of the scene
+  cases::Series series;
+
+  /// NaN where there is none.
+  [[nodiscard]] double metric(const std::string& name) const;
+};
+
+/// A quantity of the comparison.
+struct Compared {
+  std::string name, unit, meaning;
+  std::function<double(const CaseRun&)> ours;
+  std::function<std::optional<double>(double release)> theirs;  ///< nothing where the paper gives no number
+  std::string where;                                            ///< in the paper
+};
+const std::vector<Compared>& compared_quantities();
+
+/// A column of a run's series that is shown over time.
+struct ShownColumn {
+  std::string name, title, unit;
+  double factor = 1;       ///< from the column's unit to the shown one
+  std::string where = {};  ///< in the paper
+};
+const std::vector<ShownColumn>& shown_columns();
+
+}  // namespace lahar::study

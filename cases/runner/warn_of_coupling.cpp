@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cases/runner/warnings_by_part.h"
+#include "coupling/coupling_options.h"
+
+namespace lahar::cases {
+namespace {
+
+/// The domain is divided into equal lengths: where few have room each is much longer than was asked for.
+void add_divided_lengths(const scene::Scene& s, const Vec3& lengths, Warnings& list) {
+  constexpr double bearable = 1.15;  // of what was asked for
+  const double asked = s.coupling.averaging_length;
+  for (int a = 0; a < 3; ++a)
+    if (lengths[a] > bearable * asked)
+      list.push_back(
+          fmt::format("coupling.averaging_length_m is {:g}, but along {} the domain is divided into lengths "
+                      "of {:.3g} m: choose one that divides it",
+                      asked, "xyz"[a], lengths[a]));
+}
+
+}  // namespace
+
+void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
+  if (!s.coupling.enabled) return list.push_back("fluid and particles do not feel each other: coupling is off");
+  if (f.cells_per_smallest_grain && *f.cells_per_smallest_grain < 4)
+    list.push_back(fmt::format("the smallest grain is {:.1f} cells across: its drag is uncertain below about 4",
+                               *f.cells_per_smallest_grain));
+  constexpr double light = 0.2;  // docs/decisions/0034
+  if (f.lightest_grain && *f.lightest_grain < light)
+    list.push_back(
+        fmt::format("the lightest grain has {:.2g} of the liquid's density: those below {:g} that touch each "
+                    "other or a wall may be thrown about",
+                    *f.lightest_grain, light));
+  if (f.averaging_diameters && *f.averaging_diameters < 2)
+    list.push_back(fmt::format(
+        "coupling.averaging_length_m is {:.2g} diameters of the largest grain: averages swing with every grain below 2",
+        *f.averaging_diameters));
+  if (f.averaging_lengths) add_divided_lengths(s, *f.averaging_lengths, list);
+  constexpr double shift_of_note = 0.05;  // cells: a fifth of the drag of grains of 4 cells
+  if (f.cell_reynolds && lbm::by_wall_distance(s.coupling.body_weighting))
+    if (const double shift = coupling::radius_shift_at(*f.cell_reynolds);
+        std::abs(shift - s.coupling.radius_shift_cells) > shift_of_note)
+      list.push_back(
+          fmt::format("coupling.radius_shift_cells is {:g}: for grains that settle, with {:.3g} as the "
+                      "Reynolds number of a cell, {:.2f} gives the drag",
+                      s.coupling.radius_shift_cells, *f.cell_reynolds, shift));
+  constexpr double fast = 25;  // cell Reynolds number: docs/decisions/0054
+  if (f.cell_reynolds && *f.cell_reynolds > fast && !s.grains.packings.empty() &&
+      s.coupling.body_weighting == scene::BodyWeighting::wall_distance)
+    list.push_back(
+        "coupling.body_weighting is \"wall_distance\": grains that run through the cells much faster than the liquid "
+        "runs past them drag it up to 13 times too much at 30 times that speed; \"inertial\" twice");
+  if (f.cells_per_wire && !s.coupling.wire_drag &&
+      *f.cells_per_wire < s.coupling.resolve_wires_from_cells.value_or(*f.cells_per_wire + 1))
+    list.push_back(fmt::format(
+        "wires are {:.1f} cells across and coupling.wire_drag is off: water does not feel the net", *f.cells_per_wire));
+  if (s.barrier.enabled && s.barrier.net.kind == scene::NetKind::hexagonal)
+    list.push_back("water feels the cables of a hexagonal mesh, but not its wires");
+  if (const double post = s.barrier.posts.diameter / s.fluid.cell_size;
+      s.coupling.wire_drag && post > 4 && post < s.coupling.resolve_wires_from_cells.value_or(post + 1))
+    list.push_back(fmt::format("posts are {:.1f} cells across: their drag law is for wires up to about 4", post));
+  if (s.coupling.body_weighting == scene::BodyWeighting::noble_torczynski)
+    list.push_back("coupling.body_weighting = \"noble_torczynski\" lets water through bodies at low viscosity");
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <variant>
+
+#include "cases/assembly/estimates.h"
+#include "cases/assembly/geometry.h"
+#include "cases/assembly/memory.h"
+#include "cases/runner/warnings_by_part.h"
+
+namespace lahar::cases {
+namespace {
+
+/// m^3 of the domain, judged at the points of a lattice that has at most 64 an axis.
+struct Room {
+  double free = 0;    ///< outside walls
+  double filled = 0;  ///< of it, by liquid at the start
+};
+
+Room room_of(const scene::Scene& s) {
+  const Walls walls = scene::make_walls(s);
+  std::vector<std::optional<Shape>> bodies;
+  for (const scene::FluidRegion& r : s.fluid.regions) bodies.push_back(scene::make_body(r));
+  const auto is_filled = [&](const Vec3& p) {
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const scene::FluidRegion& r = s.fluid.regions[i];
+      const bool in_box = (p.array() >= r.lower.array()).all() && (p.array() < r.upper.array()).all();
+      if (in_box && (!bodies[i] || std::visit([&](const auto& body) { return body.distance(p); }, *bodies[i]) < 0))
+        return true;
+    }
+    return false;
+  };
+  const Vec3 extent = s.domain.upper - s.domain.lower;
+  const Vec3i points = (extent / s.fluid.cell_size).array().round().max(1).min(64).cast<int>();
+  const Vec3 apart = extent.cwiseQuotient(points.cast<double>());
+  Room room;
+  for (int x = 0; x < points.x(); ++x)
+    for (int y = 0; y < points.y(); ++y)
+      for (int z = 0; z < points.z(); ++z) {
+        const Vec3 p = s.domain.lower + apart.cwiseProduct(Vec3(x + 0.5, y + 0.5, z + 0.5));
+        if (walls.nearest(p).distance < 0) continue;
+        room.free += apart.prod();
+        if (is_filled(p)) room.filled += apart.prod();
+      }
+  return room;
+}
+
+/// Inflows into a domain that nothing leaves.
+void add_overfilling(const scene::Scene& s, const FluidFigures& f, Warnings& list) {
+  if (f.inflow_cells == 0 || !s.domain.open_faces.empty()) return;
+  const Room room = room_of(s);
+  const double comes_in = f.inflow_cells * std::pow(s.fluid.cell_size, 3);
+  constexpr double rounding = 1e-9;
+  if (room.filled + comes_in <= room.free * (1 + rounding)) return;
+  std::string names;
+  for (const scene::Inflow& i : s.fluid.inflows) names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", i.name);
+  list.push_back(
+      fmt::format("fluid.inflow {}: {:.3g} m^3 in the time of the run and {:.3g} m^3 at the start are more than the "
+                  "{:.3g} m^3 that the domain has room for, and no face is open",
+                  names, comes_in, room.filled, room.free));
+}
+
+}  // namespace
+
+void warn_of_fluid(const scene::Scene& s, const FluidFigures& f, Warnings& list) {
+  const bool fragile = !stable_without_eddies(s.fluid.collision) && s.fluid.smagorinsky == 0;
+  if (fragile && f.tau - 0.5 < 1e-3)
+    list.push_back(fmt::format("tau - 1/2 is {:.2g}: this collision operator is unstable there without smagorinsky > 0",
+                               f.tau - 0.5));
+  if (f.mach > 0.3)
+    list.push_back(
+        fmt::format("Ma = {:.2f}: errors of compressibility reach {:.0f} %", f.mach, 100 * f.compressibility_error));
+  if (const double drop = drop_speed(s); s.fluid.max_speed > 0 && s.fluid.max_speed < drop)
+    list.push_back(
+        fmt::format("fluid.max_speed_m_s is {:g} m/s; liquid that enters or falls without loss to the lowest of the "
+                    "domain reaches {:.3g} m/s: Ma would be {:.2f}",
+                    s.fluid.max_speed, drop, f.mach * drop / s.fluid.max_speed));
+  if (!s.fluid.inflows.empty() && f.inflow_cells == 0) list.push_back("inflows bring nothing in the time of the run");
+  add_overfilling(s, f, list);
+  constexpr double light = 500, heavy = 3000;  // kg/m^3
+  if (s.fluid.density < light || s.fluid.density > heavy)
+    list.push_back(fmt::format("fluid.density_kg_m3 is {:g}", s.fluid.density));
+  if (f.least_limit_viscosity && s.fluid.rheology.limit_viscosity < *f.least_limit_viscosity)
+    list.push_back(
+        fmt::format("fluid.rheology.limit_viscosity_m2_s is {:g}, less than the {:.3g} of the flow law where "
+                    "the liquid shears by its largest speed over its depth: the law is not felt",
+                    s.fluid.rheology.limit_viscosity, *f.least_limit_viscosity));
+  const bool models =
+      s.domain.slip == WallSlip::wall_model ||
+      std::any_of(s.walls.begin(), s.walls.end(), [](const auto& wall) { return wall.slip == WallSlip::wall_model; });
+  if (models && s.fluid.smagorinsky == 0)
+    list.push_back("slip = \"wall_model\" wants an eddy viscosity: fluid.smagorinsky is 0");
+  if (f.depth < 4 * s.fluid.cell_size)
+    list.push_back(fmt::format("the liquid is only {:.1f} cells deep", f.depth / s.fluid.cell_size));
+  const auto have = static_cast<double>(scene::physical_memory());
+  if (f.expected_bytes > 0.8 * have)
+    list.push_back(fmt::format("the fluid may need {:.1f} GB of the {:.1f} GB of this machine", f.expected_bytes * 1e-9,
+                               have * 1e-9));
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <optional>
+#include <variant>
+
+#include "cases/assembly/geometry.h"
+#include "cases/runner/warnings_by_part.h"
+
+namespace lahar::cases {
+namespace {
+
+/// What lies in walls, or over something else.
+void add_places(const scene::Scene& s, Warnings& list) {
+  const Walls walls = scene::make_walls(s);
+  const auto look = [&](const std::string& path, const Vec3& lower, const Vec3& upper) {
+    if (scene::filled_by_walls(walls, lower, upper)) list.push_back(path + " lies in walls: nothing of it is left");
+  };
+  if (s.fluid.enabled) {
+    for (std::size_t i = 0; i < s.fluid.regions.size(); ++i)
+      look(fmt::format("fluid.region[{}]", i), s.fluid.regions[i].lower, s.fluid.regions[i].upper);
+    for (std::size_t i = 0; i < s.fluid.inflows.size(); ++i)
+      look(fmt::format("fluid.inflow[{}]", i), s.fluid.inflows[i].lower, s.fluid.inflows[i].upper);
+  }
+  for (std::size_t i = 0; i < s.probes.size(); ++i) {
+    const scene::Probe& p = s.probes[i];
+    const double slack = s.fluid.enabled ? s.fluid.cell_size : 0.0;
+    if ((p.kind == scene::ProbeKind::pressure || p.kind == scene::ProbeKind::velocity) && !walls.empty() &&
+        walls.nearest(p.position).distance < -slack)
+      list.push_back(fmt::format("probe[{}] lies in a wall", i));
+  }
+  constexpr double clear = 1.5;  // cells: cells at an open face hold less than what leaves through it
+  for (const scene::FluxSection& section : s.sections)
+    for (int a = 0; s.fluid.enabled && a < 3; ++a)
+      for (const int side : {0, 1}) {
+        const double from_face =
+            std::abs(section.point[a] - (side == 0 ? s.domain.lower : s.domain.upper)[a]) / s.fluid.cell_size;
+        if (s.domain.open(static_cast<scene::Face>(2 * a + side)) && from_face < clear &&
+            std::abs(section.normal[a]) > 0.9 * section.normal.norm())
+          list.push_back(
+              fmt::format("section \"{}\" is {:.1f} cells off an open face, where it reads up to a fifth too "
+                          "much; 2 cells off it reads what passes",
+                          section.name, from_face));
+      }
+  const auto& packings = s.grains.packings;
+  for (std::size_t i = 0; i < packings.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      if ((packings[i].lower.array() < packings[k].upper.array()).all() &&
+          (packings[k].lower.array() < packings[i].upper.array()).all())
+        list.push_back(
+            fmt::format("grains.packing[{}] and grains.packing[{}] share space: their grains may overlap", k, i));
+}
+
+/// Ground that a heightmap does not reach is level.
+void add_heightmaps(const scene::Scene& s, Warnings& list) {
+  for (std::size_t i = 0; i < s.walls.size(); ++i) {
+    const scene::WallSettings& w = s.walls[i];
+    if (w.shape != scene::WallShape::heightmap) continue;
+    const Bounds map = scene::heightmap_bounds(w);
+    const Vec3 missing = (map.lower - s.domain.lower).cwiseMax(s.domain.upper - map.upper);
+    constexpr double bearable = 1e-6;  // m
+    if (missing.head<2>().maxCoeff() > bearable)
+      list.push_back(
+          fmt::format("wall[{}] covers x from {:g} to {:g} m and y from {:g} to {:g} m, not all of the domain: beyond, "
+                      "the ground is level",
+                      i, map.lower.x(), map.upper.x(), map.lower.y(), map.upper.y()));
+  }
+}
+
+/// The box around a solid that stands in the domain; none of other walls.
+std::optional<Bounds> bounds_of(const scene::WallSettings& w) {
+  const Vec3 around = Vec3::Constant(w.radius);
+  switch (w.shape) {
+    case scene::WallShape::box:
+      return Bounds{w.lower, w.upper};
+    case scene::WallShape::sphere:
+      return Bounds{w.centre - around, w.centre + around};
+    case scene::WallShape::cylinder:
+      return Bounds{w.start.cwiseMin(w.end) - around, w.start.cwiseMax(w.end) + around};
+    case scene::WallShape::mesh:
+      return Bounds{w.file.sampled.grid->lower(), w.file.sampled.grid->upper()};
+    case scene::WallShape::plane:
+    case scene::WallShape::heightmap:
+      break;
+  }
+  return std::nullopt;
+}
+
+/// Whether the centre of a cell lies in a solid within some bounds: without one it is no wall to the liquid.
+bool has_a_cell(const scene::WallSettings& solid, const Bounds& bounds, const scene::Scene& s) {
+  const double dx = s.fluid.cell_size;
+  const Vec3 lower = bounds.lower.cwiseMax(s.domain.lower), upper = bounds.upper.cwiseMin(s.domain.upper);
+  if (!(lower.array() < upper.array()).all()) return false;
+  const Vec3i first = ((lower - s.domain.lower) / dx - Vec3::Constant(0.5)).array().ceil().cast<int>();
+  const Vec3i end = ((upper - s.domain.lower) / dx - Vec3::Constant(0.5)).array().ceil().cast<int>();
+  const Shape shape = scene::make_wall(solid, -1).shape;
+  for (int z = first.z(); z < end.z(); ++z)
+    for (int y = first.y(); y < end.y(); ++y)
+      for (int x = first.x(); x < end.x(); ++x) {
+        const Vec3 centre = s.domain.lower + dx * (Vec3(x, y, z) + Vec3::Constant(0.5));
+        if (std::visit([&](const auto& body) { return body.distance(centre); }, shape) < 0) return true;
+      }
+  return false;
+}
+
+/// Walls that stand beside the domain, and shapes that are sampled more coarsely than the cells.
+void add_lost_walls(const scene::Scene& s, Warnings& list) {
+  for (const scene::WallSettings& w : s.walls) {
+    const auto bounds = bounds_of(w);
+    if (bounds && !((bounds->upper.array() > s.domain.lower.array()).all() &&
+                    (bounds->lower.array() < s.domain.upper.array()).all()))
+      list.push_back(fmt::format("wall \"{}\" stands outside the domain: nothing meets it", w.name));
+    if (s.fluid.enabled && w.file.resolution > s.fluid.cell_size)
+      list.push_back(
+          fmt::format("resolution_m of wall \"{}\" is {:g} m, more than a cell ({:g} m): what is smaller is "
+                      "smoothed away",
+                      w.name, w.file.resolution, s.fluid.cell_size));
+  }
+}
+
+/// Solids so thin that they fall between the centres of cells.
+void add_thin_walls(const scene::Scene& s, Warnings& list) {
+  for (const scene::WallSettings& w : s.walls) {
+    const auto bounds = bounds_of(w);
+    if (!bounds) continue;
+    const bool inside = (bounds->upper.array() > s.domain.lower.array()).all() &&
+                        (bounds->lower.array() < s.domain.upper.array()).all();
+    if (inside && !has_a_cell(w, *bounds, s))
+      list.push_back(fmt::format("wall \"{}\" has no cell of its own (of {:g} m): the liquid does not feel it", w.name,
+                                 s.fluid.cell_size));
+  }
+}
+
+/// Faces of the domain and walls along the axes that fall between the faces of cells.
+void add_rounded_walls(const scene::Scene& s, Warnings& list) {
+  const auto acts_at = [&](double x, int axis) {
+    const double from = s.domain.lower[axis];
+    return from + s.fluid.cell_size * std::round((x - from) / s.fluid.cell_size);
+  };
+  const auto tell = [&](const std::string& what, double x, int axis) {
+    constexpr double bearable = 0.01;  // of a cell
+    if (x < s.domain.lower[axis] || x > s.domain.upper[axis]) return;
+    if (std::abs(acts_at(x, axis) - x) > bearable * s.fluid.cell_size)
+      list.push_back(fmt::format("{} at {} = {:.6g} m acts on the liquid at {:.6g} m, the nearest faces of cells", what,
+                                 "xyz"[axis], x, acts_at(x, axis)));
+  };
+  const auto is_between_cells = [&](WallSlip slip) {
+    return s.fluid.wall_placement == scene::WallPlacement::half_way || slip != WallSlip::no_slip;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+    if (is_between_cells(s.domain.slip) && !s.domain.open(static_cast<scene::Face>(2 * axis + 1)) &&
+        !s.domain.periodic(static_cast<scene::Axis>(axis)))
+      tell("domain.upper_m", s.domain.upper[axis], axis);
+  for (const scene::WallSettings& w : s.walls) {
+    if (!is_between_cells(w.slip)) continue;
+    const std::string what = fmt::format("wall \"{}\"", w.name);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (w.shape == scene::WallShape::plane && std::abs(w.normal.normalized()[axis]) > 1 - 1e-9)
+        tell(what, w.point[axis], axis);
+      if (w.shape == scene::WallShape::box && has_a_cell(w, {w.lower, w.upper}, s))
+        tell(what, w.lower[axis], axis), tell(what, w.upper[axis], axis);
+    }
+  }
+}
+
+}  // namespace
+
+void warn_of_places(const scene::Scene& scene, bool has_fluid, Warnings& list) {
+  add_places(scene, list);
+  add_heightmaps(scene, list);
+  add_lost_walls(scene, list);
+  if (has_fluid) add_thin_walls(scene, list);
+  if (has_fluid) add_rounded_walls(scene, list);
+}
+
+}  // namespace lahar::cases

@@ -1,0 +1,149 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "cases/assembly/grain_sizes.h"
+#include "cases/runner/warnings_by_part.h"
+
+namespace lahar::cases {
+namespace {
+
+/// Faces of the domain hold the liquid alone: grains need a plane that faces inwards, or a box on the face. What
+/// terrain and meshes hold cannot be told; cylinders and spheres hold nothing back.
+void add_leaks(const scene::Scene& s, Warnings& list) {
+  const auto guards = [&](const scene::WallSettings& w, const Vec3& inwards, int axis, double at) {
+    if (w.shape == scene::WallShape::plane) return w.normal.normalized().dot(inwards) > 0.05;
+    if (w.shape != scene::WallShape::box)
+      return w.shape == scene::WallShape::heightmap || w.shape == scene::WallShape::mesh;
+    return w.lower[axis] <= at + 1e-6 && w.upper[axis] >= at - 1e-6;
+  };
+  std::string faces;
+  for (int face = 0; face < 5; ++face) {  // not the top
+    const int axis = face / 2;
+    const bool upper = face % 2 == 1;
+    if (s.domain.open(static_cast<scene::Face>(face)) || s.domain.periodic(static_cast<scene::Axis>(axis))) continue;
+    Vec3 inwards = Vec3::Zero();
+    inwards[axis] = upper ? -1 : 1;
+    const double at = (upper ? s.domain.upper : s.domain.lower)[axis];
+    if (std::none_of(s.walls.begin(), s.walls.end(), [&](const auto& w) { return guards(w, inwards, axis, at); }))
+      faces += fmt::format("{}{}{}", faces.empty() ? "" : ", ", "xyz"[axis], upper ? '+' : '-');
+  }
+  if (!faces.empty())
+    list.push_back("faces of the domain hold liquid, not grains, which are lost through those without a [[wall]]: " +
+                   faces);
+}
+
+/// A grain that sinks into the ground under its own weight (Hertz): its modulus is not in Pa.
+void add_soft_grains(const scene::Scene& s, Warnings& list) {
+  const auto look = [&](const std::string& name, double diameter, double density) {
+    const auto m =
+        std::find_if(s.materials.begin(), s.materials.end(), [&](const auto& one) { return one.name == name; });
+    if (m == s.materials.end()) return false;
+    const double radius = diameter / 2, modulus = s.solids.contact_modulus_scale * m->youngs_modulus /
+                                                  (2 * (1 - m->poisson_ratio * m->poisson_ratio));
+    const double weight = density * std::numbers::pi / 6 * std::pow(diameter, 3) * s.gravity.magnitude;
+    const double sunk = std::pow(0.75 * weight / (modulus * std::sqrt(radius)), 2.0 / 3) / radius;
+    constexpr double bearable = 0.05;
+    if (sunk > bearable)
+      list.push_back(
+          fmt::format("grains of \"{}\" sink into each other by {:.2g} of a radius under their own weight: "
+                      "youngs_modulus_Pa of {:g} Pa is small",
+                      name, sunk, m->youngs_modulus));
+    return sunk > bearable;
+  };
+  for (std::size_t i = 0; i < s.grains.packings.size(); ++i)
+    for (const scene::GrainSize& size : scene::grain_sizes(s, i))
+      if (look(size.material, size.diameter, size.density)) return;
+  for (const scene::GrainSphere& sphere : s.grains.spheres)
+    if (look(sphere.material, sphere.diameter, sphere.density)) return;
+}
+
+void add_barrier(const scene::Scene& s, Warnings& list) {
+  const scene::Posts& posts = s.barrier.posts;
+  if (posts.enabled && posts.foot == scene::FootJoint::hinged && posts.elements.of<barrier::RetainingCable>().empty())
+    list.push_back("posts are hinged, and no [[barrier.posts.retaining]] holds them");
+  if (!posts.enabled && s.barrier.anchors.cable_places.empty())
+    list.push_back("barrier.anchors.cable_places is empty: no end of a cable is fixed");
+}
+
+std::set<std::string> materials_in_use(const scene::Scene& s) {
+  std::set<std::string> names;
+  for (const auto& w : s.walls) names.insert(w.material);
+  for (const auto& p : s.grains.packings) {
+    for (const auto& g : p.sizes) names.insert(g.material);
+    for (const auto& g : p.log_normal) names.insert(g.material);
+    for (const auto& g : p.sieved) names.insert(g.material);
+  }
+  for (const auto& g : s.grains.spheres) names.insert(g.material);
+  if (s.barrier.enabled) names.insert(s.barrier.net.material);
+  return names;
+}
+
+/// Materials of things that move: walls do not touch each other.
+bool only_walls(const scene::Scene& s, const std::string& a) {
+  const auto is = [&](const auto& thing) { return thing.material == a; };
+  for (const auto& p : s.grains.packings)
+    if (std::any_of(p.sizes.begin(), p.sizes.end(), is) || std::any_of(p.log_normal.begin(), p.log_normal.end(), is) ||
+        std::any_of(p.sieved.begin(), p.sieved.end(), is))
+      return false;
+  if (std::any_of(s.grains.spheres.begin(), s.grains.spheres.end(), is)) return false;
+  return !(s.barrier.enabled && s.barrier.net.material == a);
+}
+
+}  // namespace
+
+void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
+  const double critical = std::min(
+      {f.limits.grain_rayleigh, f.limits.bead_rayleigh, f.limits.ring_bond, f.limits.cable_bond, f.limits.post_bond});
+  if (s.solids.time_step > critical)
+    list.push_back(fmt::format("solids.time_step_s ({:.3g} s) is above the critical time step ({:.3g} s)",
+                               s.solids.time_step, critical));
+  if (s.solids.contact_modulus_scale < 1)
+    list.push_back(fmt::format("contacts are softened: moduli times {:g}", s.solids.contact_modulus_scale));
+  if (s.solids.bond_stiffness_scale < 1 && s.barrier.enabled)
+    list.push_back(fmt::format("bonds are softened: stiffness times {:g}", s.solids.bond_stiffness_scale));
+  if (s.barrier.enabled && s.barrier.net.bead_mass_scale > 1)
+    list.push_back(fmt::format("beads of the barrier are slow: inertia times {:g}", s.barrier.net.bead_mass_scale));
+  if (s.walls.empty() && f.grains > 0) list.push_back("there are grains but no walls: nothing holds them");
+  if (!s.walls.empty() && f.grains > 0) add_leaks(s, list);
+  if (f.grains > 0) add_soft_grains(s, list);
+  if (s.barrier.enabled) add_barrier(s, list);
+}
+
+void warn_of_contacts(const scene::Scene& s, Warnings& list) {
+  constexpr double steep = 3;
+  for (const scene::Contact& c : s.contacts)
+    if (c.friction > steep)
+      list.push_back(fmt::format("friction of \"{}\" and \"{}\" is {:g}: it is a coefficient, no angle", c.materials[0],
+                                 c.materials[1], c.friction));
+  const std::set<std::string> names = materials_in_use(s);
+  for (auto a = names.begin(); a != names.end(); ++a)
+    for (auto b = a; b != names.end(); ++b) {
+      const bool listed = std::any_of(s.contacts.begin(), s.contacts.end(), [&](const scene::Contact& c) {
+        return (c.materials[0] == *a && c.materials[1] == *b) || (c.materials[0] == *b && c.materials[1] == *a);
+      });
+      if (!listed && !(only_walls(s, *a) && only_walls(s, *b)))
+        list.push_back(fmt::format("no [[contact]] for \"{}\" and \"{}\": they are smooth and elastic", *a, *b));
+    }
+}
+
+void warn_of_packings(const scene::Scene& s, Warnings& list) {
+  constexpr double random_close_packing = 0.64;
+  for (std::size_t i = 0; i < s.grains.packings.size(); ++i) {
+    const scene::Packing& p = s.grains.packings[i];
+    double solid = 0;
+    for (const scene::GrainSize& size : scene::grain_sizes(s, i))
+      solid += static_cast<double>(size.count) * std::numbers::pi / 6 * std::pow(size.diameter, 3);
+    Vec3 box = p.upper - p.lower;
+    if (p.target_height > 0) box.z() = p.target_height;
+    constexpr double rounding = 1e-3;  // of drawn grains
+    if (solid > (random_close_packing + rounding) * box.prod())
+      list.push_back(fmt::format("a packing is to fill {:.3f} of its space: more than random packings do (about {})",
+                                 solid / box.prod(), random_close_packing));
+  }
+}
+
+}  // namespace lahar::cases
