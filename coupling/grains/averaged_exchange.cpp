@@ -4,11 +4,11 @@
 #include <numbers>
 
 #include "coupling/grains/bed_drag.h"
+#include "coupling/grains/block_nodes.h"
 #include "coupling/grains/sphere_rows.h"
 #include "coupling/solid_fields.h"
 #include "coupling/transfer_vectors.h"
 #include "coupling/yield_drag.h"
-#include "lbm/step/row_moments.h"
 
 namespace lahar::coupling {
 
@@ -20,106 +20,6 @@ namespace {
 
 /// Spheres do not pack denser; a thin sheet of water around grains has no room for more.
 constexpr double kDensest = 0.74;
-
-/// Where the cells of a block stand between the nodes.
-template <class Real>
-struct BlockNodes {
-  Vec3i lowest, count;             ///< first node, and how many along each axis
-  int below[3][kBlockWidth];       ///< by cell, from `lowest` on
-  Real weight[3][2][kBlockWidth];  ///< of the node below and of the one above
-
-  BlockNodes(const AveragingGrid& grid, const Vec3i& lowest_cell) {
-    for (int a = 0; a < 3; ++a) {
-      for (int c = 0; c < kBlockWidth; ++c) {
-        const AveragingGrid::Between b = grid.between(a, lowest_cell[a] + c + 0.5);
-        if (c == 0) lowest[a] = b.below;
-        below[a][c] = b.below - lowest[a];
-        weight[a][0][c] = static_cast<Real>(1 - b.above_weight), weight[a][1][c] = static_cast<Real>(b.above_weight);
-      }
-      count[a] = below[a][kBlockWidth - 1] + 2;
-    }
-  }
-  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(count.prod()); }
-  [[nodiscard]] std::size_t at(int x, int y, int z) const {
-    return static_cast<std::size_t>((x * count.y() + y) * count.z() + z);
-  }
-  /// visit(x, y, z) from `lowest` on.
-  template <class Visit>
-  void for_nodes(const Visit& visit) const {
-    for (int x = 0; x < count.x(); ++x)
-      for (int y = 0; y < count.y(); ++y)
-        for (int z = 0; z < count.z(); ++z) visit(x, y, z);
-  }
-  /// visit(y node, z node, weight) for the rows of nodes around a row of cells.
-  template <class Visit>
-  void around_row(int y, int z, const Visit& visit) const {
-    for (int j = 0; j < 2; ++j)
-      for (int k = 0; k < 2; ++k) visit(below[1][y] + j, below[2][z] + k, weight[1][j][y] * weight[2][k][z]);
-  }
-};
-
-/// Water and its momentum around nodes.
-struct WaterSum {
-  double sum[4] = {};  ///< volume, momentum along x, y, z
-};
-
-template <class Real>
-std::vector<WaterSum> sum_water(const lbm::FluidGrid<Real>& grid, BlockIndex b, lbm::Parity parity,
-                                const BlockNodes<Real>& nodes) {
-  const lbm::Block<Real>& block = grid.block(b);
-  lbm::BlockMoments<Real> moments;
-  lbm::find_moments(grid, b, parity, moments);
-  std::vector<std::array<Row<Real>, 4>> rows(static_cast<std::size_t>(nodes.count.y() * nodes.count.z()),
-                                             {Row<Real>(0), Row<Real>(0), Row<Real>(0), Row<Real>(0)});
-  for (std::uint64_t left = block.wet_rows; left != 0; left &= left - 1) {
-    const int row = std::countr_zero(left), n = kBlockWidth * row;
-    const Row<Real> water = water_in(block, row);
-    Row<Real> carried[4] = {water, water, water, water};
-    for (int a = 0; a < 3; ++a)
-      carried[a + 1] = select(water > Row<Real>(0), water * load_aligned<Row<Real>>(moments.u[a] + n), Row<Real>(0));
-    nodes.around_row(row & 7, row >> 3, [&](int j, int k, Real weight) {
-      auto& sums = rows[static_cast<std::size_t>(j * nodes.count.z() + k)];
-      for (std::size_t q = 0; q < 4; ++q) sums[q] += weight * carried[q];
-    });
-  }
-  std::vector<WaterSum> sums(nodes.size());
-  for (int j = 0; j < nodes.count.y(); ++j)
-    for (int k = 0; k < nodes.count.z(); ++k)
-      for (std::size_t q = 0; q < 4; ++q)
-        for (int c = 0; c < kBlockWidth; ++c) {
-          const double x = rows[static_cast<std::size_t>(j * nodes.count.z() + k)][q][static_cast<std::size_t>(c)];
-          for (int i = 0; i < 2; ++i)
-            sums[nodes.at(nodes.below[0][c] + i, j, k)].sum[q] += static_cast<double>(nodes.weight[0][i][c]) * x;
-        }
-  return sums;
-}
-
-/// Adds to the cells of a block what the nodes around accelerate them by, lu, full or not; returns the momentum that
-/// their water gets.
-template <class Real>
-Vec3 add_impulses(lbm::Block<Real>& block, const BlockNodes<Real>& nodes, const std::vector<Vec3>& acceleration) {
-  Real* const field[3] = {block.impulse->x, block.impulse->y, block.impulse->z};
-  Vec3 given = Vec3::Zero();
-  std::vector<Vec3> along(static_cast<std::size_t>(nodes.count.x()));
-  for (std::uint64_t left = block.wet_rows; left != 0; left &= left - 1) {
-    const int row = std::countr_zero(left), n = kBlockWidth * row;
-    std::fill(along.begin(), along.end(), Vec3(Vec3::Zero()));
-    nodes.around_row(row & 7, row >> 3, [&](int j, int k, Real weight) {
-      for (int i = 0; i < nodes.count.x(); ++i)
-        along[static_cast<std::size_t>(i)] += static_cast<double>(weight) * acceleration[nodes.at(i, j, k)];
-    });
-    const Row<Real> water = water_in(block, row);
-    for (int a = 0; a < 3; ++a)
-      for (int c = 0; c < kBlockWidth; ++c) {
-        const auto below = static_cast<std::size_t>(nodes.below[0][c]);
-        const Real more = nodes.weight[0][0][c] * static_cast<Real>(along[below][a]) +
-                          nodes.weight[0][1][c] * static_cast<Real>(along[below + 1][a]);
-        field[a][n + c] += more;
-        given[a] += static_cast<double>(static_cast<Real>(water[static_cast<std::size_t>(c)]) * more);
-      }
-  }
-  return given;
-}
 
 double sphere_volume(double radius) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
 
