@@ -61,6 +61,14 @@ cases::ChartColour colour_of(const std::string& sweep, const std::string& preset
   return coupling != "averaged" ? green : matched ? amber : sky;
 }
 
+/// The paper's points are circles.
+cases::PointShape shape_of(const std::string& preset, const std::string& coupling) {
+  using enum cases::PointShape;
+  if (preset != presets().front().name) return triangle_down;
+  if (coupling == "resolved") return square;
+  return coupling == "averaged" ? triangle : diamond;
+}
+
 /// Broken where grains are averaged, otherwise broken where the packing is another.
 cases::Dash dash_of(const std::string& coupling, int seed) {
   using enum cases::Dash;
@@ -77,7 +85,10 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
   chart.x = {.label = "Froude number of the paper's flow"};
   chart.y = {.label = q.name, .unit = q.unit == "1" ? "" : q.unit};
   chart.width = 480, chart.height = 300;
-  ChartSeries theirs{.name = "Li et al. 2020", .mark = Mark::line_and_points, .colour = ChartColour::black};
+  ChartSeries theirs{.name = "Li et al. 2020",
+                     .mark = Mark::line_and_points,
+                     .colour = ChartColour::black,
+                     .shape = PointShape::circle};
   for (const Flow& f : published_flows())
     if (const auto value = q.theirs(f.release)) theirs.x.push_back(f.froude), theirs.y.push_back(*value);
   if (theirs.x.size() < 3) theirs.mark = Mark::points;  // ends of a range: what lies between is not known
@@ -93,7 +104,8 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
     ChartSeries ours{.name = curve.label(),
                      .mark = Mark::line_and_points,
                      .dash = dash_of(curve.coupling, curve.seed),
-                     .colour = colour_of(curve.sweep, curve.preset, curve.coupling)};
+                     .colour = colour_of(curve.sweep, curve.preset, curve.coupling),
+                     .shape = shape_of(curve.preset, curve.coupling)};
     for (const auto& [x, y] : points) ours.x.push_back(x), ours.y.push_back(y);
     if (points.size() < 4) ours.mark = Mark::points;  // what lies between is not known
     chart.series.push_back(ours);

@@ -15,6 +15,9 @@ enum class Dash { solid, dashed, dotted, dash_dot };
 /// Told apart with the common forms of colour blindness (after Okabe & Ito 2008, darkened for thin lines).
 enum class ChartColour { blue, vermilion, green, purple, amber, sky, black };
 
+/// Of points.
+enum class PointShape { circle, square, triangle, diamond, triangle_down };
+
 /// One curve or set of points. Texts are as in text_markup. What an axis cannot show leaves a gap.
 struct ChartSeries {
   std::string name{};  ///< in the legend; may be empty
@@ -22,6 +25,7 @@ struct ChartSeries {
   Mark mark = Mark::line;
   Dash dash = Dash::solid;
   std::optional<ChartColour> colour{};  ///< otherwise by its number in the chart
+  std::optional<PointShape> shape{};    ///< the same
   std::vector<double> error{};          ///< half the length of the error bars along y; may be empty
   std::vector<double> upper{};          ///< of a band, which goes from y up to here
 };

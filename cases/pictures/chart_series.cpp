@@ -9,6 +9,7 @@ namespace lahar::cases {
 namespace {
 
 constexpr std::array<std::uint32_t, 7> kColours{0x1f5fa8, 0xd1491b, 0x1d8a68, 0x8e4a9e, 0xd99a17, 0x4fa6d8, 0x222222};
+constexpr int kShapes = 5;
 constexpr float kLineWidth = 1.3F, kThinLine = 0.9F, kRadius = 2.8F, kCap = 2;
 constexpr float kBandOpacity = 0.22F;
 constexpr float kColumn = 0.15F;  // points: half a pixel of the picture
@@ -24,17 +25,17 @@ bool has_line(const ChartSeries& s) { return s.mark == Mark::line || s.mark == M
 bool has_points(const ChartSeries& s) { return s.mark == Mark::points || s.mark == Mark::line_and_points; }
 
 // Corners relative to the middle; all shapes cover about the same area.
-std::vector<Point> corners_of(int shape) {
+std::vector<Point> corners_of(PointShape shape) {
   const float s = 0.89F * kRadius, t = 1.35F * kRadius, d = 1.25F * kRadius;
-  if (shape == 1) return {{-s, -s}, {s, -s}, {s, s}, {-s, s}};
-  if (shape == 3) return {{-d, 0}, {0, -d}, {d, 0}, {0, d}};
-  const float up = shape == 2 ? -1.0F : 1.0F;
+  if (shape == PointShape::square) return {{-s, -s}, {s, -s}, {s, s}, {-s, s}};
+  if (shape == PointShape::diamond) return {{-d, 0}, {0, -d}, {d, 0}, {0, d}};
+  const float up = shape == PointShape::triangle ? -1.0F : 1.0F;
   return {{0, up * t}, {0.87F * t, -0.5F * up * t}, {-0.87F * t, -0.5F * up * t}};
 }
 
 void draw_point(Canvas& canvas, const Point& at, const SeriesLook& look) {
   const Pen rim{.colour = look.pen.colour, .width = kThinLine};
-  if (look.shape == 0) return canvas.disc(at, kRadius, Colour::Ones(), rim);
+  if (look.shape == PointShape::circle) return canvas.disc(at, kRadius, Colour::Ones(), rim);
   std::vector<Point> corners = corners_of(look.shape);
   for (Point& c : corners) c += at;
   canvas.area(corners, Colour::Ones(), 1, rim);
@@ -73,12 +74,13 @@ void draw_band(Canvas& canvas, const ChartSeries& s, const SeriesLook& look, con
 
 std::vector<SeriesLook> looks_of(std::span<const ChartSeries> series) {
   std::vector<SeriesLook> looks;
-  int shape = 0;
+  int next = 0;
   for (std::size_t n = 0; n < series.size(); ++n) {
     const ChartSeries& s = series[n];
     const std::size_t colour = s.colour ? static_cast<std::size_t>(*s.colour) : n % (kColours.size() - 1);
-    looks.push_back({{.colour = from_hex(kColours[colour]), .width = kLineWidth, .dashes = dashes_of(s.dash)}, shape});
-    if (has_points(s)) shape = (shape + 1) % 5;
+    looks.push_back({{.colour = from_hex(kColours[colour]), .width = kLineWidth, .dashes = dashes_of(s.dash)},
+                     s.shape.value_or(static_cast<PointShape>(next))});
+    if (has_points(s)) next = (next + 1) % kShapes;
   }
   return looks;
 }

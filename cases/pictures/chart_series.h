@@ -9,7 +9,7 @@ namespace lahar::cases {
 /// What distinguishes the series of a chart from each other.
 struct SeriesLook {
   Pen pen;
-  int shape = 0;  ///< of its points: circle, square, triangle, diamond, triangle down
+  PointShape shape = PointShape::circle;
 };
 [[nodiscard]] std::vector<SeriesLook> looks_of(std::span<const ChartSeries> series);
 

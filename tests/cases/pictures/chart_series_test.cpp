@@ -26,6 +26,15 @@ TEST(ChartSeries, LooksDiffer) {
   EXPECT_NE(looks[1].shape, looks[3].shape);
 }
 
+/// A case keeps its look from chart to chart, whatever else is shown.
+TEST(ChartSeries, APointShapeMayBeChosen) {
+  const ChartSeries chosen{.mark = Mark::points, .colour = ChartColour::green, .shape = PointShape::diamond};
+  const auto alone = looks_of(std::vector<ChartSeries>{chosen});
+  const auto last = looks_of(std::vector<ChartSeries>{{.mark = Mark::points}, {.mark = Mark::points}, chosen});
+  EXPECT_EQ(alone[0].shape, PointShape::diamond);
+  EXPECT_EQ(last[2].shape, PointShape::diamond);
+}
+
 TEST(ChartSeries, ThinningKeepsEndsAndExtremes) {
   std::vector<Point> noise;
   for (int n = 0; n < 1000; ++n) noise.emplace_back(0.001F * static_cast<float>(n), std::sin(static_cast<float>(n)));
