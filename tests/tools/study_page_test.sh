@@ -40,6 +40,16 @@ capture "$page"
 expect_contains "$output" "## matched, momentum of the water: resolved; Ergun's; Di Felice's"
 expect_contains "$output" '| `water_momentum` | kNs | 2.25; 2.24; - |'
 
+plant docs/results/study/matched-L4.10-coarse-averaged_ergun-seed1.json '{"summary": {"wall_seconds": 600, "threads": 1,
+"commit": "def", "checks": []}}'
+printf '%s\n' 'net_impulse_grains,kNs,matched-L4.10-coarse-resolved-seed1,,20,,' \
+  'net_impulse_grains,kNs,matched-L4.10-coarse-averaged-seed1,,19,,' \
+  'net_impulse_grains,kNs,matched-L4.10-coarse-averaged_ergun-seed1,,18,,' >>"$scratch/tree/docs/results/study/comparison.csv"
+sed -i 's/averaged-seed1,,,,/averaged-seed1,,0.24,,/' "$scratch/tree/docs/results/study/comparison.csv"
+capture "$page"
+expect_contains "$output" "what averaging over 0.15 m changes: Ergun's; Di Felice's"
+expect_contains "$output" '| `net_impulse_grains` | (-10.0); -5.0 |'
+
 plant docs/results/study/trends.csv 'trend,sweep,coupling,preset,flows,measure,agrees
 eta rises (4.4),matched,resolved,coarse,3,1.00,yes
 eta rises (4.4),matched,averaged,coarse,4,-0.33,no
