@@ -57,7 +57,7 @@ void CoupledStep<Real>::choose_wires() {
 
 template <class Real>
 std::size_t CoupledStep<Real>::wet_beads() const {
-  std::size_t sum = thin_wires_ ? thin_wires_->wet_beads() : 0;
+  std::size_t sum = (thin_wires_ ? thin_wires_->wet_beads() : 0) + (grains_ ? grains_->wet_beads() : 0);
   if (!mapped_wires_) return sum;
   for (const dem::ParticleId id : mapped_wires_->wires().beads())
     sum += mapped_wires_->wet_volume_of(id) > 0 && !(thin_wires_ && thin_wires_->acts_on(id));
@@ -83,9 +83,8 @@ Vec3 CoupledStep<Real>::liquid_momentum() const {
 template <class Real>
 Vec3 CoupledStep<Real>::liquid_velocity(const lbm::WetCell& cell) const {
   if (!grains_) return cell.velocity;
-  const auto& units = fluid_->units();
-  const Vec3 place = (cell.centre - fluid_->grid().domain().origin()) / units.cell_size;
-  return units.velocity_to_si(1.0) * grains_->liquid_velocity(place, cell.velocity * units.velocity_to_lu(1.0));
+  const Vec3 place = (cell.centre - fluid_->grid().domain().origin()) / fluid_->units().cell_size;
+  return grains_->liquid_velocity_si(place, cell.velocity);
 }
 
 template <class Real>

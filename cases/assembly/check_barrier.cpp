@@ -112,7 +112,8 @@ void check_grains_beside_barrier(const Scene& scene, const dem::Particles& beads
     std::int64_t inside = 0;
     for (dem::ParticleIndex b = 0; b < beads.size(); ++b) {
       const Vec3 x = beads.position[b];
-      inside += (x.array() > packing.lower.array()).all() && (x.array() < upper.array()).all();
+      const double reach = (1 - kLargestOverlap) * beads.radius[b];
+      inside += (x.array() > packing.lower.array() - reach).all() && (x.array() < upper.array() + reach).all();
     }
     const std::string path = fmt::format("grains.packing[{}]", i);
     if (inside > 0)

@@ -93,8 +93,8 @@ void check_room(const Scene& scene, const Packing& packing, double smallest, con
     findings.mistake(high_key, fmt::format("{} reaches up to {:g} m, expected at most the smallest extent of the box, "
                                            "{:g}",
                                            high_key, largest, room));
-  const bool coupled = scene.coupling.enabled && scene.fluid.enabled;
-  if (coupled && smallest < scene.fluid.cell_size && findings.sound({low_key, "fluid", "coupling"}))
+  const bool resolved = scene.coupling.enabled && scene.fluid.enabled && scene.coupling.grains == GrainFluid::resolved;
+  if (resolved && smallest < scene.fluid.cell_size && findings.sound({low_key, "fluid", "coupling"}))
     findings.mistake(low_key,
                      fmt::format("{} goes down to {:g} m, expected at least a cell of the fluid, {:g}: smaller "
                                  "grains do not feel the water",

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "cases/assembly/geometry.h"
+#include "cases/assembly/grain_extent.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/net_spec.h"
 #include "core/capillary.h"
@@ -49,6 +50,17 @@ double drop_speed(const scene::Scene& scene) {
     fastest = std::max(fastest, std::hypot(inflow_speed(i), std::sqrt(2 * fall)));
   }
   return fastest;
+}
+
+double grain_drop_speed(const scene::Scene& scene) {
+  const Vec3 up = -scene.gravity.vector();
+  const double lowest = -highest(scene.domain.lower, scene.domain.upper, -up);
+  double fastest = 0;  // m^2/s^2
+  for (const scene::Packing& p : scene.grains.packings)
+    fastest = std::max(fastest, 2 * (highest(p.lower, scene::upper_of_content(p), up) - lowest));
+  for (const scene::GrainSphere& s : scene.grains.spheres)
+    if (!s.fixed) fastest = std::max(fastest, s.velocity.squaredNorm() + 2 * (s.position.dot(up) - lowest));
+  return std::sqrt(std::max(0.0, fastest));
 }
 
 double expected_max_speed(const scene::Scene& scene) {

@@ -14,6 +14,8 @@ double inflow_speed(const scene::Inflow& inflow);
 /// m/s: what liquid reaches that falls without loss from the highest point of its regions and inflows to the lowest of
 /// the domain, sqrt(v0^2 + 2 g h); never less than the speed of a wall.
 double drop_speed(const scene::Scene& scene);
+/// m/s, of the fastest grain that falls without loss to the lowest of the domain; 0 without grains.
+double grain_drop_speed(const scene::Scene& scene);
 
 /// m/s: fluid.max_speed_m_s, or the drop_speed where it is 0.
 double expected_max_speed(const scene::Scene& scene);

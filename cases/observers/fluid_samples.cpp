@@ -6,18 +6,18 @@
 namespace lahar::cases {
 
 double depth_over(const FluidView& fluid, const Vec3& point, double top) {
+  const lbm::Domain& domain = fluid.domain();
   const double dx = fluid.units().cell_size;
-  constexpr int longest_gap = 1;  // cells: a bubble
+  constexpr int longest_gap = 1;     // cells: a bubble
+  constexpr double rounding = 1e-6;  // of a cell: a point on a face is at the foot of the cell above
+  Vec3i cell = domain.cell_at(point);
+  cell.z() = static_cast<int>(std::floor((point.z() - domain.origin().z()) / dx + 0.5 + rounding));
+  const auto below_top = [&] { return domain.centre(cell).z() < top; };
+  while (below_top() && domain.classify(cell) == lbm::CellType::wall) ++cell.z();  // below the ground
   double depth = 0;
-  int gap = 0;
-  const auto in_a_wall = [&](double z) {
-    return fluid.domain().classify(fluid.domain().cell_at({point.x(), point.y(), z})) == lbm::CellType::wall;
-  };
-  double from = point.z() + dx / 2;
-  while (from < top && in_a_wall(from)) from += dx;  // below the ground
-  for (double z = from; z < top && gap <= longest_gap; z += dx)
-    if (const auto cell = fluid.cell_at({point.x(), point.y(), z})) {
-      depth += cell->fill_level * dx;
+  for (int gap = 0; below_top() && gap <= longest_gap; ++cell.z())
+    if (const auto found = fluid.cell_at(domain.centre(cell))) {
+      depth += found->fill_level * dx;
       gap = 0;
     } else {
       ++gap;

@@ -20,7 +20,39 @@ Grains::Grains(const Observed& run) : Observer(run), way_(run.simulation.solids(
   }
 }
 
+namespace {
+
+/// J: what a grain has of translation and rotation.
+double kinetic_energy(const dem::Particles& p, std::size_t i) {
+  return 0.5 * p.mass[i] * p.velocity[i].squaredNorm() + 0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm();
+}
+
+}  // namespace
+
+bool has_left(const scene::Domain& domain, const dem::Particles& p, std::size_t i) {
+  const Vec3 x = p.position[i];
+  const double r = p.radius[i];
+  return (x.array() < domain.lower.array() - r).any() || x.x() > domain.upper.x() + r || x.y() > domain.upper.y() + r;
+}
+
+void Grains::note_passages() {
+  const auto& p = run_.simulation.solids()->particles();
+  const double g = run_.scene.gravity.magnitude;
+  for (dem::ParticleId id = 0; id < p.size(); ++id) {
+    if (way_[id] != Way::upstream) continue;
+    const dem::ParticleIndex i = p.index(id);
+    if (!is_loose_grain(p, i)) continue;
+    const bool gone = p.state[i] == dem::ParticleState::removed || has_left(run_.scene.domain, p, i);
+    if (!gone && !(run_.section && p.position.x[i] > *run_.section + run_.scene.measure.outflow_distance)) continue;
+    way_[id] = has_begun_ ? Way::passed : Way::beyond_at_start;
+    if (!has_begun_) continue;
+    const double move = kinetic_energy(p, i);
+    energy_out_ += move + p.mass[i] * g * run_.height(p.position[i]), kinetic_out_ += move;
+  }
+}
+
 void Grains::sample(double) {
+  note_passages();
   const auto& p = run_.simulation.solids()->particles();
   const double g = run_.scene.gravity.magnitude;
   kinetic_ = potential_ = passed_ = 0;
@@ -28,18 +60,9 @@ void Grains::sample(double) {
   for (dem::ParticleId id = 0; id < p.size(); ++id) {
     const dem::ParticleIndex i = p.index(id);
     if (!is_loose_grain(p, i)) continue;
-    const double move =
-        0.5 * p.mass[i] * p.velocity[i].squaredNorm() + 0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm();
-    const double fall = p.mass[i] * g * run_.height(p.position[i]);
-    const bool gone = p.state[i] == dem::ParticleState::removed;
-    if (!gone) {
-      kinetic_ += move, potential_ += fall;
+    if (p.state[i] != dem::ParticleState::removed) {
+      kinetic_ += kinetic_energy(p, i), potential_ += p.mass[i] * g * run_.height(p.position[i]);
       front_ = std::max(front_, p.position.x[i] + p.radius[i]);
-    }
-    const bool beyond = gone || (run_.section && p.position.x[i] > *run_.section + run_.scene.measure.outflow_distance);
-    if (beyond && way_[id] == Way::upstream) {
-      way_[id] = has_begun_ ? Way::passed : Way::beyond_at_start;
-      if (has_begun_) energy_out_ += move + fall, kinetic_out_ += move;
     }
     if (way_[id] == Way::passed) passed_ += p.mass[i];
   }

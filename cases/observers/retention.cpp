@@ -1,6 +1,7 @@
 #include "cases/observers/retention.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "cases/observers/grains.h"
 
@@ -23,9 +24,21 @@ Retention::Retention(const Observed& run) : Observer(run) {
   }).unknown_at_times();
 }
 
+namespace {
+
+/// By id: whether a bond of a particle is broken.
+std::vector<bool> at_torn_bonds(const dem::Particles& p, const dem::Bonds& bonds) {
+  std::vector<bool> torn(p.size(), false);
+  for (std::size_t b = 0; b < bonds.size(); ++b)
+    if (!bonds.intact[b]) torn[p.id(bonds.i[b])] = torn[p.id(bonds.j[b])] = true;
+  return torn;
+}
+
+}  // namespace
+
 /// How far down a grain may be and still count as held: the net's section, or the foremost bead of the net where it has
-/// bulged beyond it. Posts and what else hangs on them hold no grain, nor do wires that are torn, which may fly off,
-/// and what has left the domain.
+/// bulged beyond it. Posts and what else hangs on them hold no grain, nor do wires and nodes of
+/// meshes that are torn, which may fly off, and what has left the domain.
 double Retention::limit() const {
   double limit = *run_.section;
   const barrier::Net* net = run_.simulation.net();
@@ -46,7 +59,10 @@ double Retention::limit() const {
       if (std::all_of(first, first + static_cast<std::ptrdiff_t>(wire.bonds), [](auto intact) { return intact != 0; }))
         reach(wire.first_bead, wire.beads);
     }
-  for (const barrier::MeshPart& mesh : net->meshes) reach(mesh.first_node, mesh.nodes);
+  const std::vector<bool> torn = at_torn_bonds(p, bonds);
+  for (const barrier::MeshPart& mesh : net->meshes)
+    for (dem::ParticleId node = mesh.first_node; node < mesh.first_node + mesh.nodes; ++node)
+      if (!torn[node]) reach(node, 1);
   return limit;
 }
 

@@ -214,28 +214,38 @@ void Sections::sample_liquid(Counter& counter, double interval) {
   counter.now = now;
 }
 
-/// A grain passes where the straight way of its centre between two rows crosses the rectangle.
-void Sections::sample_grains(Counter& counter, double interval) {
+void Sections::after_step() {
+  if (!run_.simulation.solids()) return;
+  for (Counter& counter : counters_) follow_grains(counter);
+}
+
+/// A grain passes where the straight way of its centre crosses the rectangle.
+void Sections::follow_grains(Counter& counter) {
   const auto& p = run_.simulation.solids()->particles();
   const SectionFrame& f = counter.frame;
-  double mass = 0, energy = 0;
   for (dem::ParticleId id = 0; id < p.size(); ++id) {
     const dem::ParticleIndex i = p.index(id);
+    if (p.kind[i] != dem::ParticleKind::grain) continue;
     const Vec3 place = p.position[i], former = counter.places[id];
     counter.places[id] = place;
     const double before = (former - f.centre).dot(f.normal), after = (place - f.centre).dot(f.normal);
-    if (p.kind[i] != dem::ParticleKind::grain || (before < 0) == (after < 0)) continue;
+    if ((before < 0) == (after < 0)) continue;
     if (!f.holds(former + before / (before - after) * (place - former))) continue;
     const double sign = after > before ? 1 : -1;
-    mass += sign * p.mass[i];
-    energy += sign * (0.5 * p.mass[i] * p.velocity[i].squaredNorm() +
-                      0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm() +
-                      p.mass[i] * run_.scene.gravity.magnitude * run_.height(place));
+    counter.mass_since += sign * p.mass[i];
+    counter.energy_since += sign * (0.5 * p.mass[i] * p.velocity[i].squaredNorm() +
+                                    0.5 * p.inertia[i] * p.angular_velocity[i].squaredNorm() +
+                                    p.mass[i] * run_.scene.gravity.magnitude * run_.height(place));
   }
-  counter.grain_area = grain_area(p, f);
+}
+
+void Sections::sample_grains(Counter& counter, double interval) {
+  follow_grains(counter);
+  counter.grain_area = grain_area(run_.simulation.solids()->particles(), counter.frame);
   const double rate = interval > 0 ? 1 / interval : 0.0;
-  counter.grain_rate = rate * mass, counter.grain_power = rate * energy;
-  counter.grain_mass += mass, counter.grain_energy += energy / 1000;
+  counter.grain_rate = rate * counter.mass_since, counter.grain_power = rate * counter.energy_since;
+  counter.grain_mass += counter.mass_since, counter.grain_energy += counter.energy_since / 1000;
+  counter.mass_since = counter.energy_since = 0;
 }
 
 void Sections::transfer(Archive& archive) {
@@ -244,6 +254,7 @@ void Sections::transfer(Archive& archive) {
     value("_volume_before", counter.now.volume), value("_energy_before", counter.now.energy);
     value("_volume", counter.volume), value("_liquid_energy", counter.liquid_energy);
     value("_grain_mass", counter.grain_mass), value("_grain_energy", counter.grain_energy);
+    value("_mass_since", counter.mass_since), value("_energy_since", counter.energy_since);
     archive.list(counter.name + "_places", counter.places);
   }
 }

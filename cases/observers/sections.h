@@ -42,6 +42,8 @@ class Sections final : public Observer {
   explicit Sections(const Observed& run);
   static bool applies(const Observed& run) { return !run.scene.sections.empty(); }
   [[nodiscard]] std::string_view name() const override { return "sections"; }
+  /// Follows the grains: what leaves the domain between two rows has passed on its way.
+  void after_step() override;
   void sample(double interval) override;
   /// What the next row is compared with, and what has passed.
   void transfer(Archive& archive) override;
@@ -53,13 +55,15 @@ class Sections final : public Observer {
     Flux now;                                 ///< of the liquid at the last row
     double grain_area = 0;                    ///< m^2, at the last row
     double grain_rate = 0, grain_power = 0;   ///< kg/s and W since the row before
-    std::vector<Vec3> places;                 ///< of the particles by id, at the last row
+    std::vector<Vec3> places;                 ///< of the particles by id, when they were last looked at
+    double mass_since = 0, energy_since = 0;  ///< kg and J of grains that passed since the row before
     double volume = 0, liquid_energy = 0;     ///< m^3 and kJ of liquid that passed
     double grain_mass = 0, grain_energy = 0;  ///< kg and kJ of grains that passed
   };
   void declare_liquid(std::size_t counter);
   void declare_grains(std::size_t counter);
   void sample_liquid(Counter& counter, double interval);
+  void follow_grains(Counter& counter);
   void sample_grains(Counter& counter, double interval);
 
   std::vector<Counter> counters_;

@@ -13,6 +13,7 @@
 #include "cases/assembly/simulation.h"
 #include "cases/files/output_file.h"
 #include "cases/observers/fluid_cells.h"
+#include "cases/observers/grains.h"
 #include "cases/observers/observer_list.h"
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/interrupt.h"
@@ -34,14 +35,7 @@ void remove_leavers(const scene::Scene& scene, dem::Solids* solids) {
   for (dem::ParticleId id = 0; id < p.size(); ++id) {
     const dem::ParticleIndex i = p.index(id);
     if (p.kind[i] != dem::ParticleKind::grain || p.state[i] != dem::ParticleState::free) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double x = p.position[i][axis];
-      const bool below = x<scene.domain.lower[axis] - p.radius[i], above = x> scene.domain.upper[axis] + p.radius[i];
-      if (below || (above && axis != 2)) {
-        solids->remove(i);
-        break;
-      }
-    }
+    if (has_left(scene.domain, p, i)) solids->remove(i);
   }
 }
 

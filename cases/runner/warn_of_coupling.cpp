@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "cases/assembly/estimates.h"
 #include "cases/runner/warnings_by_part.h"
 #include "coupling/coupling_options.h"
 
@@ -20,6 +21,17 @@ void add_divided_lengths(const scene::Scene& s, const Vec3& lengths, Warnings& l
                       asked, "xyz"[a], lengths[a]));
 }
 
+/// Resolved grains that fall faster than the time step was chosen for: liquid cannot follow them.
+void add_fast_grains(const scene::Scene& s, Warnings& list) {
+  constexpr double bearable = 0.3;  // cells a step; the liquid is held below 0.35, sound goes 0.58
+  const double fastest = grain_drop_speed(s), step = fluid_time_step(s);
+  if (const double paced = fastest * step / s.fluid.cell_size; paced > bearable)
+    list.push_back(fmt::format(
+        "grains that fall without loss to the lowest of the domain reach {:.3g} m/s, {:.2f} cells in a time "
+        "step, and the liquid is held below 0.35: fluid.max_speed_m_s of as much bears them",
+        fastest, paced));
+}
+
 }  // namespace
 
 void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
@@ -33,6 +45,7 @@ void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& l
         fmt::format("the lightest grain has {:.2g} of the liquid's density: those below {:g} that touch each "
                     "other or a wall may be thrown about",
                     *f.lightest_grain, light));
+  if (f.grains > 0 && s.coupling.grains == scene::GrainFluid::resolved) add_fast_grains(s, list);
   if (f.averaging_diameters && *f.averaging_diameters < 2)
     list.push_back(fmt::format(
         "coupling.averaging_length_m is {:.2g} diameters of the largest grain: averages swing with every grain below 2",

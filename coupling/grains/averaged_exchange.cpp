@@ -74,6 +74,9 @@ ExchangedMomentum AveragedExchange<Real>::give_impulses(lbm::Fluid<Real>& fluid,
     if (grain.shares.empty()) states_[grain.id].known = false;
     return grain.shares.empty();
   });
+  wet_beads_ = static_cast<std::size_t>(
+      std::count_if(grains_.begin(), grains_.end(), [](const WetGrain& grain) { return !grain.in_cells; }));
+  velocity_unit_ = fluid.units().velocity_to_si(1.0);
   choose_nodes(fluid);
   average_fluid(fluid);
   average_grains(fluid, particles);
@@ -374,6 +377,8 @@ template <class Real>
 void AveragedExchange<Real>::transfer(Archive& archive) {
   std::size_t particles = states_.size();
   archive.value("particles", particles);
+  archive.value("velocity_unit", velocity_unit_);
+  archive.value("wet_beads", wet_beads_);
   states_.resize(particles);
   constexpr std::size_t of_slip = DraggedSlip::kNumbers;
   archive.pieces<double>("grain", particles, 13 + of_slip, [&](std::size_t k, double* stored) {

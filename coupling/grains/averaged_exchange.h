@@ -44,6 +44,8 @@ class AveragedExchange final : public GrainExchange<Real> {
                                   const DisplacedVolume<Real>& displaced, dem::Particles& particles,
                                   SolidFields<Real>& fields) override;
   [[nodiscard]] Vec3 liquid_velocity(const Vec3& place, const Vec3& sampled) const override;
+  [[nodiscard]] double velocity_unit() const override { return velocity_unit_; }
+  [[nodiscard]] std::size_t wet_beads() const override { return wet_beads_; }
   void gather_block(const lbm::Fluid<Real>& /*fluid*/, const GrainMap<Real>& /*map*/, std::size_t /*block*/) override {}
   Vec3 finish(const lbm::Fluid<Real>& /*fluid*/, const GrainMap<Real>& /*map*/, std::size_t /*grain*/,
               double /*wet_volume*/, dem::Particles& /*particles*/) override {
@@ -107,8 +109,10 @@ class AveragedExchange final : public GrainExchange<Real> {
 
   AveragedGrains options_;
   AveragingGrid nodes_at_;
-  double half_way_;   // cells, from a grain to where the liquid ahead and behind is asked for
-  double smoothing_;  // steps over which accelerations are smoothed
+  double half_way_;            // cells, from a grain to where the liquid ahead and behind is asked for
+  double smoothing_;           // steps over which accelerations are smoothed
+  double velocity_unit_ = 0;   // m/s, of the nodes' velocities
+  std::size_t wet_beads_ = 0;  // at the last step
   std::vector<Node> nodes_;
   std::vector<WetGrain> grains_;         // of the step under way
   std::vector<lbm::BlockIndex> blocks_;  // wet, with used nodes around

@@ -33,6 +33,13 @@ class GrainCoupling {
     return exchange_->liquid_velocity(place, sampled);
   }
 
+  /// The same in m/s, between steps.
+  [[nodiscard]] Vec3 liquid_velocity_si(const Vec3& place, const Vec3& sampled) const {
+    const double unit = exchange_->velocity_unit();
+    return unit > 0 ? Vec3(unit * exchange_->liquid_velocity(place, sampled / unit)) : sampled;
+  }
+  [[nodiscard]] std::size_t wet_beads() const { return exchange_->wet_beads(); }
+
   /// After the fluid step: adds force and torque (SI) of the fluid on each grain. Returns the momentum that they got
   /// from the cells' momentum exchange, lu, for the audit.
   Vec3 add_forces(const lbm::Fluid<Real>& fluid, dem::Particles& particles);

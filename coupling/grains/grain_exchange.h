@@ -62,6 +62,12 @@ class GrainExchange {
   /// give_impulses; `sampled`: of the cells there, which may be that of liquid and grains together.
   [[nodiscard]] virtual Vec3 liquid_velocity(const Vec3& /*place*/, const Vec3& sampled) const { return sampled; }
 
+  /// m/s of a lattice unit when liquid_velocity last got to know the grains' velocities; 0 where it knows none. The
+  /// fluid may have changed its step since.
+  [[nodiscard]] virtual double velocity_unit() const { return 0; }
+  /// Beads of wires in the liquid that feel the law of grains.
+  [[nodiscard]] virtual std::size_t wet_beads() const { return 0; }
+
   /// Notes what the cells of a block, which may be gone, did to each of its grains. In parallel over blocks.
   virtual void gather_block(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) = 0;
 

@@ -74,6 +74,7 @@ void expect_same_after_restart(const GrainExchangeChoice& exchange = ResolvedGra
   load_state(state, *resumed);
   EXPECT_TRUE(differing_lists(state, state_of(*resumed)).empty()) << "what was loaded is not what was stored";
   EXPECT_EQ(whole->liquid_momentum(), resumed->liquid_momentum());
+  EXPECT_EQ(whole->wet_beads(), resumed->wet_beads());
   for (int n = 0; n < 151; ++n) whole->advance(), resumed->advance();
   const auto differing = differing_lists(state_of(*whole), state_of(*resumed));
   EXPECT_TRUE(differing.empty()) << testing::PrintToString(differing);

@@ -1,4 +1,5 @@
 // Cross checks of grains, barrier and of what refers to them (check_grains.cpp, check_barrier.cpp, check_uses.cpp).
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "tests/cases/assembly/rejections.h"
@@ -165,6 +166,18 @@ TEST(CheckSolids, ABoxMayReachOverTheNetWhereItsGrainsDoNot) {
   std::vector<std::string> low = high;
   low.push_back("barrier.net.origin_m=[0.5, 0, 0.6]");
   EXPECT_TRUE(mistakes_in(case_file("debris_flow/scene.toml"), low).empty());
+}
+
+/// Beads have a radius: a packing that ends a millimetre before their centres is in the wires.
+TEST(CheckSolids, APackingMayNotTouchTheNet) {
+  const auto ends_at = [](const char* x) {
+    return mistakes_in(case_file("debris_flow/scene.toml"), {fmt::format("grains.packing[0].upper_m=[{}, 1.8, 1.5]", x),
+                                                             "barrier.net.origin_m=[0.8, 0, 0]"});
+  };
+  EXPECT_EQ(ends_at("0.75").size(), 0U);
+  const auto inside = ends_at("0.796");
+  ASSERT_EQ(inside.size(), 1U);
+  EXPECT_NE(inside.front().find("beads of the barrier"), std::string::npos) << inside.front();
 }
 
 TEST(CheckSolids, TheSectionIsTheNetsPlaneUnlessGiven) {

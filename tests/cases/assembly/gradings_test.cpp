@@ -149,5 +149,13 @@ INSTANTIATE_TEST_SUITE_P(
                "mass_kg=0.01",
                ": the distribution holds", "of a grain")));
 
+/// Cells may be as coarse as the averages are long: grains below a cell feel the water by a drag law.
+TEST(Gradings, AveragedGrainsMayBeSmallerThanCells) {
+  const std::string fluid =
+      "fluid={enabled=true, cell_size_m=0.01, max_speed_m_s=2.0, region=[{shape='box', lower_m=[0.5, 0, 0], "
+      "upper_m=[0.9, 0.2, 0.1]}]}";
+  EXPECT_NO_THROW(load(kScene, {fluid, "coupling={enabled=true, grains='averaged', averaging_length_m=0.1}"}));
+}
+
 }  // namespace
 }  // namespace lahar::scene

@@ -47,6 +47,19 @@ TEST(FluidSamples, DepthWithoutDrops) {
   EXPECT_GT(depth_over(*view, Vec3(0.165, 0.085, 0.10), 0.4), 0.03);
 }
 
+/// Points level with the centres of cells lie between two samples that are faces: each cell counts once all the same.
+TEST(FluidSamples, DepthOverPointsAmidCells) {
+  constexpr double dx = 0.025;
+  const scene::Scene scene =
+      scene::load_text(tank_of_water, {"domain.lower_m=[0, 0, -0.05]", "domain.upper_m=[0.325, 0.175, 0.4]",
+                                       "fluid.cell_size_m=0.025", "fluid.region[0].lower_m=[0, 0, -0.05]"});
+  lbm::Fluid<double> fluid(fluid_options(scene));
+  const auto view = view_of(fluid);
+  fluid.fill(liquid_regions(scene));
+  const auto depth = [&](int k) { return depth_over(*view, Vec3(0.06, 0.06, -0.05 + (k + 0.5) * dx), 0.4); };
+  for (int k = 0; k < 12; ++k) EXPECT_NEAR(depth(k) - depth(k + 1), dx, 1e-9) << k;
+}
+
 /// Pressure is linear in the depth: its mean over a disc in a side wall is that of its centre, but where part of it is
 /// in the air. On the floor every place has the same.
 TEST(FluidSamples, PressureOnADisc) {

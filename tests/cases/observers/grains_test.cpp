@@ -50,6 +50,31 @@ TEST(Grains, WhatIsBeyondAtTheStartHasNotPassed) {
   EXPECT_NEAR(passed[2], mass(0.1), 1e-9);
 }
 
+/// A ball that leaves the domain between two rows, through the open end or a side, is taken out of the scene there and
+/// stands still from then on: it has taken along what it had.
+TEST(Grains, WhatLeavesBetweenRowsHasPassedWithItsSpeed) {
+  for (const Vec3& place : {Vec3(1.06, 0.5, 0.5), Vec3(0.3, -0.06, 0.5), Vec3(0.3, 0.5, -0.06)}) {
+    Sampled run(scene::load_text(two_balls));
+    run.take_row();
+    dem::Particles& p = run.solids().particles();
+    p.position.set(0, place);
+    ASSERT_TRUE(has_left(run.scene.domain, p, 0));
+    run.observers.after_step();
+    run.solids().remove(0);
+    run.take_row();
+    const double kinetic = 0.5 * mass(0.1) * 4;
+    EXPECT_NEAR(run.observers.find<Grains>()->energy_out(), kinetic + mass(0.1) * 9.81 * place.z(), 1e-9);
+    EXPECT_NEAR(1000 * run.metrics().at("e_out_grains_kinetic_kJ"), kinetic, 1e-9);
+  }
+}
+
+TEST(Grains, WhatFliesUpHasNotLeft) {
+  Sampled run(scene::load_text(two_balls));
+  dem::Particles& p = run.solids().particles();
+  p.position.set(0, Vec3(0.3, 0.5, 7));
+  EXPECT_FALSE(has_left(run.scene.domain, p, 0));
+}
+
 /// The small ball as an obstacle behind the section: no quantity of the grains tells of it.
 TEST(Grains, FixedOnesAreObstacles) {
   Sampled run(scene::load_text(two_balls, {"grains.sphere[1].fixed=true"}));

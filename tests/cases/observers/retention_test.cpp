@@ -76,6 +76,30 @@ TEST(Retention, ABulgedNetHoldsWhatItCarries) {
   EXPECT_NEAR(observers.metrics().at("retained_mass_ratio"), share, 1e-12);
 }
 
+/// A mesh bulges like a net of rings; a node at a torn wire may fly off and holds nothing.
+TEST(Retention, ATornMeshHoldsNothingWhereItIsTorn) {
+  const scene::Scene scene = scene::load(scene::case_file("hexagonal_net/scene.toml"),
+                                         {"measure.section_x_m=0", "measure.outflow_distance_m=0.2"});
+  const auto simulation = build_simulation(scene);
+  const ObserverList observers(scene, *simulation);
+  dem::Particles& p = simulation->solids()->particles();
+  const barrier::MeshPart& mesh = simulation->net()->meshes.front();
+  const dem::ParticleId node = mesh.first_node + mesh.nodes / 2;
+  const auto ratio = [&] { return observers.metrics().at("retained_mass_ratio"); };
+  const auto grain = std::find(p.kind.begin(), p.kind.end(), dem::ParticleKind::grain) - p.kind.begin();
+  p.position.x[static_cast<std::size_t>(grain)] = 0.3;
+  EXPECT_EQ(ratio(), 0);
+  p.position.x[p.index(node)] = 0.4;
+  EXPECT_EQ(ratio(), 1);
+  dem::Bonds& bonds = simulation->solids()->bonds();
+  for (std::size_t b = 0; b < bonds.size(); ++b)
+    if (p.id(bonds.i[b]) == node) {
+      bonds.intact[b] = 0;
+      break;
+    }
+  EXPECT_EQ(ratio(), 0);
+}
+
 /// Posts, and retaining cables that lead downstream from them, hold no grain.
 TEST(Retention, PostsAndWhatHangsOnThemDoNotCount) {
   const scene::Scene scene =

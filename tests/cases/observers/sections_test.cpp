@@ -258,6 +258,26 @@ normal = [-1, 0, 0]
   EXPECT_GT(largest, 0.9 * M_PI * radius * radius);
 }
 
+/// A ball that passes and leaves the domain between two rows is counted with the speed that it passed with.
+TEST(Sections, AGrainThatLeavesBetweenRowsHasPassed) {
+  Sampled run(scene::load_text(scene::small_scene + R"(velocity_m_s = [2, 0, 0]
+[gravity]
+magnitude_m_s2 = 0
+[[section]]
+name = "door"
+point_m = [0.9, 0.5, 0.5]
+normal = [1, 0, 0]
+)"));
+  run.take_row();
+  run.solids().particles().position.x[0] = 1.06;
+  run.observers.after_step();
+  run.solids().remove(0);
+  run.take_row();
+  const double mass = 2500 * M_PI / 6 * 0.1 * 0.1 * 0.1;
+  EXPECT_NEAR(run.metrics().at("door_grains_kg"), mass, 1e-9);
+  EXPECT_NEAR(1000 * run.metrics().at("door_grains_energy_kJ"), 0.5 * mass * 4, 1e-9);
+}
+
 /// Two balls change places in the arrays while one of them passes.
 TEST(Sections, GrainsAreKnownById) {
   Sampled run(scene::load_text(scene::small_scene + R"([[grains.sphere]]

@@ -139,6 +139,27 @@ TEST(Check, SaysWhatTheAveragingLengthBecomes) {
   EXPECT_NEAR(report.solids->averaging_lengths->y(), 1.8, 1e-12);
 }
 
+/// A boulder that falls 1.8 m into 5 cm of water runs ten times as fast as the water falls, by which the step is
+/// chosen.
+TEST(Check, GrainsFasterThanTheTimeStepBearsAreTold) {
+  const std::string text = scene::small_scene + R"([fluid]
+enabled = true
+cell_size_m = 0.02
+[[fluid.region]]
+lower_m = [0, 0, 0]
+upper_m = [1, 1, 0.05]
+[coupling]
+enabled = true
+)";
+  const std::string key = "cells in a time step";
+  const std::vector<std::string> high{"domain.upper_m=[1, 1, 2]", "grains.sphere[0].position_m=[0.5, 0.5, 1.8]"};
+  EXPECT_TRUE(warns(check_scene(scene::load_text(text, high)), key));
+  std::vector<std::string> bearable = high;
+  bearable.push_back("fluid.max_speed_m_s=6");
+  EXPECT_FALSE(warns(check_scene(scene::load_text(text, bearable)), key));
+  EXPECT_FALSE(warns(check_scene(scene::load_text(text, {"grains.sphere[0].position_m=[0.5, 0.5, 0.06]"})), key));
+}
+
 TEST(Check, DoubleTakesTwiceTheMemory) {
   const double single = check_scene(load(case_file("dam_break/scene.toml"))).fluid->start_bytes;
   const double twice =
