@@ -37,8 +37,8 @@ std::vector<bool> at_torn_bonds(const dem::Particles& p, const dem::Bonds& bonds
 }  // namespace
 
 /// How far down a grain may be and still count as held: the net's section, or the foremost bead of the net where it has
-/// bulged beyond it. Posts and what else hangs on them hold no grain, nor do wires and nodes of
-/// meshes that are torn, which may fly off, and what has left the domain.
+/// bulged beyond it. Posts and what else hangs on them hold no grain, nor do wires and nodes of meshes that
+/// are torn, which may fly off, and what has left the domain.
 double Retention::limit() const {
   double limit = *run_.section;
   const barrier::Net* net = run_.simulation.net();
