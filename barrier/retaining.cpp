@@ -28,6 +28,7 @@ bool passes(const Polyline& cable, const MeshPart& mesh, const Construction& c) 
   return false;
 }
 
+/// Refuses a cable that runs through the net, a post or an element that stands already.
 void check_room(int k, const Wire& cable, const Construction& c) {
   const Polyline line = centre_line(cable, c.particles);
   for (const MeshPart& mesh : c.net.meshes)
@@ -35,6 +36,10 @@ void check_room(int k, const Wire& cable, const Construction& c) {
   const double d = c.spec.net.wire_diameter;
   for (const Polyline& other : centre_lines(c.net, c.particles))
     if (meet(line, other, d)) throw InputError(through_net(k));
+  for (const std::vector<Wire>& elements : c.net.elements)
+    for (const Wire& other : elements)
+      if (meet(line, centre_line(other, c.particles), d))
+        throw InputError(cable_of(k) + " runs into another one, expected an anchor clear of it");
   for (std::size_t p = 0; p < c.net.posts.size(); ++p) {
     const bool own = static_cast<int>(p) == k;
     // Its own post it meets at the head: the bead there counts as touched.
@@ -51,11 +56,11 @@ void add_at_post(int k, const RetainingCable& cable, Construction& c, std::vecto
   const Retaining made =
       add_retaining(c.net.posts[static_cast<std::size_t>(k)], post_base(c.spec, k) + cable.anchor, cable.dissipators_at,
                     net.bead_properties(), sorts, c.tie_sort, c.next_body(), c.particles, c.bonds);
+  check_room(k, made.wire, c);
   wires.push_back(made.wire);
   c.net.ties.push_back(made.tie);
   for (std::size_t b = made.wire.first_bond; b < made.wire.first_bond + made.wire.bonds; ++b)
     if (c.bonds.sort[b] == sorts.dissipator) c.net.dissipators.push_back(b);
-  check_room(k, made.wire, c);
 }
 
 }  // namespace

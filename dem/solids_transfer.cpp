@@ -157,11 +157,18 @@ struct Contacts {
   void transfer(Archive& archive) { contacts.transfer(archive, particles, walls, share); }
 };
 
+/// Contacts of wires as they stand: those of the bonds that were whole when their lists were built. A bond that broke
+/// in the last step is found by the next one.
 struct Wires {
   WireForces& wires;
   const Particles& particles;
-  const Bonds& bonds;
-  void transfer(Archive& archive) { wires.transfer(archive, particles, bonds); }
+  Bonds& bonds;
+  std::vector<std::uint8_t>& known_intact;
+  void transfer(Archive& archive) {
+    std::swap(bonds.intact, known_intact);
+    wires.transfer(archive, particles, bonds);
+    std::swap(bonds.intact, known_intact);
+  }
 };
 
 }  // namespace
@@ -205,7 +212,7 @@ void Solids::transfer_by_id(Archive& archive) {
     find_slow();
   }
   if (wires_ && prepared_) {
-    Wires wires{*wires_, particles_, bonds_};
+    Wires wires{*wires_, particles_, bonds_, known_intact_};
     archive.part("wires", wires);
   }
   Contacts contacts{contacts_, particles_, walls_.all().size(), share(Rate::fast)};

@@ -70,6 +70,10 @@ Standing standing_of(const StudyCase& c, const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / "checkpoint.h5") ? Standing::begun : Standing::to_do;
 }
 
+std::filesystem::path log_of(const StudyCase& c, const std::filesystem::path& study) {
+  return study / (c.name() + ".log");
+}
+
 std::vector<std::string> command_of(const StudyCase& c, const std::filesystem::path& lahar,
                                     const std::filesystem::path& folder, int threads) {
   const std::vector<std::string> common{"--threads", std::to_string(threads), "--quiet"};
@@ -157,7 +161,7 @@ std::vector<JobResult> run_all(const std::vector<StudyCase>& study_cases, const 
       results.push_back({c, 0});
       if (command.empty()) continue;
       tell(fmt::format("{}: {}", c.name(), command[1] == "resume" ? "goes on" : "begins"));
-      running.push_back({start(command, options.folder / (c.name() + ".log")), results.size() - 1, Clock::now()});
+      running.push_back({start(command, log_of(c, options.folder)), results.size() - 1, Clock::now()});
     }
     if (!stopping && stop()) {
       stopping = true;

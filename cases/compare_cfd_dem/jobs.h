@@ -28,6 +28,9 @@ void require_study_folder(const std::filesystem::path& folder, const std::string
 std::vector<std::string> command_of(const StudyCase& study_case, const std::filesystem::path& lahar,
                                     const std::filesystem::path& folder, int threads);
 
+/// What the runs of a case print, in the folder of the study.
+std::filesystem::path log_of(const StudyCase& study_case, const std::filesystem::path& study);
+
 struct JobResult {
   StudyCase study_case;
   int exit_code = 0;  ///< 0 also where it was done already

@@ -101,8 +101,13 @@ int run(const Arguments& a) {
       fmt::print("{}\n", line);
       std::fflush(stdout);
     };
-    for (const JobResult& job : run_all(study_cases, options, cases::interrupted, tell))
-      if (job.exit_code != cases::exit_done) code = job.exit_code;
+    for (const JobResult& job : run_all(study_cases, options, cases::interrupted, tell)) {
+      if (job.exit_code == cases::exit_done) continue;
+      code = job.exit_code;
+      if (code != cases::exit_interrupted)
+        fmt::print(stderr, "error: {} ended with exit code {}: {} says why\n", job.study_case.name(), code,
+                   log_of(job.study_case, options.folder).string());
+    }
     if (cases::interrupted()) code = cases::exit_interrupted;
   }
   report(study_cases, a);

@@ -296,13 +296,14 @@ void write_report(const std::vector<CaseResult>& results, const Sitting& sitting
             "</figcaption></figure>\n";
   }
   html += "<h2>Flow by flow</h2>\n";
-  for (const Choice& sweep : sweeps())
-    for (const double release : release_distances())
-      if (std::any_of(results.begin(), results.end(), [&](const CaseResult& c) {
-            return c.study_case.sweep == sweep.name && c.study_case.release == release;
-          }))
-        html += fmt::format("<h3>{}, L = {:.2f} m</h3>\n", sweep.name, release) +
-                table_of_flow(sweep.name, release, results);
+  for (const Choice& sweep : sweeps()) {
+    std::set<double> releases;
+    for (const CaseResult& c : results)
+      if (c.study_case.sweep == sweep.name) releases.insert(c.study_case.release);
+    for (const double release : releases)
+      html +=
+          fmt::format("<h3>{}, L = {:.2f} m</h3>\n", sweep.name, release) + table_of_flow(sweep.name, release, results);
+  }
   html += "<h2>Pictures</h2>\n";
   for (const CaseResult& c : results)
     if (c.study_case.release == 4.1) html += pictures_of(c, "image_");

@@ -92,7 +92,7 @@ void write_checkpoint(const fs::path& folder, const scene::Scene& scene, const C
       file.set_attribute("/", "time_s", head.time);
       file.set_attribute("/", "last_row_s", head.last_row);
       file.set_attribute("/", "version", version());
-      file.set_attribute("/", "commit", commit());
+      file.set_attribute("/", "commit", head.commit);
       file.set_attribute("/", "format", static_cast<double>(kCheckpointFormat));
       file.close();
     }

@@ -19,7 +19,7 @@ inline constexpr int kCheckpointFormat = 21;
 struct CheckpointHead {
   double time = 0;      ///< s
   double last_row = 0;  ///< s, of series.h5: later rows do not belong to it
-  std::string commit;   ///< of the program that wrote it
+  std::string commit;   ///< of the program that wrote it; after those of others that came before it, "first, second"
 };
 
 /// The scene without what may change in a resumed run (resume.h), and the check sums that the files it names had when

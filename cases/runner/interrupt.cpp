@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <csignal>
 #include <cstdint>
@@ -12,10 +13,9 @@
 namespace lahar::cases {
 namespace {
 
-std::atomic<bool> flag{false};
 bool watching = false;
-std::atomic<std::int64_t> first_signal_ms{0};
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free,
+std::atomic<std::int64_t> first_signal_ms{0};  // 0: none has come
+static_assert(std::atomic<std::int64_t>::is_always_lock_free,
               "only lock-free atomics may be touched in a signal handler");
 
 constexpr std::int64_t kOneRequestMs = 1000;
@@ -26,11 +26,12 @@ std::int64_t now_ms() {
   return std::int64_t{1000} * t.tv_sec + t.tv_nsec / 1000000;
 }
 
-/// Programs that end others often signal the process and its group: two signals within a moment are one request.
+/// Programs that end others often signal the process and its group: two signals within a moment are one request. The
+/// second one may come amid this function.
 void note(int signal) {
-  if (!flag.exchange(true)) {
-    first_signal_ms.store(now_ms());
-  } else if (now_ms() - first_signal_ms.load() > kOneRequestMs) {
+  const std::int64_t now = std::max<std::int64_t>(1, now_ms());
+  std::int64_t first = 0;
+  if (!first_signal_ms.compare_exchange_strong(first, now) && now - first > kOneRequestMs) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   }
@@ -64,11 +65,11 @@ void end_at_interrupt() {
 void watch_for_interrupt() {
   if (watching) return;
   watching = true;
-  flag.store(false);
+  first_signal_ms.store(0);
   set_handler(note);
   std::signal(SIGPIPE, SIG_IGN);
 }
 
-bool interrupted() { return flag.load(std::memory_order_relaxed); }
+bool interrupted() { return first_signal_ms.load(std::memory_order_relaxed) != 0; }
 
 }  // namespace lahar::cases

@@ -197,7 +197,7 @@ class SceneRun {
     loop_.peak_rss_bytes = std::max<std::uint64_t>(loop_.peak_rss_bytes, peak_rss_bytes());
     loop_.checkpoints.skip_until(time());
     try {
-      write_checkpoint(options_.out, scene_, {time(), observers_->last_time(), commit()},
+      write_checkpoint(options_.out, scene_, {time(), observers_->last_time(), commits_},
                        [&](Archive& archive) { transfer(archive); });
       monitor_.log.info("checkpoint at t = {:.6g} s", time());
     } catch (const FileError& e) {
@@ -214,9 +214,12 @@ class SceneRun {
     if (const std::string lost = outputs_->lost(); !lost.empty()) monitor_.warn(lost);
     monitor_.progress.start_from(time());
     monitor_.log.info("goes on from the checkpoint of t = {:.6g} s", time());
-    if (from.commit != commit())
-      monitor_.log.warn("the checkpoint is from commit {}: results may differ in rounding from a run in one piece",
-                        from.commit);
+    commits_ = from.commit;
+    if (!commits_.ends_with(commit())) {
+      monitor_.log.warn("the checkpoint is from commit {}, this is {}: results may differ from a run in one piece",
+                        commits_, commit());
+      commits_ += ", " + commit();
+    }
   }
 
   void finish(RunResult& result) {
@@ -228,6 +231,7 @@ class SceneRun {
     }
     result.earlier_seconds = earlier_seconds_;
     Summary& summary = result.summary;
+    summary.commit = commits_;
     summary.simulated_seconds = time();
     summary.metrics = observers_->metrics();
     summary.checks = observers_->checks();
@@ -247,6 +251,7 @@ class SceneRun {
   std::optional<ObserverList> observers_;
   std::optional<Outputs> outputs_;
   double earlier_seconds_ = 0, last_checkpoint_ = 0;
+  std::string commits_ = commit();  // of all programs that had a part in this run
 };
 
 }  // namespace

@@ -37,8 +37,8 @@ struct RunMonitor {
 };
 
 struct RunResult {
-  /// A solver fills simulated_seconds, metrics, checks, timers and performance (but for the peak memory); the rest is
-  /// known without it.
+  /// A solver fills simulated_seconds, metrics, checks, timers and performance (but for the peak memory), and commit
+  /// where others had a part in the run; the rest is known without it.
   Summary summary;
   bool interrupted = false;                ///< ended early by a signal, outputs whole
   double earlier_seconds = 0;              ///< wall time before the checkpoint that the run went on from

@@ -34,7 +34,7 @@ spdlog::logger open_log(const std::filesystem::path& folder, bool append) {
 void complete(Summary& summary, const scene::Scene& scene, int threads, double wall_seconds) {
   summary.case_name = scene.identity.name;
   summary.version = version();
-  summary.commit = commit();
+  if (summary.commit.empty()) summary.commit = commit();
   summary.machine = machine_name();
   summary.threads = threads;
   summary.precision = scene::name_of(scene.run.precision);

@@ -18,7 +18,9 @@ struct Performance {
 };
 
 struct Summary {
-  std::string case_name, version, commit, machine;
+  std::string case_name, version;
+  std::string commit;  ///< of a run that several programs had a part in: of all, "first, second"
+  std::string machine;
   int threads = 0;
   std::string precision;
   double wall_seconds = 0, simulated_seconds = 0;

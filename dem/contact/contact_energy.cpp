@@ -12,7 +12,7 @@ double stored_energy(const ContactLawChoice& law, const MaterialPair& pair, doub
   ContactState s;
   s.overlap = overlap;
   s.effective_radius = effective_radius;
-  s.effective_mass = 1;
+  s.effective_mass = s.tangential_mass = 1;
   s.effective_modulus = pair.effective_modulus;
   s.effective_shear_modulus = pair.effective_shear_modulus;
   ContactHistory none;

@@ -21,9 +21,9 @@ struct ContactLanes {
   Lanes3 slip{}, slip_end{};   ///< m/s, of i's centre relative to j, at mid-step and at the end of the step
   Lanes3 spin{};               ///< rad/s, sum of both spheres, at mid-step
   Lanes3 rim{}, rim_end{};     ///< m/s, sum of radius x spin, at mid-step and at the end of the step
-  Lanes inverse_mass{};        ///< 1/kg, sum of both
-  Lanes damping_rate{};        ///< 1/s, see ContactState
-  Lanes effective_radius{};    ///< m
+  Lanes inverse_mass{}, tangential_inverse_mass{};                ///< 1/kg, sums of both, see ContactState
+  Lanes damping_rate{}, tangential_damping_rate{};                ///< 1/s, see ContactState
+  Lanes effective_radius{};                                       ///< m
   Lanes modulus{}, shear_modulus{}, friction{}, damping_ratio{};  ///< see ContactState
 
   /// From the vector from centre j to centre i and the sum of radii (m): normal, overlap and whether they touch.
@@ -72,11 +72,13 @@ template <ContactLaw L>
   s.twist_rate = 0.5 * dot(c.spin, n);
   s.effective_radius = c.effective_radius;
   s.effective_mass = select(c.inverse_mass > 0, 1.0 / c.inverse_mass, Lanes{});
+  s.tangential_mass = select(c.tangential_inverse_mass > 0, 1.0 / c.tangential_inverse_mass, Lanes{});
   s.effective_modulus = c.modulus;
   s.effective_shear_modulus = c.shear_modulus;
   s.friction = c.friction;
   s.damping_ratio = c.damping_ratio;
   s.damping_rate = c.damping_rate;
+  s.tangential_damping_rate = c.tangential_damping_rate;
 
   const Lanes left = left_by_spring(s, history, dt);
   const ContactForceOf<Lanes> f = law(s, history, dt);

@@ -23,14 +23,17 @@ struct ContactStateOf {
   TripleOf<V> tangential_velocity_end{};  ///< the same at the end of the step
   V twist_rate{};                         ///< rad/s, mean spin of the two bodies about normal_ij
   V effective_radius{};                   ///< m, 1/R* = 1/Ri + 1/Rj
-  V effective_mass{};                     ///< kg, 1/m* = 1/mi + 1/mj
+  V effective_mass{};                     ///< kg, 1/m* = 1/mi + 1/mj, of what yields along the normal
+  V tangential_mass{};                    ///< kg, the same without regard to rails and creases: see damping_rate
   V effective_modulus{};                  ///< Pa, E*
   V effective_shear_modulus{};            ///< Pa, G*
   V friction{};                           ///< Coulomb coefficient
   V damping_ratio{};                      ///< of critical, see damping.h
   /// 1/s, sum over the two bodies of (sum of the dampers of all its contacts, one step before) / mass; what a lone
-  /// contact has of it need not be there.
-  V damping_rate{};
+  /// contact has of it need not be there. A body that is held to a rail, or that meets the crease of a wall, yields
+  /// along the normal by a share of its inverse mass alone, and that share is in `damping_rate` and in effective_mass.
+  /// Along the tangent it may yield with all of it: the other two are for that.
+  V damping_rate{}, tangential_damping_rate{};
 };
 using ContactState = ContactStateOf<double>;
 

@@ -34,12 +34,12 @@ struct HertzMindlin {
     ContactForceOf<V> f;
     const V first = weight_of_hertz_damper<V>(share_since_touch<V>(s, history, dt));
     const V normal_damper = first * damper * root(slope * s.effective_mass);
-    const V mobility = set_normal_force<V>(s, elastic, normal_damper, dt, history, f);
+    set_normal_force<V>(s, elastic, normal_damper, dt, history, f);
     f.elastic_normal = 0.4 * elastic * s.overlap;
 
     const V shear = 8 * s.effective_shear_modulus * contact_radius;
-    const V shear_damper = damper * root(shear * s.effective_mass);
-    add_tangential_spring<V>(s, shear, within_step(shear_damper, mobility), dt, history, f);
+    const V shear_damper = damper * root(shear * s.tangential_mass);
+    add_tangential_spring<V>(s, shear, within_step(s, shear_damper, normal_damper, dt), dt, history, f);
     return f;
   }
 };

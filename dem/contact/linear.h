@@ -34,12 +34,12 @@ struct LinearSpringDashpot {
     ContactForceOf<V> f;
     const V first = weight_of_constant_damper<V>(share_since_touch<V>(s, history, dt));
     const V normal_damper = first * damper * root(V(normal_stiffness * s.effective_mass));
-    const V mobility = set_normal_force<V>(s, elastic, normal_damper, dt, history, f);
+    set_normal_force<V>(s, elastic, normal_damper, dt, history, f);
     f.elastic_normal = 0.5 * elastic * s.overlap;
 
     const double shear = tangential_stiffness > 0 ? tangential_stiffness : 2.0 / 7 * normal_stiffness;
-    const V shear_damper = damper * root(V(shear * s.effective_mass));
-    add_tangential_spring<V>(s, V{} + shear, within_step(shear_damper, mobility), dt, history, f);
+    const V shear_damper = damper * root(V(shear * s.tangential_mass));
+    add_tangential_spring<V>(s, V{} + shear, within_step(s, shear_damper, normal_damper, dt), dt, history, f);
     return f;
   }
 };

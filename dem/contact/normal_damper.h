@@ -8,8 +8,7 @@
 namespace lahar::dem {
 
 /// Sets the normal force of `f` to elastic + damping x closing speed (N, N s/m), at least 0, and books the damper's
-/// work. Returns by how much the closing speed at the end of the step changes, at most, per newton of this contact's
-/// force if all contacts of its bodies change by the like of it (m/s/N).
+/// work.
 ///
 /// The closing speed at the end of the step depends on all forces of the step, which are sought. The state's prediction
 /// stands on those of the step before. Alone, a contact puts in the change of its own force and solves for the damper
@@ -25,14 +24,14 @@ namespace lahar::dem {
 ///
 /// Without a step (dt = 0: the forces of a state before it moves) the damper's force stays as it was.
 template <class V>
-[[gnu::always_inline]] inline V set_normal_force(const ContactStateOf<V>& s, const V& elastic, const V& damping,
-                                                 double dt, ContactHistoryOf<V>& history, ContactForceOf<V>& f) {
+[[gnu::always_inline]] inline void set_normal_force(const ContactStateOf<V>& s, const V& elastic, const V& damping,
+                                                    double dt, ContactHistoryOf<V>& history, ContactForceOf<V>& f) {
   if (!(dt > 0)) {
     f.normal = max(elastic + history.damping_force, V{});
     f.damping = damping;
     history.normal_force = f.normal;
     history.damping_force = f.normal - elastic;
-    return V(std::numeric_limits<double>::infinity());
+    return;
   }
   const V per_force = select(s.effective_mass > 0, 0.5 * dt / s.effective_mass, V{});  // change of the closing speed
   const V lumped = max(V(per_force * damping), V(0.5 * dt * s.damping_rate));
@@ -45,7 +44,6 @@ template <class V>
   f.damping_work = damping_force * (closing - per_force * (damping_force - history.damping_force)) * dt;
   history.normal_force = f.normal;
   history.damping_force = damping_force;
-  return select(damping > 0, lumped / damping, per_force);
 }
 
 /// Share of the step, 0..1, since the two touched, if that was in this step; otherwise 2.
@@ -76,13 +74,20 @@ template <class V>
   return select(share > 1, V(1), V(fit * inverse_root(root(share))));
 }
 
-/// A tangential damper (N s/m) that the step can follow: it acts on the velocity that the forces of the step before
-/// predict, so that `mobility` (from `set_normal_force`; times 7/2, as a sphere's surface also yields by turning) must
-/// leave half of a force at most.
+/// A tangential damper (N s/m) that the step can follow, beside a normal one: it acts on the velocity that the forces
+/// of the step before predict. A newton of it changes the slip at the end of the step by h/m at most if the contact is
+/// alone, h = dt/2, by h (C_i/m_i + C_j/m_j)/c if all contacts of its bodies change by the like of it (see
+/// set_normal_force), times 7/2, as a sphere's surface also yields by turning: of which half is let through. None
+/// without a step.
 template <class V>
-[[gnu::always_inline]] inline V within_step(const V& damping, const V& mobility) {
+[[gnu::always_inline]] inline V within_step(const ContactStateOf<V>& s, const V& tangential, const V& normal,
+                                            double dt) {
   constexpr double tiny = std::numeric_limits<double>::min();
-  return min(damping, V((0.5 / 3.5) / max(mobility, V(tiny))));
+  if (!(dt > 0)) return V{};
+  const V per_force = select(s.tangential_mass > 0, 0.5 * dt / s.tangential_mass, V{});
+  const V lumped = max(V(per_force * normal), V(0.5 * dt * s.tangential_damping_rate));
+  const V mobility = select(normal > 0, lumped / normal, per_force);
+  return min(tangential, V((0.5 / 3.5) / max(mobility, V(tiny))));
 }
 
 }  // namespace lahar::dem

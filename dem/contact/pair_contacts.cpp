@@ -163,10 +163,10 @@ void PairContacts::pack(const Particles& p, const ContactDetection& contacts, co
   c.slip = {a[3], a[4], a[5]};
   c.slip_end = {a[6], a[7], b[0]};
   c.spin = {b[1], b[2], b[3]};
-  c.damping_rate = b[4];
+  c.damping_rate = c.tangential_damping_rate = b[4];
   c.rim = {d[0], d[1], d[2]};
   c.rim_end = {d[3], d[4], d[5]};
-  c.inverse_mass = d[6];
+  c.inverse_mass = c.tangential_inverse_mass = d[6];
   const Lanes radius_i = 0.5 * (b[7] + d[7]), radius_j = 0.5 * (b[7] - d[7]);
   c.effective_radius = radius_i * radius_j / b[7];
   c.set_spheres({a[0], a[1], a[2]}, b[7]);

@@ -71,7 +71,8 @@ struct WallContacts::Batch {
   std::array<std::uint16_t, kContactLanes> material{};
 
   Batch() {  // harmless numbers in lanes that were never used
-    contacts.normal.x = contacts.inverse_mass = contacts.effective_radius = Lanes(1);
+    contacts.normal.x = contacts.inverse_mass = contacts.tangential_inverse_mass = Lanes(1);
+    contacts.effective_radius = Lanes(1);
     contacts.modulus = contacts.shear_modulus = Lanes(1);
   }
   void add(const Work& work, std::uint32_t k, double distance);
@@ -95,7 +96,7 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
   c.overlap.set(lane, std::max(0.0, r - distance));
   const auto [out, steep] = growth_of(work.walls, w, p.position[i]);
   const Triple normal = -1.0 * out;
-  const double moved_mass = steep * steep * p.free_share(i, normal) * inverse_mass;  // along the normal
+  const double moved_mass = steep * steep * p.free_share(i, normal) * inverse_mass;  // inverse, along the normal
   steepness.set(lane, steep);
   set(c.normal, lane, normal);
   set(c.slip, lane, v - wall_velocity);
@@ -105,7 +106,9 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
   set(c.rim, lane, r * spin);  // a wall adds nothing: its spin is zero
   set(c.rim_end, lane, r * spin_end);
   c.inverse_mass.set(lane, moved_mass);
+  c.tangential_inverse_mass.set(lane, inverse_mass);
   c.damping_rate.set(lane, moved_mass * work.damping[i]);
+  c.tangential_damping_rate.set(lane, inverse_mass * work.damping[i]);
   c.effective_radius.set(lane, r);
   const double* m = work.materials[material[lane]];
   c.modulus.set(lane, m[0]), c.shear_modulus.set(lane, m[1]);

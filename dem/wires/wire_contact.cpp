@@ -21,7 +21,7 @@ void add(WireSide& side, ParticleIndex particle, double weight, const Triple& gr
 
 struct Motion {
   Triple velocity{}, spin{}, velocity_end{}, spin_end{};
-  double inverse_mass = 0;  // 1/kg
+  double inverse_mass = 0, tangential_inverse_mass = 0;  // 1/kg
 };
 
 Motion motion_of(const WireSide& side, const Triple& normal, const Particles& p, double dt) {
@@ -36,6 +36,7 @@ Motion motion_of(const WireSide& side, const Triple& normal, const Particles& p,
     m.velocity = m.velocity + weight * v, m.velocity_end = m.velocity_end + weight * v_end;
     m.spin = m.spin + weight * w, m.spin_end = m.spin_end + weight * w_end;
     m.inverse_mass += weight * weight * p.free_share(i, normal) * inverse;
+    m.tangential_inverse_mass += weight * weight * inverse;
   }
   return m;
 }
@@ -97,8 +98,12 @@ void set_motion(const WireContact& c, const Particles& particles, double dt, Con
   const Triple slip_end =
       a.velocity_end - b.velocity_end + cross(a.spin_end, c.wire.lever) - cross(b.spin_end, c.partner.lever);
   s.closing_speed = c.spread * dot(slip_end, c.normal);
-  const double inverse = c.spread * c.spread * (a.inverse_mass + b.inverse_mass);
-  s.effective_mass = inverse > 0 ? 1 / inverse : 0.0;
+  const auto together = [&](double inverse_a, double inverse_b) {
+    const double inverse = c.spread * c.spread * (inverse_a + inverse_b);
+    return inverse > 0 ? 1 / inverse : 0.0;
+  };
+  s.effective_mass = together(a.inverse_mass, b.inverse_mass);
+  s.tangential_mass = together(a.tangential_inverse_mass, b.tangential_inverse_mass);
   s.tangential_velocity = normal_part(slip, c.normal);
   s.tangential_velocity_end = normal_part(slip_end, c.normal);
   s.twist_rate = 0.5 * dot(a.spin + b.spin, c.normal);

@@ -158,8 +158,9 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
   for (const WireSide* side : {&c.wire, &c.partner})
     for (std::size_t k = 0; k < side->count; ++k) {
       const WireShare& b = side->shares[k];
-      s.damping_rate +=
-          c.spread * b.weight * p.free_share(b.particle, c.normal) * p.inverse_mass[b.particle] * damping[b.particle];
+      const double rate = c.spread * b.weight * p.inverse_mass[b.particle] * damping[b.particle];
+      s.damping_rate += p.free_share(b.particle, c.normal) * rate;
+      s.tangential_damping_rate += rate;
     }
   ContactState still = s;
   still.damping_ratio = 0;
@@ -240,7 +241,7 @@ double WireForces::energy_at_rest(const WireSlot& slot, const Particles& p) cons
   if (!find_contact(slot, p, x)) return 0;
   ContactState s = material_state(slot, p);
   s.overlap = x.contact.overlap;
-  s.effective_mass = 1;
+  s.effective_mass = s.tangential_mass = 1;
   ContactHistory none;
   return std::visit([&](const auto& law) { return law(s, none, 0.0).elastic_normal; }, law_);
 }

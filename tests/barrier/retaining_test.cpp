@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "barrier/spans.h"
 #include "core/check.h"
@@ -12,23 +13,23 @@
 namespace lahar::barrier {
 namespace {
 
-/// Two spans with one retaining cable.
-SpansSpec spans_with(const RetainingCable& cable) {
+/// Two spans with retaining cables.
+SpansSpec spans_with(const std::vector<RetainingCable>& cables) {
   SpansSpec s;
   s.net.width = 0.2, s.net.height = 0.14;
   for (dem::BondSort* sort : {&s.net.ring, &s.net.cable, &s.net.dissipator})
     sort->bond_radius = 0.5 * s.net.wire_diameter, sort->damping_ratio = 0.02;
   s.spans = 2, s.post_height = 0.16, s.post_diameter = 0.025;
   s.section = {.youngs_modulus = 210e9, .area = 1.445e-4, .second_moment = 9.63e-9, .density = 7850};
-  s.elements.of<RetainingCable>() = {cable};
+  s.elements.of<RetainingCable>() = cables;
   return s;
 }
 
-std::string refusal(const RetainingCable& cable) {
+std::string refusal(const std::vector<RetainingCable>& cables) {
   dem::Particles particles;
   dem::Bonds bonds;
   try {
-    build_spans(spans_with(cable), particles, bonds);
+    build_spans(spans_with(cables), particles, bonds);
   } catch (const InputError& e) {
     return e.what();
   }
@@ -39,7 +40,7 @@ TEST(Retaining, StandsAtItsPostOrAtEvery) {
   for (const std::int64_t post : {-1, 1}) {
     dem::Particles p;
     dem::Bonds b;
-    const Net net = build_spans(spans_with({.post = post, .anchor = {-0.15, 0, 0.01}, .dissipators_at = {0}}), p, b);
+    const Net net = build_spans(spans_with({{.post = post, .anchor = {-0.15, 0, 0.01}, .dissipators_at = {0}}}), p, b);
     const auto& cables = net.elements.at(0);
     ASSERT_EQ(cables.size(), post < 0 ? 3u : 1u);
     for (std::size_t k = 0; k < cables.size(); ++k) {
@@ -56,7 +57,7 @@ TEST(Retaining, StandsAtItsPostOrAtEvery) {
 
 TEST(Retaining, KnowsItsBeadsAndItsTimeStepBeforeItIsBuilt) {
   const RetainingCable cable{.post = -1, .anchor = {-0.15, 0, 0}, .dissipators_at = {0}};
-  const SpansSpec spec = spans_with(cable);
+  const SpansSpec spec = spans_with({cable});
   dem::Particles p, alone;
   dem::Bonds b, wire;
   const Net net = build_spans(spec, p, b);
@@ -75,10 +76,14 @@ TEST(Retaining, KnowsItsBeadsAndItsTimeStepBeforeItIsBuilt) {
 
 TEST(Retaining, RefusesWhatCannotStand) {
   const auto contains = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
-  EXPECT_EQ(refusal({.post = -1, .anchor = {-0.15, 0, 0}}), "");
-  EXPECT_TRUE(contains(refusal({.post = -1, .anchor = {-0.01, 0, 0}}), "lies at its post"));
-  EXPECT_TRUE(contains(refusal({.post = -1, .anchor = {0, 0.12, 0}}), "runs through the net"));
-  EXPECT_TRUE(contains(refusal({.post = 3, .anchor = {-0.15, 0, 0}}), "post 3"));
+  EXPECT_EQ(refusal({{.post = -1, .anchor = {-0.15, 0, 0}}}), "");
+  EXPECT_TRUE(contains(refusal({{.post = -1, .anchor = {-0.01, 0, 0}}}), "lies at its post"));
+  EXPECT_TRUE(contains(refusal({{.post = -1, .anchor = {0, 0.12, 0}}}), "runs through the net"));
+  EXPECT_TRUE(contains(refusal({{.post = 3, .anchor = {-0.15, 0, 0}}}), "post 3"));
+  // Two to one place run into each other; from one head to two places they part.
+  const RetainingCable one{.post = 1, .anchor = {-0.15, 0, 0}}, beside{.post = 1, .anchor = {-0.15, 0.1, 0}};
+  EXPECT_TRUE(contains(refusal({one, {.post = 1, .anchor = {-0.15, 0.005, 0}}}), "runs into another one"));
+  EXPECT_EQ(refusal({one, beside}), "");
 }
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "cases/files/output_file.h"
 #include "cases/files/png_file.h"
 #include "cases/runner/options.h"
+#include "cases/scene/writer.h"
 #include "core/check.h"
 #include "tests/cases/files/test_folder.h"
 
@@ -391,7 +392,7 @@ TEST(Report, Base64) {  // RFC 4648, section 10
 
 TEST(Report, IsWholeAndNeedsNoOtherFile) {
   const cases::TestFolder folder;
-  const std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10)};
+  const std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(3, 40, 10), made_up(4.1, 50, 10)};
   std::vector<CaseResult> with_folder = results;
   for (CaseResult& c : with_folder) c.folder = folder.path();
   write_report(with_folder, {"machine", "commit", "today", {"a-case"}}, folder.path());
@@ -400,6 +401,8 @@ TEST(Report, IsWholeAndNeedsNoOtherFile) {
   EXPECT_NE(html.str().find("</html>"), std::string::npos);
   EXPECT_NE(html.str().find("<svg"), std::string::npos);
   EXPECT_NE(html.str().find("a-case"), std::string::npos);
+  for (const char* flow : {"L = 1.85 m", "L = 3.00 m", "L = 4.10 m"})
+    EXPECT_NE(html.str().find(flow), std::string::npos) << flow;
   EXPECT_EQ(html.str().find("src=\"image"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "flows_eta.png"));
   EXPECT_TRUE(std::filesystem::exists(folder.path() / "comparison.csv"));
@@ -537,6 +540,26 @@ TEST(Jobs, GoOnAndAreNotRunTwice) {
                    two, options, [] { return false; }, tell),
                InputError);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / two[0].name())) << "begun beside one that is refused";
+}
+
+TEST(Jobs, ARunThatFailsIsNamedWithItsLog) {
+  const cases::TestFolder folder;
+  Selection selection{.sweeps = {"as_printed"}, .couplings = {"averaged"}, .releases = {1.85}};
+  selection.further = {"run.duration_s=0.01"};
+  const StudyCase one = cases_of(selection).at(0);
+  std::filesystem::create_directories(folder / "study" / one.name());
+  std::ofstream(folder / "study" / one.name() / "scene.resolved.toml")
+      << scene::to_toml(scene::load(one.scene_file(), one.changes()));
+  std::ofstream(folder / "study" / one.name() / "checkpoint.h5") << "of a program long ago";
+  const std::string study = "'" + (folder / "study").string() + "'";
+  EXPECT_EQ(run_study("--sweep as_printed --coupling averaged --release 1.85 --set run.duration_s=0.01 --quiet --out " +
+                          study,
+                      folder / "messages"),
+            2);
+  const std::filesystem::path log = log_of(one, folder / "study");
+  EXPECT_NE(content_of(folder / "messages").find("ended with exit code 2: " + log.string()), std::string::npos)
+      << content_of(folder / "messages");
+  EXPECT_NE(content_of(log).find("checkpoint.h5"), std::string::npos) << content_of(log);
 }
 
 }  // namespace

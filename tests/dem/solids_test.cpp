@@ -100,6 +100,28 @@ TEST(Solids, a_bead_on_a_rail_is_hit_across_as_if_it_were_fixed) {
   EXPECT_NEAR(rebound_from(across, 0.1), expected, 1e-6) << "a grain on a rail";
 }
 
+// A heavy grain that is pressed on a light bead of a cable: along the normal the bead on its rail gives nothing, along
+// the rail all of itself. What damps the slip there must know that, or friction turns round each step and is booked.
+TEST(Solids, a_grain_comes_to_rest_on_a_bead_on_a_rail) {
+  constexpr double dt = 1.37e-5;
+  Particles p;
+  ParticleSpec bead = sphere({0, 0, 0}, 0.0042, 7850, {0.001, 0, 0});
+  bead.kind = ParticleKind::bead;
+  bead.mass_scale = 10;
+  bead.rail = Vec3::UnitX();
+  ParticleSpec grain = sphere({0, 0, bead.radius + 0.02}, 0.02, 2650);
+  grain.rail = Vec3::UnitZ();
+  p.add(bead);
+  p.add(grain);
+  Solids solids(p, {}, one_material(14e9, 0.3, 0.1, 0.1), {}, options(dt));
+  solids.particles().external_force.set(1, {0, 0, -10});
+  solids.advance(1000);
+  const auto lost = [&] { return solids.ledger().contact_damping + solids.ledger().friction; };
+  const double before = lost();
+  solids.advance(1000);
+  EXPECT_LT((lost() - before) / (1000 * dt), 1e-9) << "W";
+}
+
 /// Most energy that a boulder gains which falls at `speed` (m/s) onto a wire that lies on the bed, over its own; the
 /// step is as long as bonds allow, and restitution (0.1 as in Li, Zhao & Kwan 2020) asks for strong dampers.
 double gain_on_a_wire(double speed, double boulder) {

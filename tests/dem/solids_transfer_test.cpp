@@ -12,7 +12,7 @@ namespace lahar::dem {
 namespace {
 
 /// Grains that rain on chains of beads, whose bonds break under them; the chains stretch plastically.
-Solids scene(double rolling_friction = 0) {
+Solids scene(double rolling_friction = 0, WireContacts wires = WireContacts::beads) {
   Particles p = testing::loose_grains(5, 5, 6, 0.02, 0.04, 4);
   for (double& z : p.position.z) z += 0.05;
   Bonds bonds;
@@ -39,6 +39,7 @@ Solids scene(double rolling_friction = 0) {
   o.gravity = {1, 0, -9.81};
   o.time_step = 2e-5;
   o.watchdog.overlap_limit = 2;  // the beads are small beside the grains
+  o.wire_contacts = wires;
   Materials m;
   m.add({"any", 1e7, 0.25});
   m.set_pair(0, 0, 0.5, 0.5, rolling_friction);
@@ -49,9 +50,10 @@ std::size_t broken(const Solids& s) {
   return static_cast<std::size_t>(std::count(s.bonds().intact.begin(), s.bonds().intact.end(), 0));
 }
 
-void expect_same_after_restart(Solids& whole, int steps, double rolling_friction = 0) {
+void expect_same_after_restart(Solids& whole, int steps, double rolling_friction = 0,
+                               WireContacts wires = WireContacts::beads) {
   StoredState state = state_of(whole);
-  Solids resumed = scene(rolling_friction);
+  Solids resumed = scene(rolling_friction, wires);
   load_state(state, resumed);
   EXPECT_TRUE(differing_lists(state, state_of(resumed)).empty()) << "what was loaded is not what was stored";
   whole.advance(steps);
@@ -62,12 +64,21 @@ void expect_same_after_restart(Solids& whole, int steps, double rolling_friction
   EXPECT_EQ(whole.ledger().bonds.dissipated(), resumed.ledger().bonds.dissipated());
 }
 
-TEST(SolidsTransfer, GoesOnRightAfterABondHasBroken) {
-  // The contact lists still leave the pair out, as they were built before.
-  Solids solids = scene();
+void expect_same_after_the_first_broken_bond(WireContacts wires) {
+  Solids solids = scene(0, wires);
   for (int n = 0; n < 20000 && broken(solids) == 0; ++n) solids.step();
   ASSERT_GT(broken(solids), 0U);
-  expect_same_after_restart(solids, 2000);
+  expect_same_after_restart(solids, 2000, 0, wires);
+}
+
+TEST(SolidsTransfer, GoesOnRightAfterABondHasBroken) {
+  // The contact lists still leave the pair out, as they were built before.
+  expect_same_after_the_first_broken_bond(WireContacts::beads);
+}
+
+TEST(SolidsTransfer, GoesOnRightAfterABondOfASmoothWireHasBroken) {
+  // The wire is still one, as it was when its contacts were listed.
+  expect_same_after_the_first_broken_bond(WireContacts::capsules);
 }
 
 TEST(SolidsTransfer, GoesOnWithRollingResistance) {

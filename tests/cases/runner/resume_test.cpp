@@ -9,6 +9,7 @@
 #include "cases/files/hdf5_file.h"
 #include "cases/files/series_reader.h"
 #include "cases/runner/checkpoint.h"
+#include "cases/runner/machine.h"
 #include "cases/runner/run.h"
 #include "cases/runner/summary.h"
 #include "core/check.h"
@@ -287,6 +288,17 @@ TEST_F(Resume, AnotherFormatIsRefused) {
   const std::string expected =
       "is of format 99, written by Lahar 9.9 (abc), expected format " + std::to_string(kCheckpointFormat);
   EXPECT_NE(mistake("out").find(expected), std::string::npos);
+}
+
+TEST_F(Resume, ProgramsOfAllCommitsAreNamed) {
+  run("out", {"run.duration_s=0.05"});
+  std::string bytes = scene::file_text(folder("out") / kCheckpointFile);
+  const std::string other(commit().size(), 'f');
+  const auto at = bytes.find(commit());
+  ASSERT_NE(at, std::string::npos);
+  std::ofstream(folder("out") / kCheckpointFile, std::ios::binary) << bytes.replace(at, other.size(), other);
+  EXPECT_EQ(resume("out", {"run.duration_s=0.06"}).summary.commit, other + ", " + commit());
+  EXPECT_EQ(resume("out", {"run.duration_s=0.07"}).summary.commit, other + ", " + commit());
 }
 
 TEST_F(Resume, AFailedRunKeepsAndNamesItsLastCheckpoint) {

@@ -136,7 +136,7 @@ class AnyContactLaw : public ::testing::Test {
     s.tangential_velocity_end = s.tangential_velocity;
     s.twist_rate = uniform(-10, 10);
     s.effective_radius = 0.01;
-    s.effective_mass = 0.05;
+    s.effective_mass = 0.05, s.tangential_mass = 0.04;
     s.effective_modulus = 1e9;
     s.effective_shear_modulus = 2e8;
     s.friction = 0.4;
@@ -195,7 +195,8 @@ TYPED_TEST(AnyContactLaw, rows_agree_with_numbers) {
                               {&all.tangential_velocity_end, &s.tangential_velocity_end}})
         to->x.set(l, from->x), to->y.set(l, from->y), to->z.set(l, from->z);
       all.overlap.set(l, s.overlap), all.closing_speed.set(l, s.closing_speed), all.twist_rate.set(l, s.twist_rate);
-      all.effective_radius.set(l, s.effective_radius), all.effective_mass.set(l, s.effective_mass);
+      all.effective_radius.set(l, s.effective_radius);
+      all.effective_mass.set(l, s.effective_mass), all.tangential_mass.set(l, s.tangential_mass);
       all.effective_modulus.set(l, s.effective_modulus), all.effective_shear_modulus.set(l, s.effective_shear_modulus);
       all.friction.set(l, s.friction), all.damping_ratio.set(l, s.damping_ratio);
     }

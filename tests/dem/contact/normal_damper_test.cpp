@@ -147,9 +147,16 @@ TEST(NormalDamper, FirstValuesCountForTheTimeInContact) {
 }
 
 TEST(NormalDamper, TangentialDampersLeaveHalfOfAForce) {
-  EXPECT_EQ(within_step(2.0, 1e-3), 2.0);
-  EXPECT_DOUBLE_EQ(3.5 * 0.2 * within_step(1e6, 0.2), 0.5);
-  EXPECT_EQ(within_step(5.0, 0.0), 5.0);  // both held
+  ContactState s;
+  s.tangential_mass = 1;
+  s.effective_mass = 10;  // held along the normal: of no account
+  EXPECT_EQ(within_step(s, 2.0, 1.0, 2e-3), 2.0);
+  EXPECT_DOUBLE_EQ(3.5 * 0.2 * within_step(s, 1e6, 1.0, 0.4), 0.5);
+  EXPECT_DOUBLE_EQ(3.5 * 0.2 * within_step(s, 1e6, 0.0, 0.4), 0.5);
+  EXPECT_EQ(within_step(s, 2.0, 1.0, 0.0), 0.0);  // no step, no damper
+  s.tangential_damping_rate = 10;                 // ten such contacts on the same bodies
+  EXPECT_DOUBLE_EQ(3.5 * 2 * within_step(s, 1e6, 1.0, 0.4), 0.5);
+  EXPECT_EQ(within_step(ContactState{}, 5.0, 1.0, 0.4), 5.0);  // both held
 }
 
 }  // namespace
