@@ -117,7 +117,14 @@ void CoupledStep<Real>::advance() {
 /// The fluid may have chosen another step: as many sub-steps as keep each no longer than the first ones were.
 template <class Real>
 void CoupledStep<Real>::follow_time_step() {
-  const double time_step = fluid_->plan_time_step();
+  double fastest = 0;  // of grains, square
+  if (solids_) {
+    const dem::Particles& p = solids_->particles();
+    for (dem::ParticleIndex i = 0; i < p.size(); ++i)
+      if (p.kind[i] == dem::ParticleKind::grain && p.state[i] != dem::ParticleState::removed)
+        fastest = std::max(fastest, Vec3(p.velocity[i]).squaredNorm());
+  }
+  const double time_step = fluid_->plan_time_step(std::sqrt(fastest));
   if (time_step == clock_.time_step()) return;
   clock_.set_time_step(time_step);
   options_.substeps = std::max(1, static_cast<int>(std::ceil(time_step / longest_substep_ * (1 - 1e-12))));

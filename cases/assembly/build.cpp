@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "cases/assembly/check_start.h"
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/net_spec.h"
@@ -148,6 +149,7 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   if (scene.barrier.enabled) net = scene::build_barrier(scene, particles, bonds);
   if (net && grains == GrainStart::packed && scene.barrier.settle_time > 0)
     settle_barrier(scene, *net, particles, bonds);
+  if (grains == GrainStart::packed) require_clear_start(scene, particles);
   dem::SolidsOptions options;
   options.gravity = scene.gravity.vector();
   options.contact_law = scene.solids.contact_law;

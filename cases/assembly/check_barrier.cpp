@@ -132,6 +132,22 @@ void check_grains_beside_barrier(const Scene& scene, const dem::Particles& beads
   }
 }
 
+/// Beads that begin in a wall would be pushed out of it, and load what holds them.
+void check_beads_beside_walls(const Scene& scene, const dem::Particles& beads, Findings& findings) {
+  const Walls walls = make_walls(scene);
+  if (walls.empty()) return;
+  const std::string path = scene.barrier.posts.enabled ? "barrier.posts" : "barrier.net.origin_m";
+  for (dem::ParticleIndex b = 0; b < beads.size(); ++b) {
+    const Vec3 x = beads.position[b];
+    const double r = beads.radius[b], depth = r - walls.nearest(x).distance;
+    if (beads.state[b] != dem::ParticleState::free || depth <= kLargestOverlap * r) continue;
+    return findings.mistake(
+        path, fmt::format("{}: a bead at ({:.4g}, {:.4g}, {:.4g}) of {:.3g} m across begins {:.2g} m deep in a wall, "
+                          "expected net, posts and retaining cables clear of the ground and of what stands on it",
+                          path, x.x(), x.y(), x.z(), 2 * r, depth));
+  }
+}
+
 /// The time step comes from single bonds of beads that touch. Beads farther apart, ties and posts can ask for a shorter
 /// one.
 void check_step_of_barrier(const Scene& scene, const dem::Particles& beads, const dem::Bonds& bonds,
@@ -181,6 +197,7 @@ void check_net_can_be_built(const Scene& scene, Findings& findings) {
     attempt("barrier.posts", [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
   }
   if (findings.mistakes().empty()) check_grains_beside_barrier(scene, particles, findings);
+  if (findings.mistakes().empty()) check_beads_beside_walls(scene, particles, findings);
   if (findings.mistakes().empty()) check_step_of_barrier(scene, particles, bonds, findings);
 }
 

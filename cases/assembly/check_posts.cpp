@@ -1,6 +1,7 @@
 // Cross checks of the posts and of a net of hexagonal mesh.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "cases/assembly/cross_checks.h"
@@ -90,6 +91,18 @@ void check_post_step(const barrier::SpansSpec& spec, Findings& findings) {
                     key_of("youngs_modulus_Pa"), step, least));
 }
 
+/// Ends of cables hang on the posts where they stand among the places; elsewhere beads are held in space.
+void check_ends(const Scene& scene, Findings& findings) {
+  const std::string key = "barrier.anchors.cable_places";
+  const std::vector<double>& places = scene.barrier.anchors.cable_places;
+  if (!findings.sound({key})) return;
+  for (const double end : {0.0, 1.0})
+    if (std::find(places.begin(), places.end(), end) == places.end())
+      return findings.mistake(key, fmt::format("{} lacks {:g}: that end of the cables hangs on no post, expected 0 and "
+                                               "1 among them with [barrier.posts]",
+                                               key, end));
+}
+
 /// One line for a tensile law that makes no sense.
 void check_law(const Scene& scene, const char* wire, Findings& findings) {
   const bool twist = std::string_view(wire) == "twist";
@@ -137,6 +150,7 @@ void check_hexagonal_net(const Scene& scene, Findings& findings) {
 
 void check_posts(const Scene& scene, Findings& findings) {
   if (!scene.barrier.posts.enabled || !findings.sound({"barrier", "materials", "solids"})) return;
+  check_ends(scene, findings);
   check_size(scene, findings);
   if (!findings.sound({kPosts})) return;
   const barrier::SpansSpec spec = make_spans_spec(scene);

@@ -51,6 +51,8 @@ void take_summary(CaseResult& result, const std::string& summary, const std::fil
     for (const auto& check : read.at("checks"))
       if (!check.at("pass").get<bool>()) result.failed_checks.push_back(check.at("name").get<std::string>());
     result.wall_seconds = read.at("wall_seconds").get<double>();
+    result.commit = read.value("commit", "");
+    result.machine = read.value("machine", "");
     result.summary = summary;
   } catch (const nlohmann::json::exception&) {
     throw cases::FileError(file, "not the summary of a run");

@@ -17,6 +17,7 @@ struct CaseResult {
   std::map<std::string, double> values;  ///< of the compared quantities that it has
   cases::Series curves;                  ///< of the shown columns; may be empty
   std::string summary;                   ///< text of summary.json
+  std::string commit, machine;           ///< that it was run with
   std::vector<std::string> failed_checks;
   double wall_seconds = 0;
   std::filesystem::path folder;  ///< of its pictures; empty where they are not at hand

@@ -38,12 +38,22 @@ void list(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   }
 }
 
+/// Whether a case that nobody asked for is done, with these values. Its folder may be of other values or programs.
+bool is_done(const StudyCase& there, const std::filesystem::path& folder) {
+  try {
+    return standing_of(there, folder) == Standing::done;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 /// What is done of the cases asked for and of those that are in the folder besides.
 std::vector<CaseResult> results_in(const std::filesystem::path& folder, std::vector<StudyCase> asked,
                                    const std::vector<std::string>& further) {
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (const auto there = case_named(entry.path().filename().string(), further);
-        there && entry.is_directory() && std::find(asked.begin(), asked.end(), *there) == asked.end())
+        there && entry.is_directory() && std::find(asked.begin(), asked.end(), *there) == asked.end() &&
+        is_done(*there, entry.path()))
       asked.push_back(*there);
   std::vector<CaseResult> results;
   for (const StudyCase& c : asked)
@@ -69,7 +79,7 @@ void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   if (!a.records.empty()) share(results, a.records);
   std::sort(results.begin(), results.end(),
             [](const CaseResult& x, const CaseResult& y) { return comes_before(x.study_case, y.study_case); });
-  Sitting sitting{cases::machine_name(), cases::commit(), cases::today(), {}};
+  Sitting sitting{cases::commit(), cases::today(), {}};
   for (const StudyCase& c : study_cases)
     if (!holds(results, c)) sitting.missing.push_back(c.name());
   write_report(results, sitting, folder);

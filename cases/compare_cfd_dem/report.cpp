@@ -224,6 +224,10 @@ std::string table_of_flow(const std::string& sweep, double release, const std::v
   }
   html += "<tr><td>wall time</td><td>min</td><td></td>";
   for (const CaseResult* c : here) html += fmt::format("<td>{:.1f}</td>", c->wall_seconds / 60);
+  html += "</tr>\n<tr><td>machine</td><td></td><td></td>";
+  for (const CaseResult* c : here) html += fmt::format("<td>{}</td>", c->machine);
+  html += "</tr>\n<tr><td>commit</td><td></td><td></td>";
+  for (const CaseResult* c : here) html += fmt::format("<td>{}</td>", c->commit);
   return html + "</tr></table>\n";
 }
 
@@ -279,8 +283,8 @@ void write_report(const std::vector<CaseResult>& results, const Sitting& sitting
       "table{border-collapse:collapse;margin:1em 0}td,th{padding:.1em .7em;text-align:right;border-bottom:1px solid "
       "#ddd}td:first-child,th:first-child{text-align:left}figure{display:inline-block;margin:.5em}"
       ".pictures img{width:24%}</style></head><body>\n<h1>Debris flows on a ring net: resolved and averaged</h1>\n";
-  html += fmt::format("<p>{} runs; {}, commit {}, {}. Theirs: Li, Zhao &amp; Kwan 2020, averaged CFD-DEM.</p>\n",
-                      results.size(), sitting.machine, sitting.commit, sitting.date);
+  html += fmt::format("<p>{} runs. Theirs: Li, Zhao &amp; Kwan 2020, averaged CFD-DEM. This page: commit {}, {}.</p>\n",
+                      results.size(), sitting.commit, sitting.date);
   if (!sitting.missing.empty()) {
     html += "<p>Without a result:";
     for (const std::string& name : sitting.missing) html += " " + name;

@@ -19,9 +19,9 @@ struct Figure {
 /// distance. Only figures that some case has a point for.
 std::vector<Figure> figures_of(const std::vector<CaseResult>& results);
 
-/// Who ran it, and what is not there.
+/// What made the page, and what is not there.
 struct Sitting {
-  std::string machine, commit, date;
+  std::string commit, date;
   std::vector<std::string> missing;  ///< names of cases that were asked for and have no result
 };
 

@@ -97,7 +97,8 @@ Vec3 velocity_at(const FluidView& fluid, const LiquidVelocity& velocity, const V
   Vec3 sum = Vec3::Zero();
   double weights = 0;
   for_cells_around(fluid.domain(), point, [&](const Vec3& centre, double weight) {
-    if (const auto cell = fluid.cell_at(centre)) sum += weight * velocity(*cell), weights += weight;
+    const auto cell = fluid.cell_at(centre);
+    if (cell && cell->liquid_volume > 0) sum += weight * velocity(*cell), weights += weight;
   });
   return weights > 0 ? Vec3(sum / weights) : Vec3(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
 }

@@ -17,7 +17,7 @@ Label of_probe(const std::string& probe, const std::string& rest) { return {prob
 
 }  // namespace
 
-Probes::Probes(const Observed& run) : Observer(run) {
+Probes::Probes(const Observed& run) : Observer(run), looked_at_(run.simulation.time()) {
   for (const auto& p : run.scene.probes) {
     if (p.kind == scene::ProbeKind::height) declare_level(p);
     if (p.kind == scene::ProbeKind::pressure) declare_pressure(p);
@@ -127,9 +127,10 @@ void Probes::declare_load(std::size_t probe, const std::string& source, const st
 }
 
 void Probes::after_step() {
-  const double time_step = run_.simulation.time_step();
-  for (Sensor& sensor : sensors_)
-    if (sensor.time_mean) sensor.since += time_step * pressure_on(sensor);
+  const double time_step = run_.simulation.time_step(), now = run_.simulation.time();
+  for (Sensor& sensor : sensors_)  // by the time of the fluid: its step may just have changed
+    if (sensor.time_mean) sensor.since += (now - looked_at_) * pressure_on(sensor);
+  looked_at_ = now;
   if (!run_.simulation.solids()) return;
   for (ForceProbe& probe : forces_) {
     probe.grains_since.force += time_step * run_.simulation.solids()->force_on_wall(probe.wall);
@@ -182,6 +183,7 @@ void Probes::transfer(Archive& archive) {
     archive.part(fmt::format("force_{}_grains_since", k), forces_[k].grains_since);
   }
   for (std::size_t k = 0; k < sensors_.size(); ++k) archive.value(fmt::format("sensor_{}_since", k), sensors_[k].since);
+  if (archive.loading()) looked_at_ = run_.simulation.time();
   for (std::size_t k = 0; k < followed_.size(); ++k) archive.value(fmt::format("grain_{}", k), followed_[k].grain);
 }
 

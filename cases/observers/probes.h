@@ -67,6 +67,7 @@ class Probes final : public Observer {
   std::vector<ForceProbe> forces_;
   std::vector<Sensor> sensors_;
   std::vector<Followed> followed_;
+  double looked_at_;  ///< s: when pressures were last summed
 };
 
 }  // namespace lahar::cases

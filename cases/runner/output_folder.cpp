@@ -55,7 +55,9 @@ bool written_by_run(const std::string& name) {
          number_of_file(name, "forces_", ".png");
 }
 
-constexpr const char* kAside = ".former_run";
+constexpr const char* kAside = ".former_run";          // all of a former run
+constexpr const char* kOnTheWay = ".former_run.part";  // what of it is not back in the folder; no new run has begun
+constexpr const char* kGoing = ".former_run.gone";     // what is being removed
 
 std::vector<fs::path> files_of_run(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -129,8 +131,9 @@ FolderLock::~FolderLock() {
 }
 
 FormerRun::FormerRun(const fs::path& folder) : folder_(folder) {
-  fs::create_directory(folder / kAside);
-  for (const fs::path& file : files_of_run(folder)) fs::rename(file, folder / kAside / file.filename());
+  fs::create_directory(folder / kOnTheWay);
+  for (const fs::path& file : files_of_run(folder)) fs::rename(file, folder / kOnTheWay / file.filename());
+  fs::rename(folder / kOnTheWay, folder / kAside);
 }
 
 FormerRun::~FormerRun() {
@@ -142,15 +145,23 @@ FormerRun::~FormerRun() {
 }
 
 void FormerRun::remove() {
-  if (!folder_.empty()) fs::remove_all(folder_ / kAside);
+  if (!folder_.empty()) {
+    fs::rename(folder_ / kAside, folder_ / kGoing);
+    fs::remove_all(folder_ / kGoing);
+  }
   folder_.clear();
 }
 
 void FormerRun::recover(const fs::path& folder) {
-  if (!fs::is_directory(folder / kAside)) return;
-  for (const fs::path& file : files_of_run(folder)) fs::remove(file);
-  for (const fs::path& file : files_of_run(folder / kAside)) fs::rename(file, folder / file.filename());
-  fs::remove(folder / kAside);
+  if (!fs::is_directory(folder)) return;
+  fs::remove_all(folder / kGoing);
+  if (fs::is_directory(folder / kAside)) {
+    for (const fs::path& file : files_of_run(folder)) fs::remove(file);
+    fs::rename(folder / kAside, folder / kOnTheWay);
+  }
+  if (!fs::is_directory(folder / kOnTheWay)) return;
+  for (const fs::path& file : files_of_run(folder / kOnTheWay)) fs::rename(file, folder / file.filename());
+  fs::remove(folder / kOnTheWay);
 }
 
 PreparedFolder prepare_output(const fs::path& folder, bool overwrite) {

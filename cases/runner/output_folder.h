@@ -64,7 +64,7 @@ class FormerRun {
   ~FormerRun();
   /// The new run has begun: they are removed.
   void remove();
-  /// Puts back what a process has left aside that was killed.
+  /// Puts back what a process has left aside that was killed, at whatever moment.
   static void recover(const std::filesystem::path& folder);
 
  private:

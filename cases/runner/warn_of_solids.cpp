@@ -119,6 +119,17 @@ void warn_of_contacts(const scene::Scene& s, Warnings& list) {
     if (c.friction > steep)
       list.push_back(fmt::format("friction of \"{}\" and \"{}\" is {:g}: it is a coefficient, no angle", c.materials[0],
                                  c.materials[1], c.friction));
+  for (const scene::Contact& c : s.contacts) {
+    const std::string& wire = s.barrier.net.material;
+    const bool of_wires = c.materials[0] == wire ? !only_walls(s, c.materials[1])
+                                                 : c.materials[1] == wire && !only_walls(s, c.materials[0]);
+    if (s.barrier.enabled && s.solids.wire_contacts == dem::WireContacts::capsules && of_wires &&
+        c.rolling_friction > 0)
+      list.push_back(
+          fmt::format("rolling_friction of \"{}\" and \"{}\" does not act on wires: smooth ones (capsules) "
+                      "have no rolling resistance",
+                      c.materials[0], c.materials[1]));
+  }
   const std::set<std::string> names = materials_in_use(s);
   for (auto a = names.begin(); a != names.end(); ++a)
     for (auto b = a; b != names.end(); ++b) {

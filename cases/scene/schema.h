@@ -366,7 +366,7 @@ void describe(V& v, Net& s) {
   v.value("density_kg_m3", s.density, {positive()}, "Density of the beads.");
   v.value("bead_mass_scale", s.bead_mass_scale, {at_least(1)},
           "Inertia of beads over that of steel of their density; their weight stays. The time step of bonds and of "
-          "contacts of beads grows with its root.");
+          "contacts of beads grows with its root. Nodes of a mesh keep theirs.");
   v.value("bead_inertia_scale", s.bead_inertia_scale, {at_least(1)},
           "Factor on the moment of inertia of beads, 2/5 m r^2. Above 1 the spins of beads, the fastest motion in a "
           "chain, are slower: from 2.5 on bonds allow a time step 1.6 times as long. Of no account in a mesh.");

@@ -38,14 +38,26 @@ bool Domain::outside_open_face(const Vec3i& cell) const {
   return false;
 }
 
+double Domain::wall_distance(const Vec3& p) const {
+  double least = spec_.walls.nearest(p).distance;
+  const Vec3 width = kBlockWidth * spec_.cell_size * period_.cast<double>();
+  const auto images = [&](int axis) { return period_[axis] > 0 ? 1 : 0; };
+  for (int x = -images(0); x <= images(0); ++x)
+    for (int y = -images(1); y <= images(1); ++y)
+      for (int z = -images(2); z <= images(2); ++z)
+        if (x != 0 || y != 0 || z != 0)
+          least = std::min(least, spec_.walls.nearest(p + width.cwiseProduct(Vec3(x, y, z))).distance);
+  return least;
+}
+
 double Domain::wall_share(const Vec3& from, const Vec3& into) const {
-  double low = 0, high = 1, f_low = spec_.walls.nearest(from).distance, f_high = spec_.walls.nearest(into).distance;
+  double low = 0, high = 1, f_low = wall_distance(from), f_high = wall_distance(into);
   // Regula falsi with the Illinois rule: exact at once on a plane.
   int side = 0;
   double t = 0.5;
   for (int k = 0; k < 30 && high - low > 1e-12; ++k) {
     t = (low * f_high - high * f_low) / (f_high - f_low);
-    const double f = spec_.walls.nearest(from + t * (into - from)).distance;
+    const double f = wall_distance(from + t * (into - from)).distance;
     if (std::abs(f) < 1e-12 * spec_.cell_size) break;
     if (f > 0) {
       low = t, f_low = f;

@@ -58,6 +58,8 @@ class Domain {
   [[nodiscard]] CellType classify(const Vec3i& cell) const;
 
  private:
+  /// Signed distance of the nearest wall, m, also of those that go on beyond periodic faces.
+  [[nodiscard]] double wall_distance(const Vec3& p) const;
   [[nodiscard]] bool outside_open_face(const Vec3i& cell) const;
 
   DomainSpec spec_;

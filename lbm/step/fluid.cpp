@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string>
 
 #include "core/check.h"
 #include "core/parallel.h"
@@ -66,21 +67,22 @@ void Fluid<Real>::step() {
 }
 
 template <class Real>
-double Fluid<Real>::plan_time_step() {
-  if (control_ && looked_at_ != steps() && (steps() == 1 || (steps() > 0 && steps() % kLookEvery == 0))) look();
+double Fluid<Real>::plan_time_step(double speed_of_bodies) {
+  if (control_ && looked_at_ != steps() && (steps() == 1 || (steps() > 0 && steps() % kLookEvery == 0)))
+    look(speed_of_bodies);
   return coming_time_step_;
 }
 
 /// A look for the watchdog and for the choice of the step.
 template <class Real>
-void Fluid<Real>::look() {
+void Fluid<Real>::look(double speed_of_bodies) {
   looked_at_ = steps();
   watch();
   const SpeedCensus census = take_speed_census(level_.grid, level_.parity());
   const double uncounted = control_->limits().uncounted;
   const double chosen = control_->choose(
-      level_.units.time_step,
-      {census.speed.cells() > 0, census.speed.exceeded_by(uncounted), census.reach.exceeded_by(uncounted)});
+      level_.units.time_step, {census.speed.cells() > 0, census.speed.exceeded_by(uncounted),
+                               census.reach.exceeded_by(uncounted), level_.units.velocity_to_lu(speed_of_bodies)});
   if (chosen != level_.units.time_step) set_time_step(chosen);
 }
 
@@ -179,20 +181,18 @@ void Fluid<Real>::watch() const {
   const bool curable = control_ && control_->can_shorten(level_.units.time_step);
   const bool broken = survey_.speed >= kNotFinite;
   if (is_in_order() || (!broken && curable)) return;
-  if (!level_.grid.exists(survey_.fastest)) {  // it went dry since
-    if (broken) throw NumericalFailure("a fluid cell that has gone dry", steps(), "velocity is not a number");
-    return;
-  }
+  const std::string too_fast =
+      "one of many cells at the largest speed of the lattice; the time step is too long: raise max_speed or lower "
+      "lattice_velocity";
+  if (!level_.grid.exists(survey_.fastest) || level_.grid.block(survey_.fastest).wet_cells == 0)
+    throw NumericalFailure("a fluid cell that has gone dry", steps(), broken ? "velocity is not a number" : too_fast);
   auto& grid = const_cast<FluidGrid<Real>&>(level_.grid);
   const CellPlace place = fastest_cell(grid, survey_.fastest, level_.parameters.parity);
   const auto m = outgoing_moments(grid, place, level_.parameters.parity);
   char cause[240];
   std::snprintf(cause, sizeof cause, "velocity (%.4g, %.4g, %.4g) and density %.4g in lattice units: %s",
                 static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2]),
-                1.0 + static_cast<double>(m.drho),
-                broken ? "not a number"
-                       : "one of many cells at the largest speed of the lattice; the time step is too long: raise "
-                         "max_speed or lower lattice_velocity");
+                1.0 + static_cast<double>(m.drho), broken ? "not a number" : too_fast.c_str());
   throw NumericalFailure(describe_place(level_.grid.centre(place.block, place.cell)), steps(), cause);
 }
 

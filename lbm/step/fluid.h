@@ -35,8 +35,8 @@ class Fluid {
  public:
   explicit Fluid(FluidOptions options);
 
-  /// Fills boxes with liquid under the pressure of its own depth along z; call before the first step. Cells in walls
-  /// stay dry.
+  /// Fills boxes with liquid under the pressure of its own depth along z; call before the first step. Boxes that stand
+  /// on each other or overlap are one body of liquid. Cells in walls stay dry.
   void fill(const std::vector<LiquidRegion>& regions);
   /// Fills every free cell of the domain and initializes it from a function of the cell centre that gives velocity
   /// (lu) and rho - 1: for flows without a surface.
@@ -55,7 +55,8 @@ class Fluid {
 
   /// s, with which the coming step collides and streams; where the step adapts this is when it is chosen. The step in
   /// which a change is made collides what has streamed with the old step: time() goes on by the old one once more.
-  double plan_time_step();
+  /// @param speed_of_bodies  m/s, of the fastest that may meet the liquid
+  double plan_time_step(double speed_of_bodies = 0);
   /// From the coming step on `time_step` (s) holds: what is in the cells is brought over (rescale.h).
   void set_time_step(double time_step);
   [[nodiscard]] const TimeStepRecord& time_step_record() const { return time_steps_; }
@@ -131,7 +132,7 @@ class Fluid {
   void rescale(double ratio);
   void take_time_step(double time_step);
   void transfer_time(Archive& archive);
-  void look();
+  void look(double speed_of_bodies);
   void classify_filled(std::vector<BlockIndex>& touched);
   void require_box(const Vec3i& low, const Vec3i& high);
   void require_neighbours(const std::vector<CellPlace>& cells);

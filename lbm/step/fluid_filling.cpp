@@ -40,10 +40,24 @@ void Fluid<Real>::initialize(CellPlace place, double drho, const Vec3& u, const 
 
 namespace {
 
-/// rho - 1 of liquid at rest under the top of its region (z is the direction of depth): dp = rho g dh with p = cs^2
-/// rho, so rho = exp(3 g h).
-double resting_density(double z, const LiquidRegion& region, double gravity_z, const LatticeUnits& units) {
-  const double depth_lu = std::max(0.0, region.upper.z() - z) / units.cell_size;
+/// Top of the liquid over a point of a region, m: boxes that stand on each other, or overlap, are one body of liquid.
+double top_over(const Vec3& p, const LiquidRegion& own, const std::vector<LiquidRegion>& all, double cell_size) {
+  double top = own.upper.z();
+  const auto carries_on = [&](const LiquidRegion& r) {
+    return !r.body && p.x() >= r.lower.x() && p.x() < r.upper.x() && p.y() >= r.lower.y() && p.y() < r.upper.y() &&
+           r.lower.z() <= top + 1e-6 * cell_size && r.upper.z() > top;
+  };
+  for (auto next = all.begin(); !own.body && next != all.end();) {
+    next = std::find_if(all.begin(), all.end(), carries_on);
+    if (next != all.end()) top = next->upper.z();
+  }
+  return top;
+}
+
+/// rho - 1 of liquid at rest under its top (z is the direction of depth): dp = rho g dh with p = cs^2 rho, so rho =
+/// exp(3 g h).
+double resting_density(double z, double top, double gravity_z, const LatticeUnits& units) {
+  const double depth_lu = std::max(0.0, top - z) / units.cell_size;
   return std::max(0.0, std::expm1(-3 * units.acceleration_to_lu(gravity_z) * depth_lu));
 }
 
@@ -97,6 +111,10 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
   std::vector<BlockIndex> touched;
   std::vector<CellPlace> wet;
   std::vector<const LiquidRegion*> regions_of_wet;
+  const auto density_at = [&](CellPlace place, const LiquidRegion& region) {
+    const Vec3 p = level_.grid.centre(place.block, place.cell);
+    return resting_density(p.z(), top_over(p, region, regions, dx), options_.gravity.z(), level_.units);
+  };
   for (const auto& region : regions) {
     std::set<BlockIndex> filled;  // along a periodic axis the block beyond the end is the first one again
     const Vec3i low = block_of(level_.grid.domain().cell_at(region.lower)),
@@ -118,9 +136,7 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
             if (type == CellType::gas) wet.push_back({b, n}), regions_of_wet.push_back(&region);
             type = CellType::interface;
             surface.fill_level[n] = std::min(Real(1), surface.fill_level[n] + static_cast<Real>(fraction));
-            surface.mass[n] =
-                surface.fill_level[n] * static_cast<Real>(1 + resting_density(level_.grid.centre(b, n).z(), region,
-                                                                              options_.gravity.z(), level_.units));
+            surface.mass[n] = surface.fill_level[n] * static_cast<Real>(1 + density_at({b, n}, region));
           }
         }
   }
@@ -132,8 +148,7 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
   for (std::size_t k = 0; k < wet.size(); ++k) {
     const CellPlace place = wet[k];
     const LiquidRegion& region = *regions_of_wet[k];
-    const double drho =
-        resting_density(level_.grid.centre(place.block, place.cell).z(), region, options_.gravity.z(), level_.units);
+    const double drho = density_at(place, region);
     initialize(place, drho, level_.units.velocity_to_lu(1.0) * region.velocity + half_force);
     SurfaceFields<Real>& surface = *level_.grid.block(place.block).surface;
     surface.density[place.cell] = static_cast<Real>(drho);

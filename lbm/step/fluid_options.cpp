@@ -1,6 +1,7 @@
 #include "lbm/step/fluid_options.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/capillary.h"
 #include "core/check.h"
@@ -53,7 +54,12 @@ TimeStepLimits time_step_limits(const FluidOptions& o) {
   limits.longest = std::min(limits.longest, capillary_time_step(o.density, o.domain.cell_size, o.surface_tension));
   limits.gravity = o.gravity.norm();
   for (const Wall& w : o.domain.walls.all()) limits.known_speed = std::max(limits.known_speed, w.velocity.norm());
-  for (const InflowOptions& in : o.inflows) limits.known_speed = std::max(limits.known_speed, in.velocity.norm());
+  for (const InflowOptions& in : o.inflows) {
+    limits.known_speed = std::max(limits.known_speed, in.velocity.norm());
+    const double volume = std::max((in.upper - in.lower).prod(), std::pow(o.domain.cell_size, 3));
+    if (const double peak = in.discharge.peak(); peak > 0)  // what its box can take in a step
+      limits.longest = std::min(limits.longest, std::max(o.time_step, kLargestDose * volume / peak));
+  }
   return limits;
 }
 

@@ -52,9 +52,10 @@ struct TimeStepRecord {
 
 /// What a look at the liquid found over the wet cells that count, lattice units.
 struct LiquidSpeed {
-  bool any = false;  ///< whether there is liquid
-  double speed = 0;  ///< of the fastest
-  double reach = 0;  ///< the largest of speeds and what pressures can give
+  bool any = false;   ///< whether there is liquid
+  double speed = 0;   ///< of the fastest
+  double reach = 0;   ///< the largest of speeds and what pressures can give
+  double bodies = 0;  ///< of the fastest that may meet the liquid; on their way through the gas they are in no cell
 };
 
 class TimeStepControl {
@@ -64,14 +65,14 @@ class TimeStepControl {
   /// s: the step to go on with, after a look at the liquid at the end of a step of length `time_step`.
   double choose(double time_step, const LiquidSpeed& look) {
     if (!look.any) return time_step;
-    const double fast = first_ ? look.reach : look.speed;
+    const double fast = std::max(first_ ? look.reach : look.speed, look.bodies);
     const double largest_cut = first_ ? 0 : kLargestCut;
     first_ = false;
     if (fast > kTooFast * limits_.target) {
       calm_looks_ = 0;
       return bounded(time_step, std::max(largest_cut, limits_.target / fast));
     }
-    const double speed = std::max(look.reach, other_speed(time_step));
+    const double speed = std::max({look.reach, look.bodies, other_speed(time_step)});
     calm_looks_ = speed < kCalm * limits_.target ? calm_looks_ + 1 : 0;
     if (calm_looks_ < kCalmLooks) return time_step;
     calm_looks_ = 0;

@@ -394,13 +394,16 @@ TEST(Report, IsWholeAndNeedsNoOtherFile) {
   const cases::TestFolder folder;
   const std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(3, 40, 10), made_up(4.1, 50, 10)};
   std::vector<CaseResult> with_folder = results;
+  take_summary(with_folder[1], R"({"wall_seconds": 90, "commit": "aaa", "machine": "bbb", "checks": []})", "summary");
   for (CaseResult& c : with_folder) c.folder = folder.path();
-  write_report(with_folder, {"machine", "commit", "today", {"a-case"}}, folder.path());
+  write_report(with_folder, {"commit", "today", {"a-case"}}, folder.path());
   std::ostringstream html;
   html << std::ifstream(folder.path() / "report.html").rdbuf();
   EXPECT_NE(html.str().find("</html>"), std::string::npos);
   EXPECT_NE(html.str().find("<svg"), std::string::npos);
   EXPECT_NE(html.str().find("a-case"), std::string::npos);
+  for (const char* of_the_case : {"<td>aaa</td>", "<td>bbb</td>"})
+    EXPECT_NE(html.str().find(of_the_case), std::string::npos) << of_the_case;
   for (const char* flow : {"L = 1.85 m", "L = 3.00 m", "L = 4.10 m"})
     EXPECT_NE(html.str().find(flow), std::string::npos) << flow;
   EXPECT_EQ(html.str().find("src=\"image"), std::string::npos);
@@ -424,7 +427,7 @@ TEST(Report, OpensInABrowser) {
   for (CaseResult& c : results) c.folder = folder.path();
   for (const char* name : {"image_000000.png", "image_000001.png", "forces_000000.png", "forces_000001.png"})
     cases::write_png(folder.path() / name, cases::Image(40, 30, cases::Colour(0.2F, 0.5F, 0.7F)));
-  write_report(results, {"machine", "commit", "today", {}}, folder.path());
+  write_report(results, {"commit", "today", {}}, folder.path());
   std::ofstream(folder.path() / "probe.html") << R"(<!DOCTYPE html><p id="found"></p><iframe src="report.html"
     width="1200" height="900" onload="
     const d = this.contentDocument, all = s => [...d.querySelectorAll(s)];
@@ -540,6 +543,23 @@ TEST(Jobs, GoOnAndAreNotRunTwice) {
                    two, options, [] { return false; }, tell),
                InputError);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / two[0].name())) << "begun beside one that is refused";
+}
+
+/// What is left of other values or programs in the folder is none of this study.
+TEST(StudyFolder, CasesThatCannotBeLoadedAreLeftOut) {
+  const cases::TestFolder folder;
+  Selection selection{.sweeps = {"matched"}, .couplings = {"resolved"}, .releases = {4.1}};
+  const StudyCase resolved = cases_of(selection).at(0);
+  const auto left = folder / "out" / resolved.name();
+  std::filesystem::create_directories(left);
+  std::ofstream(left / "scene.resolved.toml") << scene::to_toml(scene::load(resolved.scene_file(), resolved.changes()));
+  EXPECT_EQ(run_study("--report --sweep matched --release 4.1 --coupling averaged --set "
+                      "coupling.averaging_length_m=0.08 --out '" +
+                          (folder / "out").string() + "'",
+                      folder / "messages"),
+            0)
+      << content_of(folder / "messages");
+  EXPECT_TRUE(std::filesystem::exists(folder / "out" / "report.html"));
 }
 
 TEST(Jobs, ARunThatFailsIsNamedWithItsLog) {

@@ -31,7 +31,7 @@ case "$output" in *particles.xmf*) fail "a file that is not there is offered: $o
 [ -f "$scratch/tree/results/demo/summary.json" ] || fail 'no results'
 
 capture "$scratch/tree/demo" --out "$scratch/elsewhere"
-expect_contains "$output" "demo.toml --overwrite --out $scratch/elsewhere"
+expect_contains "$output" "demo.toml --out $scratch/elsewhere"
 expect_contains "$output" "Results are in $scratch/elsewhere."
 
 # An interrupted or failed run ends with its own status.

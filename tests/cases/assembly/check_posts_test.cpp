@@ -31,6 +31,10 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"barrier.posts.retaining[0].anchor_offset_m=[-0.2, 0, -0.05]"},
                   "barrier.posts.retaining[0].anchor_offset_m",
                   "below the ground"},
+        Rejection{
+            {"barrier.posts.retaining[0].anchor_offset_m=[-0.2, 0, -0.012]"}, "barrier.posts: ", "deep in a wall"},
+        Rejection{{"barrier.anchors.cable_places=[]"}, "barrier.anchors.cable_places", "lacks 0"},
+        Rejection{{"barrier.anchors.cable_places=[0, 0.99]"}, "barrier.anchors.cable_places", "lacks 1"},
         Rejection{{"barrier.posts.retaining[0].anchor_offset_m=[-0.6, 0, 0]"},
                   "barrier.posts.retaining[0].anchor_offset_m",
                   "outside the domain"},

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/assembly/build.h"
+#include "core/check.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::cases {
@@ -13,7 +14,7 @@ namespace {
 
 /// 120 beads of 4 cm in two packings of 0.2 m x 0.2 m: at the densest they stand 0.067 m high less what the rough
 /// surface leaves open.
-scene::Scene two_packings(const std::string& target) {
+scene::Scene two_packings(const std::string& target, const std::string& more = "") {
   const std::string packing = R"(
 [[grains.packing]]
 lower_m = [0.0, LOW, 0.0]
@@ -33,7 +34,7 @@ material = "rock"
     one.replace(one.find("TARGET"), 6, low == std::string("0.4") ? target : "0.0");
     text += one;
   }
-  return scene::load_text(text);
+  return scene::load_text(text + more);
 }
 
 TEST(Packings, AMissedHeightIsTold) {
@@ -44,6 +45,25 @@ TEST(Packings, AMissedHeightIsTold) {
   EXPECT_TRUE(missed[0].starts_with("grains.packing[1] stands 0.0")) << missed[0];
   EXPECT_TRUE(missed[0].ends_with(" m high, above its target_height_m of 0.05")) << missed[0];
   EXPECT_TRUE(missed_heights(high, build_solids(high).solids.particles()).empty());
+}
+
+/// Single grains stand out of the height that a packing has in the mean.
+TEST(Packings, ASphereAmongTheirTopGrainsIsRefused) {
+  const auto with_sphere = [](const char* z) {
+    return two_packings("0.05", std::string(R"([[grains.sphere]]
+diameter_m = 0.04
+density_kg_m3 = 2500.0
+material = "rock"
+position_m = [0.1, 0.5, )") + z + "]\n");
+  };
+  EXPECT_NO_THROW(build_solids(with_sphere("0.15")));
+  try {
+    build_solids(with_sphere("0.07"));
+    FAIL() << "it begins inside the packing";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("grains.sphere[0] reaches into a packed grain"), std::string::npos)
+        << e.what();
+  }
 }
 
 TEST(Packings, PlaceholdersAreAsMany) {

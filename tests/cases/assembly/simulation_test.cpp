@@ -1,8 +1,11 @@
 #include "cases/assembly/simulation.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "barrier/response.h"
+#include "cases/assembly/build.h"
+#include "core/check.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::cases {
@@ -66,6 +69,32 @@ TEST(Simulation, ABarrierHangsBeforeTheRunBegins) {
   EXPECT_LT(swing_hung, 0.02 * swing_built);
   EXPECT_EQ(load_built, 0);
   EXPECT_GT(load_hung, 1);
+}
+
+/// A grain right below the net as it was built, into which the net sags.
+TEST(Simulation, ABarrierThatSagsIntoAGrainIsRefused) {
+  const auto file = scene::source_folder() / "tests/integration/small_debris_flow.toml";
+  const BuiltSolids built = build_solids(scene::load(file)),
+                    hung = build_solids(scene::load(file, {"barrier.settle_time_s=0.3"}));
+  const dem::Particles &a = built.solids.particles(), &b = hung.solids.particles();
+  const Vec3 down = hung.solids.options().gravity.normalized();
+  Vec3 place = Vec3::Zero();
+  double sag = 0;
+  for (std::size_t i = built.net->first_bead; i < b.size(); ++i)
+    if (const double moved = (Vec3(b.position[i]) - Vec3(a.position[i])).dot(down); moved > sag)
+      sag = moved, place = Vec3(b.position[i]) + (b.radius[i] + 0.01 - 0.0005) * down;
+  const std::string text =
+      scene::file_text(file) + fmt::format(
+                                   "\n[[grains.sphere]]\nposition_m = [{}, {}, {}]\ndiameter_m = 0.02\n"
+                                   "density_kg_m3 = 2500\nmaterial = \"rock\"\nfixed = true\n",
+                                   place.x(), place.y(), place.z());
+  EXPECT_NO_THROW(build_solids(scene::load_text(text)));
+  try {
+    build_solids(scene::load_text(text, {"barrier.settle_time_s=0.3"}));
+    FAIL() << "the net sags by " << sag << " m";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("grains.sphere[0] reaches into the barrier"), std::string::npos) << e.what();
+  }
 }
 
 /// Beads that do not touch allow a shorter step than single bonds say. The run has one; the net settles with one of its

@@ -127,6 +127,58 @@ time_mean = true
   EXPECT_NE(mean[1], few.find("moment")->values[1]);
 }
 
+/// Where the fluid's step changes each pressure counts for the time that has passed.
+TEST(Probes, PressureAveragedOverTimeWhileTheStepChanges) {
+  const std::string sensors = R"([[probe]]
+name = "moment"
+kind = "pressure"
+position_m = [0.0, 0.08, 0.05]
+[[probe]]
+name = "mean"
+kind = "pressure"
+position_m = [0.0, 0.08, 0.05]
+time_mean = true
+)";
+  const scene::ScratchFolder scratch;
+  const RunResult run = run_to_folder(
+      scene::load_text(tank_with_ball + sensors, {"run.duration_s=0.1", "run.series_interval_s=1e-6",
+                                                  "fluid.adaptive_time_step=true", "fluid.max_speed_m_s=10"}),
+      {.out = scratch.path() / "out", .threads = 1, .quiet = true}, run_scene);
+  EXPECT_GE(run.summary.metrics.at("fluid_time_step_changes"), 1);
+  const Series every = read_series(scratch.path() / "out" / "series.h5");
+  const auto &p = every.find("moment")->values, &same = every.find("mean")->values;
+  for (std::size_t k = 1; k < p.size(); ++k) EXPECT_NEAR(same[k], p[k], 1e-9 * 3000) << every.time_s[k];
+}
+
+/// What is inside a resolved grain is no liquid: the grain's velocity is none of the liquid's.
+TEST(Probes, VelocitiesAreOfTheLiquidAlone) {
+  const std::string text = tank_of_water + R"([materials.rock]
+youngs_modulus_Pa = 1e7
+poisson_ratio = 0.3
+[[grains.sphere]]
+position_m = [0.16, 0.08, 0.12]
+diameter_m = 0.08
+density_kg_m3 = 2600
+material = "rock"
+[[probe]]
+name = "inside"
+kind = "velocity"
+position_m = [0.16, 0.08, 0.12]
+[[probe]]
+name = "beside"
+kind = "velocity"
+position_m = [0.23, 0.08, 0.12]
+)";
+  const scene::ScratchFolder scratch;
+  run_to_folder(scene::load_text(text, {"run.duration_s=0.05", "run.series_interval_s=0.01"}),
+                {.out = scratch.path() / "out", .threads = 1, .quiet = true}, run_scene);
+  const Series series = read_series(scratch.path() / "out/series.h5");
+  for (std::size_t row = 1; row < series.time_s.size(); ++row) {
+    EXPECT_TRUE(std::isnan(series.find("inside_z_m_s")->values[row])) << row;
+    EXPECT_GT(series.find("beside_z_m_s")->values[row], 0) << row << ": what sinks pushes water up";
+  }
+}
+
 /// Of two grains the one nearest to the point is followed: it falls freely, then is gone.
 TEST(Probes, FollowAGrain) {
   const std::string text = R"([scene]

@@ -268,6 +268,14 @@ TEST(Warnings, Solids) {
   EXPECT_TRUE(warns(report([](S& s) { s.contacts.erase(s.contacts.begin() + 2); }),
                     "no [[contact]] for \"rock\" and \"steel\""));
   EXPECT_FALSE(warns(report([](S&) {}), "no [[contact]]"));
+  const auto rolling = [&](dem::WireContacts wires) {
+    return report([&](S& s) {
+      s.solids.wire_contacts = wires;
+      for (scene::Contact& c : s.contacts) c.rolling_friction = 0.3;
+    });
+  };
+  EXPECT_TRUE(warns(rolling(dem::WireContacts::capsules), "does not act on wires"));
+  EXPECT_FALSE(warns(rolling(dem::WireContacts::beads), "does not act on wires"));
 }
 
 TEST(Warnings, WallsBetweenCells) {

@@ -96,6 +96,22 @@ TEST(OutputFolder, AFormerRunComesBackAfterAKillBeforeTheNewOneBegan) {
   EXPECT_EQ(count(scratch.path()), 2u);
 }
 
+/// Files that were on their way aside, or back, when the process was killed; and those of a run that was being removed.
+TEST(OutputFolder, AKillAmidMovingLosesNothing) {
+  const scene::ScratchFolder scratch;
+  const std::string resolved = std::string(scene::resolved_mark) + "\n";
+  scratch.write("scene.resolved.toml", resolved);
+  scratch.write("checkpoint.h5", "old");
+  for (const char* aside : {".former_run.part", ".former_run.gone"}) fs::create_directory(scratch.path() / aside);
+  scratch.write(".former_run.part/series.h5", "old");
+  scratch.write(".former_run.gone/run.log", "older");
+  FormerRun::recover(scratch.path());
+  EXPECT_EQ(scene::file_text(scratch.path() / "scene.resolved.toml"), resolved);
+  EXPECT_EQ(scene::file_text(scratch.path() / "checkpoint.h5"), "old");
+  EXPECT_EQ(scene::file_text(scratch.path() / "series.h5"), "old");
+  EXPECT_EQ(count(scratch.path()), 3u);
+}
+
 /// Charts of procedures belong to their runs, and do not stand beside the results of another one.
 TEST(OutputFolder, ChartsOfAFormerProcedureGoWithIt) {
   const scene::ScratchFolder scratch;

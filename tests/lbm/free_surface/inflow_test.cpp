@@ -72,6 +72,16 @@ TEST(Inflow, BringsItsMomentum) {
   EXPECT_NEAR(momentum / (0.4 * fluid.inflow_mass()), 1, 0.1);
 }
 
+/// A step that adapts stays so short that the box takes the peak of the discharge.
+TEST(Inflow, BoundsTheStepByWhatItsBoxTakes) {
+  FluidOptions o = filling(Vec3(0.0, 0.0, 0.0), Vec3(0.04, 0.16, 0.05), Vec3(0.5, 0, 0));
+  const double taken = kLargestDose * 0.04 * 0.16 * 0.05;  // m^3 in a step
+  o.inflows[0].discharge.points[1].discharge = o.inflows[0].discharge.points[2].discharge = taken / (3 * o.time_step);
+  EXPECT_NEAR(time_step_limits(o).longest / o.time_step, 3, 1e-9);
+  o.inflows[0].discharge.points[1].discharge = taken / (0.1 * o.time_step);
+  EXPECT_EQ(time_step_limits(o).longest, o.time_step);
+}
+
 TEST(Inflow, RefusesWhatItsBoxCannotTake) {
   FluidOptions o = filling(Vec3(0.0, 0.0, 0.0), Vec3(0.01, 0.01, 0.01), Vec3::Zero());
   Fluid<double> fluid(o);

@@ -46,5 +46,20 @@ TEST(Domain, PeriodicAxesAreChecked) {
   EXPECT_THROW(Domain{s}, std::logic_error);  // 10 cells are no multiple of 8
 }
 
+/// A bed that ends at periodic faces is an endless one.
+TEST(Domain, WallsGoOnBeyondPeriodicFaces) {
+  for (const double height : {0.23, 0.25, 0.3}) {
+    DomainSpec s{.lower = Vec3::Zero(), .upper = Vec3(0.8, 0.8, 0.8), .cell_size = 0.1};
+    s.faces[0] = s.faces[1] = FaceKind::periodic;
+    s.walls.add({"bed", SolidBox{Vec3(0, -1, -1), Vec3(0.8, 2, height)}});
+    const Domain d(s);
+    for (const double x : {0.05, 0.45, 0.75}) {
+      const Vec3 from(x, 0.35, height + 0.04);
+      for (const double aside : {-0.1, 0.0, 0.1})
+        EXPECT_NEAR(d.wall_share(from, from + Vec3(aside, 0, -0.1)), 0.4, 1e-9) << height << " " << x << " " << aside;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace lahar::lbm

@@ -63,6 +63,16 @@ TEST(TimeStepControl, NothingGrowsOnPressureFallWallsOrAnEmptyTank) {
   EXPECT_GT(after_calm(control, 0.9e-3, look(0), 40), 0.9e-3);
 }
 
+/// A boulder in the air is in no cell, and falls into water at rest.
+TEST(TimeStepControl, FollowsBodiesThatAreNotInTheLiquid) {
+  auto control = running();
+  LiquidSpeed calm = look(0.01);
+  calm.bodies = 0.099;
+  EXPECT_EQ(after_calm(control, 1e-3, calm, 40), 1e-3);
+  calm.bodies = 0.16;
+  EXPECT_NEAR(control.choose(1e-3, calm), 1e-3 * 0.1 / 0.16, 1e-12);
+}
+
 TEST(TimeStepControl, PressureShortensAtTheFirstLookAlone) {
   TimeStepControl control(limits());
   EXPECT_NEAR(control.choose(1e-3, look(0, 0.4)), 0.25e-3, 1e-9);

@@ -1,0 +1,55 @@
+#include "cases/assembly/check_start.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "cases/assembly/grain_extent.h"
+#include "core/check.h"
+
+namespace lahar::cases {
+
+namespace {
+
+/// By how much two particles reach into each other beyond what is allowed, m; not above 0 if they may begin so.
+double excess(const dem::Particles& p, dem::ParticleIndex i, dem::ParticleIndex j) {
+  const double overlap = p.radius[i] + p.radius[j] - (Vec3(p.position[i]) - Vec3(p.position[j])).norm();
+  return overlap - scene::kLargestOverlap * std::min(p.radius[i], p.radius[j]);
+}
+
+}  // namespace
+
+void require_clear_start(const scene::Scene& scene, const dem::Particles& p) {
+  const auto is_grain = [](dem::ParticleKind kind) { return kind == dem::ParticleKind::grain; };
+  const auto grains = static_cast<dem::ParticleIndex>(std::count_if(p.kind.begin(), p.kind.end(), is_grain));
+  const auto packed = static_cast<dem::ParticleIndex>(grains - scene.grains.spheres.size());
+  const auto name = [&](dem::ParticleIndex i) {
+    if (i >= packed) return fmt::format("grains.sphere[{}]", i - packed);
+    const Vec3 x = p.position[i];
+    return fmt::format("a packed grain at ({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z());
+  };
+  for (dem::ParticleIndex k = packed; k < grains; ++k)
+    for (dem::ParticleIndex i = 0; i < packed; ++i)
+      if (excess(p, k, i) > 0)
+        throw InputError(
+            fmt::format("{} reaches into {}, expected it clear of the packing as it has settled, higher "
+                        "than its target_height_m by a grain at most",
+                        name(k), name(i)));
+  Vec3 lower = Vec3::Constant(1e300), upper = -lower;  // of the barrier
+  for (dem::ParticleIndex b = grains; b < p.size(); ++b) {
+    lower = lower.cwiseMin(Vec3(p.position[b]) - Vec3::Constant(p.radius[b]));
+    upper = upper.cwiseMax(Vec3(p.position[b]) + Vec3::Constant(p.radius[b]));
+  }
+  for (dem::ParticleIndex i = 0; i < grains; ++i) {
+    const Vec3 x = p.position[i];
+    if ((x.array() < lower.array() - p.radius[i]).any() || (x.array() > upper.array() + p.radius[i]).any()) continue;
+    for (dem::ParticleIndex b = grains; b < p.size(); ++b)
+      if (excess(p, i, b) > 0)
+        throw InputError(
+            fmt::format("{} reaches into the barrier, expected it clear of the net as that hangs after "
+                        "barrier.settle_time_s",
+                        name(i)));
+  }
+}
+
+}  // namespace lahar::cases
