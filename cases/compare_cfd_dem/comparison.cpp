@@ -27,7 +27,7 @@ double CaseResult::value(const std::string& quantity) const {
 }
 
 CaseResult result_of(const CaseRun& run) {
-  CaseResult result{run.study_case, {}, {}, {}, {}, 0, {}};
+  CaseResult result{run.study_case, {}, {}, {}, {}, {}, {}, 0, {}};
   for (const Compared& q : compared_quantities())
     if (const double value = q.ours(run); std::isfinite(value)) result.values[q.name] = value;
   result.curves.time_s = run.series.time_s;

@@ -57,7 +57,7 @@ double Domain::wall_share(const Vec3& from, const Vec3& into) const {
   double t = 0.5;
   for (int k = 0; k < 30 && high - low > 1e-12; ++k) {
     t = (low * f_high - high * f_low) / (f_high - f_low);
-    const double f = wall_distance(from + t * (into - from)).distance;
+    const double f = wall_distance(from + t * (into - from));
     if (std::abs(f) < 1e-12 * spec_.cell_size) break;
     if (f > 0) {
       low = t, f_low = f;

@@ -49,7 +49,8 @@ TEST(Domain, PeriodicAxesAreChecked) {
 /// A bed that ends at periodic faces is an endless one.
 TEST(Domain, WallsGoOnBeyondPeriodicFaces) {
   for (const double height : {0.23, 0.25, 0.3}) {
-    DomainSpec s{.lower = Vec3::Zero(), .upper = Vec3(0.8, 0.8, 0.8), .cell_size = 0.1};
+    DomainSpec s;
+    s.lower = Vec3::Zero(), s.upper = Vec3(0.8, 0.8, 0.8), s.cell_size = 0.1;
     s.faces[0] = s.faces[1] = FaceKind::periodic;
     s.walls.add({"bed", SolidBox{Vec3(0, -1, -1), Vec3(0.8, 2, height)}});
     const Domain d(s);
