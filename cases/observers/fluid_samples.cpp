@@ -96,9 +96,12 @@ double pressure_on_disc(const FluidView& fluid, const Vec3& point, double diamet
 Vec3 velocity_at(const FluidView& fluid, const LiquidVelocity& velocity, const Vec3& point) {
   Vec3 sum = Vec3::Zero();
   double weights = 0;
+  // Beyond it a cell has the velocity of the grain. Inside one fractions may be a little below 1: they add up to its
+  // volume.
+  constexpr double covered = 0.95;
   for_cells_around(fluid.domain(), point, [&](const Vec3& centre, double weight) {
     const auto cell = fluid.cell_at(centre);
-    if (cell && cell->liquid_volume > 0) sum += weight * velocity(*cell), weights += weight;
+    if (cell && cell->solid_fraction < covered) sum += weight * velocity(*cell), weights += weight;
   });
   return weights > 0 ? Vec3(sum / weights) : Vec3(Vec3::Constant(std::numeric_limits<double>::quiet_NaN()));
 }

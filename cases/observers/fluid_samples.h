@@ -24,7 +24,7 @@ double pressure_at(const FluidView& fluid, const Vec3& point);
 double pressure_on_disc(const FluidView& fluid, const Vec3& point, double diameter);
 
 /// Velocity of the liquid at a point, m/s: interpolated between the centres of those of the eight cells around it that
-/// hold liquid; NaN where none does.
+/// hold liquid, which those inside resolved grains do not; NaN where none does.
 Vec3 velocity_at(const FluidView& fluid, const LiquidVelocity& velocity, const Vec3& point);
 
 }  // namespace lahar::cases

@@ -65,7 +65,7 @@ void Probes::declare_velocity(const scene::Probe& probe) {
     column(
         {probe.name + "_" + kAxes[a] + "_m_s", "PROBE_AXIS_m_s"}, "m/s",
         "velocity probe: of the liquid, between the centres of the wet ones of the eight cells around the point; NaN "
-        "where all are dry",
+        "where all are dry or inside grains",
         [this, k, a] { return currents_[k].velocity[a]; });
   hidden([this, k] { return currents_[k].velocity.norm(); })
       .unknown_at_times()

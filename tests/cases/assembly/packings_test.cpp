@@ -61,7 +61,7 @@ position_m = [0.1, 0.5, )") + z + "]\n");
     build_solids(with_sphere("0.07"));
     FAIL() << "it begins inside the packing";
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("grains.sphere[0] reaches into a packed grain"), std::string::npos)
+    EXPECT_NE(std::string(e.what()).find("grains.sphere[1] reaches into a packed grain"), std::string::npos)
         << e.what();
   }
 }

@@ -152,7 +152,9 @@ time_mean = true
 
 /// What is inside a resolved grain is no liquid: the grain's velocity is none of the liquid's.
 TEST(Probes, VelocitiesAreOfTheLiquidAlone) {
-  const std::string text = tank_of_water + R"([materials.rock]
+  const std::string text = tank_of_water + R"([coupling]
+enabled = true
+[materials.rock]
 youngs_modulus_Pa = 1e7
 poisson_ratio = 0.3
 [[grains.sphere]]

@@ -121,11 +121,11 @@ TEST(Sections, WaterGoesUpWhereABallSinks) {
 
 /// Where averaged grains are, cells hold the mixture: gauges tell of the liquid between them.
 TEST(Sections, TheLiquidIsThatBetweenAveragedGrains) {
-  const Vec3 point(0.16, 0.16, 0.36);
+  const Vec3 point(0.22, 0.16, 0.36);  // beside the ball
   Sampled run(scene::load_text(sinking + R"([[probe]]
 name = "gauge"
 kind = "velocity"
-position_m = [0.16, 0.16, 0.36]
+position_m = [0.22, 0.16, 0.36]
 )",
                                {"coupling.grains=averaged", "coupling.averaging_length_m=0.1"}));
   while (run.simulation->time() < 0.1) run.step();
