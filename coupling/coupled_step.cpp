@@ -118,7 +118,7 @@ void CoupledStep<Real>::advance() {
 template <class Real>
 void CoupledStep<Real>::follow_time_step() {
   double fastest = 0;  // of grains, square
-  if (solids_) {
+  if (solids_ && fluid_->options().adaptive_time_step) {
     const dem::Particles& p = solids_->particles();
     for (dem::ParticleIndex i = 0; i < p.size(); ++i)
       if (p.kind[i] == dem::ParticleKind::grain && p.state[i] != dem::ParticleState::removed)

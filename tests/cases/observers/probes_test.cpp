@@ -93,10 +93,8 @@ position_m = [0.16, 0.08, 0.1]
   EXPECT_NEAR(series.find("lift_fluid_moment_y_Nm")->values.back(), 0, 0.01 * lift * 0.05);
 }
 
-/// A mean over the rows' intervals: the pressure at each step, summed, is that of all rows. Where a row comes at every
-/// step, mean and moment are the same.
-TEST(Probes, PressureAveragedOverTime) {
-  const std::string sensors = R"([[probe]]
+/// The pressure of a moment and the mean over time, at one point.
+const std::string kMomentAndMean = R"([[probe]]
 name = "moment"
 kind = "pressure"
 position_m = [0.0, 0.08, 0.05]
@@ -106,9 +104,13 @@ kind = "pressure"
 position_m = [0.0, 0.08, 0.05]
 time_mean = true
 )";
+
+/// A mean over the rows' intervals: the pressure at each step, summed, is that of all rows. Where a row comes at every
+/// step, mean and moment are the same.
+TEST(Probes, PressureAveragedOverTime) {
   const scene::ScratchFolder scratch;
   const auto rows = [&](const char* folder, const std::vector<std::string>& set) {
-    run_to_folder(scene::load_text(tank_with_ball + sensors, set),
+    run_to_folder(scene::load_text(tank_with_ball + kMomentAndMean, set),
                   {.out = scratch.path() / folder, .threads = 1, .quiet = true}, run_scene);
     return read_series(scratch.path() / folder / "series.h5");
   };
@@ -129,20 +131,10 @@ time_mean = true
 
 /// Where the fluid's step changes each pressure counts for the time that has passed.
 TEST(Probes, PressureAveragedOverTimeWhileTheStepChanges) {
-  const std::string sensors = R"([[probe]]
-name = "moment"
-kind = "pressure"
-position_m = [0.0, 0.08, 0.05]
-[[probe]]
-name = "mean"
-kind = "pressure"
-position_m = [0.0, 0.08, 0.05]
-time_mean = true
-)";
   const scene::ScratchFolder scratch;
   const RunResult run = run_to_folder(
-      scene::load_text(tank_with_ball + sensors, {"run.duration_s=0.1", "run.series_interval_s=1e-6",
-                                                  "fluid.adaptive_time_step=true", "fluid.max_speed_m_s=10"}),
+      scene::load_text(tank_with_ball + kMomentAndMean, {"run.duration_s=0.1", "run.series_interval_s=1e-6",
+                                                         "fluid.adaptive_time_step=true", "fluid.max_speed_m_s=10"}),
       {.out = scratch.path() / "out", .threads = 1, .quiet = true}, run_scene);
   EXPECT_GE(run.summary.metrics.at("fluid_time_step_changes"), 1);
   const Series every = read_series(scratch.path() / "out" / "series.h5");
