@@ -84,11 +84,13 @@ Component component_of(Side side) {
   return Component::right_cable;
 }
 
-void add_motion(const Net& net, const dem::Particles& particles, const Vec3& gravity, BarrierResponse& r) {
+void add_motion(const Net& net, const dem::Particles& particles, const dem::Bonds& bonds, const Vec3& gravity,
+                BarrierResponse& r) {
+  const std::vector<bool> holding = holding_beads(net, bonds);
   for (std::size_t k = 0; k < net.beads; ++k) {
     const dem::ParticleIndex i = particles.index(net.first_bead + k);
     const Vec3 moved = particles.position[i] - net.start[k];
-    r.elongation = std::max(r.elongation, moved.dot(net.normal));
+    if (holding[k]) r.elongation = std::max(r.elongation, moved.dot(net.normal));
     r.potential_energy -= particles.gravitational_mass[i] * gravity.dot(moved);
     if (particles.state[i] != dem::ParticleState::free) continue;
     r.kinetic_energy += 0.5 * (particles.mass[i] * particles.velocity[i].squaredNorm() +
@@ -116,6 +118,26 @@ bool is_reported(Component component, const Net& net) {
 
 double dissipator_elongation(const Net& net, const dem::Bonds& bonds, std::size_t k) {
   return bonds.elongation[net.dissipators[k]];
+}
+
+std::vector<bool> holding_beads(const Net& net, const dem::Bonds& bonds) {
+  std::vector<bool> holding(net.beads, true);
+  const auto is_broken = [&](std::size_t b) { return bonds.intact[b] == 0; };
+  const auto look_at = [&](const Wire& wire) {
+    bool torn = false;
+    for (std::size_t b = wire.first_bond; b < wire.first_bond + wire.bonds; ++b) torn = torn || is_broken(b);
+    if (!torn) return;
+    for (dem::ParticleId bead = wire.first_bead; bead < wire.first_bead + wire.beads; ++bead)
+      holding[bead - net.first_bead] = false;
+  };
+  for (const Wire& ring : net.rings) look_at(ring);
+  for (const Wire& cable : net.cables) look_at(cable);
+  for (const auto& kind : net.elements)
+    for (const Wire& wire : kind) look_at(wire);
+  for (const MeshPart& mesh : net.meshes)
+    for (std::size_t b = mesh.first_bond; b < mesh.first_bond + mesh.bonds; ++b)
+      if (is_broken(b)) holding[bonds.id_i[b] - net.first_bead] = holding[bonds.id_j[b] - net.first_bead] = false;
+  return holding;
 }
 
 BarrierResponse response(const Net& net, const dem::Particles& particles, const dem::Bonds& bonds,
@@ -149,7 +171,7 @@ BarrierResponse response(const Net& net, const dem::Particles& particles, const 
   for (const std::size_t b : net.ties) add_bond(b, bonds, part(Component::barrier));
   for (const Component c : all_components)
     if (c != Component::barrier) add_component(part(c), part(Component::barrier));
-  add_motion(net, particles, gravity, r);
+  add_motion(net, particles, bonds, gravity, r);
   for (std::size_t k = 0; k < net.dissipators.size(); ++k)
     r.largest_dissipator_elongation = std::max(r.largest_dissipator_elongation, dissipator_elongation(net, bonds, k));
   return r;

@@ -2,6 +2,7 @@
 // What a barrier does under load: forces, elongation and energy of its parts. Only looks; changes nothing.
 #include <array>
 #include <string_view>
+#include <vector>
 
 #include "barrier/elements.h"
 #include "barrier/net.h"
@@ -49,7 +50,7 @@ struct ComponentResponse {
 
 struct BarrierResponse {
   std::array<ComponentResponse, all_components.size()> components;  ///< by Component; cables that the net lacks are 0
-  double elongation = 0;        ///< m, largest displacement of a bead along the flow since the net was built
+  double elongation = 0;        ///< m, largest displacement along the flow since the net was built, of holding beads
   double kinetic_energy = 0;    ///< J, with rotation
   double potential_energy = 0;  ///< J, in gravity since the net was built
   double largest_dissipator_elongation = 0;  ///< m
@@ -57,6 +58,10 @@ struct BarrierResponse {
     return components[static_cast<std::size_t>(c)];
   }
 };
+
+/// By bead, in the order of the net: false for those of a wire of which a bond is broken, and for nodes of a mesh at a
+/// broken bond. They may fly off.
+[[nodiscard]] std::vector<bool> holding_beads(const Net& net, const dem::Bonds& bonds);
 
 /// The response as of the last force evaluation. gravity in m/s^2.
 [[nodiscard]] BarrierResponse response(const Net& net, const dem::Particles& particles, const dem::Bonds& bonds,

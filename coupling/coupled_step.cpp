@@ -114,17 +114,25 @@ void CoupledStep<Real>::advance() {
   clock_.advance();
 }
 
+/// m/s, of the fastest body that the fluid feels in its cells, or will: a grain, or a bead of a mapped wire.
+template <class Real>
+double CoupledStep<Real>::speed_of_bodies() const {
+  double fastest = 0;  // square
+  if (!solids_) return fastest;
+  const dem::Particles& p = solids_->particles();
+  for (dem::ParticleIndex i = 0; grains_ && i < p.size(); ++i)
+    if (p.kind[i] == dem::ParticleKind::grain && p.state[i] != dem::ParticleState::removed)
+      fastest = std::max(fastest, Vec3(p.velocity[i]).squaredNorm());
+  if (mapped_wires_)
+    for (const dem::ParticleId id : mapped_wires_->wires().beads())
+      fastest = std::max(fastest, Vec3(p.velocity[p.index(id)]).squaredNorm());
+  return std::sqrt(fastest);
+}
+
 /// The fluid may have chosen another step: as many sub-steps as keep each no longer than the first ones were.
 template <class Real>
 void CoupledStep<Real>::follow_time_step() {
-  double fastest = 0;  // of grains, square
-  if (solids_ && fluid_->options().adaptive_time_step) {
-    const dem::Particles& p = solids_->particles();
-    for (dem::ParticleIndex i = 0; i < p.size(); ++i)
-      if (p.kind[i] == dem::ParticleKind::grain && p.state[i] != dem::ParticleState::removed)
-        fastest = std::max(fastest, Vec3(p.velocity[i]).squaredNorm());
-  }
-  const double time_step = fluid_->plan_time_step(std::sqrt(fastest));
+  const double time_step = fluid_->plan_time_step(fluid_->options().adaptive_time_step ? speed_of_bodies() : 0.0);
   if (time_step == clock_.time_step()) return;
   clock_.set_time_step(time_step);
   options_.substeps = std::max(1, static_cast<int>(std::ceil(time_step / longest_substep_ * (1 - 1e-12))));

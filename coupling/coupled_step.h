@@ -64,6 +64,7 @@ class CoupledStep {
 
  private:
   void choose_wires();
+  [[nodiscard]] double speed_of_bodies() const;
   void follow_time_step();
   void map_bodies();
   void give_impulses();

@@ -3,11 +3,11 @@
 // stands in the arrays may (numbering.h).
 #include <algorithm>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "core/archive.h"
+#include "core/sphere.h"
 #include "core/triple.h"
 #include "core/vector.h"
 #include "dem/numbering.h"
@@ -84,7 +84,7 @@ struct Particles {
 
   /// Returns the id, which is also the index at which the particle now stands.
   ParticleId add(const ParticleSpec& s) {
-    const double weighs = 4.0 / 3.0 * std::numbers::pi * s.radius * s.radius * s.radius * s.density;
+    const double weighs = sphere_volume(s.radius) * s.density;
     const double m = s.mass_scale * weighs;
     position.push_back(s.position);
     velocity.push_back(s.velocity);

@@ -76,9 +76,9 @@ void Solids::detect() {
   if (!contacts_.outdated(particles_) && (!bonds_broke || wires_)) return;
   check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
   if ((!bonds_broke || wires_) && contacts_.neighbours_hold(particles_))
-    return contacts_.refresh(particles_, share(Rate::fast));
+    return contact_forces_.book_lost(contacts_.refresh(particles_, share(Rate::fast)));
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
-  contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
+  contact_forces_.book_lost(contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast)));
 }
 
 /// Beads whose bond broke in the last step touch from now on: the lists must be built anew. Where they press on each
@@ -118,7 +118,7 @@ void Solids::detect_wires(bool bonds_broke) {
   const std::vector<std::uint8_t> covered = wires_->chains().covered();
   wires_->rebuild(particles_, bonds_);
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
-  contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
+  contact_forces_.book_lost(contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast)));
   particles_.position = half_way;
   double after = wires_->normal_energy(particles_);
   const ContactSlots& pairs = contacts_.pairs();
@@ -212,8 +212,8 @@ void Solids::build_all() {
   bonded_.assign(particles_.size(), bonds_.i, bonds_.j, bonds_.intact);
   find_slow();
   if (wires_) wires_->rebuild(particles_, bonds_);
-  contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast));
-  if (two_rates()) slow_contacts_.rebuild(particles_, walls_, bonded_, share(Rate::slow));
+  contact_forces_.book_lost(contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast)));
+  if (two_rates()) slow_forces_.book_lost(slow_contacts_.rebuild(particles_, walls_, bonded_, share(Rate::slow)));
   bond_force_.resize(particles_.size()), bond_torque_.resize(particles_.size());
   contact_forces_.damping().resize(particles_.size());
   applied_force_ = particles_.external_force;

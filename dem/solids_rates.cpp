@@ -74,8 +74,9 @@ void Solids::detect_slow() {
   const ScopedTimer timer(*section_detect_);
   if (!slow_contacts_.outdated(particles_)) return;
   check_motion(particles_, options_.watchdog, step_count_);  // lists need finite positions
-  if (slow_contacts_.neighbours_hold(particles_)) return slow_contacts_.refresh(particles_, share(Rate::slow));
-  slow_contacts_.rebuild(particles_, walls_, bonded_, share(Rate::slow));
+  slow_forces_.book_lost(slow_contacts_.neighbours_hold(particles_)
+                             ? slow_contacts_.refresh(particles_, share(Rate::slow))
+                             : slow_contacts_.rebuild(particles_, walls_, bonded_, share(Rate::slow)));
 }
 
 /// What grains feel of each other, of walls, of gravity and from outside.

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "core/sphere.h"
+
 namespace lahar::dem {
 
 namespace {
@@ -64,7 +66,7 @@ double rayleigh_time_step(const Particles& particles, const Materials& materials
   double least = kInfinity;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (particles.state[i] == ParticleState::removed) continue;
-    const double r = particles.radius[i], density = particles.mass[i] / (4.0 / 3.0 * std::numbers::pi * r * r * r);
+    const double r = particles.radius[i], density = particles.mass[i] / sphere_volume(r);
     least = std::min(least, rayleigh_time_step(r, density, materials[particles.material[i]]));
   }
   return least;

@@ -152,11 +152,10 @@ void check_beads_beside_walls(const Scene& scene, const dem::Particles& beads, F
 /// one.
 void check_step_of_barrier(const Scene& scene, const dem::Particles& beads, const dem::Bonds& bonds,
                            Findings& findings) {
-  if (scene.solids.time_step > 0) return;  // asked for
-  constexpr double agree = 1.02;           // the two limits do, for a net of rings of touching beads
+  if (scene.solids.time_step > 0) return;  // asked for: a warning (warn_of_solids.cpp)
   constexpr double room = 0.8;             // below the limit, as by default
   const double step = cases::solids_time_step(scene), limit = dem::bond_time_step(bonds, beads);
-  if (step <= agree * limit) return;
+  if (step <= limit) return;
   const double safety = scene.solids.bond_safety;
   findings.mistake("solids.bond_safety",
                    fmt::format("solids.bond_safety is {:g}: the time step is {:.3g} s, and the barrier as built allows "
@@ -180,8 +179,7 @@ void check_barrier(const Scene& scene, Findings& findings) {
 }
 
 void check_net_can_be_built(const Scene& scene, Findings& findings) {
-  constexpr std::int64_t most_beads = 500'000;  // a few seconds; of larger nets the run finds it out
-  if (!scene.barrier.enabled || !findings.mistakes().empty() || cases::barrier_beads(scene) > most_beads) return;
+  if (!scene.barrier.enabled || !findings.mistakes().empty() || !cases::can_be_tried(scene)) return;
   dem::Particles particles;
   dem::Bonds bonds;
   const auto attempt = [&](const std::string& path, const auto& build) {

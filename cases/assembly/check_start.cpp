@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cases/assembly/grain_extent.h"
 #include "core/check.h"
@@ -15,6 +18,10 @@ namespace {
 double excess(const dem::Particles& p, dem::ParticleIndex i, dem::ParticleIndex j) {
   const double overlap = p.radius[i] + p.radius[j] - (Vec3(p.position[i]) - Vec3(p.position[j])).norm();
   return overlap - scene::kLargestOverlap * std::min(p.radius[i], p.radius[j]);
+}
+
+[[noreturn]] void refuse(const scene::WrittenAt& at, std::string message) {
+  throw InputError(std::vector<InputMistake>{{at.file, at.line, at.column, std::move(message)}});
 }
 
 }  // namespace
@@ -31,10 +38,10 @@ void require_clear_start(const scene::Scene& scene, const dem::Particles& p) {
   for (dem::ParticleIndex k = packed; k < grains; ++k)
     for (dem::ParticleIndex i = 0; i < packed; ++i)
       if (excess(p, k, i) > 0)
-        throw InputError(
-            fmt::format("{} reaches into {}, expected it clear of the packing as it has settled, higher "
-                        "than its target_height_m by a grain at most",
-                        name(k), name(i)));
+        refuse(scene.grains.spheres[k - packed].written_at,
+               fmt::format("{} reaches into {}, expected it clear of the packing as it has settled, higher "
+                           "than its target_height_m by a grain at most",
+                           name(k), name(i)));
   Vec3 lower = Vec3::Constant(1e300), upper = -lower;  // of the barrier
   for (dem::ParticleIndex b = grains; b < p.size(); ++b) {
     lower = lower.cwiseMin(Vec3(p.position[b]) - Vec3::Constant(p.radius[b]));
@@ -45,10 +52,10 @@ void require_clear_start(const scene::Scene& scene, const dem::Particles& p) {
     if ((x.array() < lower.array() - p.radius[i]).any() || (x.array() > upper.array() + p.radius[i]).any()) continue;
     for (dem::ParticleIndex b = grains; b < p.size(); ++b)
       if (excess(p, i, b) > 0)
-        throw InputError(
-            fmt::format("{} reaches into the barrier, expected it clear of the net as that hangs after "
-                        "barrier.settle_time_s",
-                        name(i)));
+        refuse(i >= packed ? scene.grains.spheres[i - packed].written_at : scene.barrier.written_at,
+               fmt::format("{} reaches into the barrier, expected it clear of the net as that hangs after "
+                           "barrier.settle_time_s",
+                           name(i)));
   }
 }
 

@@ -71,11 +71,31 @@ double sound_speed(const scene::Scene& scene) {
   return scene.fluid.cell_size / fluid_time_step(scene) / std::sqrt(3.0);
 }
 
+namespace {
+
+/// A box of liquid up to the top of what stands on it, anywhere: as deep as the filling takes it at most.
+scene::FluidRegion with_boxes_above(scene::FluidRegion r, const std::vector<scene::FluidRegion>& all) {
+  const auto carries_on = [&](const scene::FluidRegion& o) {
+    return o.shape == scene::RegionShape::box && (o.lower.array().head<2>() < r.upper.array().head<2>()).all() &&
+           (o.upper.array().head<2>() > r.lower.array().head<2>()).all() && o.lower.z() <= r.upper.z() &&
+           o.upper.z() > r.upper.z();
+  };
+  for (auto next = all.begin(); r.shape == scene::RegionShape::box && next != all.end();) {
+    next = std::find_if(all.begin(), all.end(), carries_on);
+    if (next != all.end()) r.upper.z() = next->upper.z();
+  }
+  return r;
+}
+
+}  // namespace
+
 double start_compression(const scene::Scene& scene) {
   const Walls walls = scene::make_walls(scene);
   double depth = 0;
-  for (const scene::FluidRegion& r : scene.fluid.regions)
-    depth = std::max(depth, scene::open_depth(walls, r.lower, r.upper).value_or(0));
+  for (const scene::FluidRegion& r : scene.fluid.regions) {
+    const scene::FluidRegion whole = with_boxes_above(r, scene.fluid.regions);
+    depth = std::max(depth, scene::open_depth(walls, whole.lower, whole.upper).value_or(0));
+  }
   const double pressure = -scene.gravity.vector().z() * depth / std::pow(sound_speed(scene), 2);  // over rho c_s^2
   return pressure > 0 ? std::expm1(pressure) / pressure - 1 : 0;
 }
@@ -214,6 +234,19 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
   if (!scene.barrier.bonds.dissipator_stiffness.empty())
     limits.cable_bond = std::min(limits.cable_bond, spec.bond_limit(spec.dissipator));
   return limits;
+}
+
+bool can_be_tried(const scene::Scene& scene) {
+  constexpr std::int64_t most_beads = 500'000;
+  return scene.barrier.enabled && barrier_beads(scene) <= most_beads;
+}
+
+double limit_as_built(const scene::Scene& scene) {
+  if (!can_be_tried(scene)) return never;
+  dem::Particles beads;
+  dem::Bonds bonds;
+  scene::build_barrier(scene, beads, bonds);
+  return dem::bond_time_step(bonds, beads);
 }
 
 double solids_time_step(const scene::Scene& scene) {

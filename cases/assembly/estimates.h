@@ -59,6 +59,13 @@ struct SolidsLimits {
 };
 SolidsLimits solids_limits(const scene::Scene& scene);
 
+/// Whether the barrier can be built to see whether it stands, in a few seconds; of larger ones the run finds it out.
+bool can_be_tried(const scene::Scene& scene);
+
+/// s: what all bonds of a bead together allow, in the barrier as built; infinity where it cannot be tried. Beads
+/// farther apart than they are wide, ties and posts ask for less than single bonds of touching beads do.
+double limit_as_built(const scene::Scene& scene);
+
 /// s: solids.time_step_s, or the smallest limit times its safety; infinity without solids.
 double solids_time_step(const scene::Scene& scene);
 

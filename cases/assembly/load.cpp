@@ -32,10 +32,16 @@ Scene load(const std::filesystem::path& file, const std::vector<std::string>& ov
   Reader reader(root, "", findings);
   describe(reader, scene);
   reader.refuse_unknown();
-  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
-    const Place at = findings.place(fmt::format("grains.packing[{}]", i));
-    scene.grains.packings[i].written_at = {at.file, at.line, at.column};
-  }
+  const auto note_places = [&findings](const std::string& path, auto& parts) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Place at = findings.place(fmt::format("{}[{}]", path, i));
+      parts[i].written_at = {at.file, at.line, at.column};
+    }
+  };
+  note_places("grains.packing", scene.grains.packings);
+  note_places("grains.sphere", scene.grains.spheres);
+  const Place at = findings.place("barrier");
+  scene.barrier.written_at = {at.file, at.line, at.column};
   build_rigid_barrier(scene, findings);
   load_shapes(scene, findings);
   check_together(scene, findings);

@@ -1,5 +1,8 @@
 #include "cases/assembly/settled_barrier.h"
 
+#include <string>
+
+#include "barrier/topology.h"
 #include "cases/assembly/build.h"
 #include "core/check.h"
 #include "core/parallel.h"
@@ -39,10 +42,13 @@ scene::Scene barrier_alone(scene::Scene scene) {
 }
 
 void settle_barrier(const scene::Scene& scene, const barrier::Net& net, dem::Particles& particles, dem::Bonds& bonds) {
-  dem::Solids alone = build_solids(barrier_alone(scene)).solids;
+  BuiltSolids built = build_solids(barrier_alone(scene));
+  dem::Solids& alone = built.solids;
   dem::Particles& beads = alone.particles();
   const double limit = dem::bond_time_step(alone.bonds(), beads);  // of bonds between beads that do not touch, too
   if (alone.options().time_step > limit) alone.set_time_step(kShareOfLimit * limit);
+  const auto topology = [&] { return barrier::find_topology(*built.net, beads, alone.bonds()); };
+  const barrier::Topology as_built = topology();
   double before = 0;
   while (alone.time() < scene.barrier.settle_time) {
     alone.advance(kSteps);
@@ -55,6 +61,8 @@ void settle_barrier(const scene::Scene& scene, const barrier::Net& net, dem::Par
     }
   }
   require(beads.size() == net.beads && alone.bonds().size() == net.bonds, "settle_barrier: another barrier");
+  if (const std::string lost = barrier::first_difference(as_built, topology()); !lost.empty())
+    throw NumericalFailure("the net as it comes to rest", alone.step_count(), lost);
   for (dem::ParticleId k = 0; k < net.beads; ++k)
     particles.position.set(particles.index(net.first_bead + k), beads.position[beads.index(k)]);
   bonds.take_load(net.first_bond, alone.bonds());

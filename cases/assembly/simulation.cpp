@@ -23,6 +23,7 @@ class CoupledSimulation final : public Simulation {
       net_ = std::move(built.net);
     }
     step_.emplace(std::move(fluid), std::move(solids), coupling_options(scene));
+    if (fresh && step_->solids()) step_->solids()->advance(0);  // forces and energies are those of the start
     if (!step_->fluid()) return;
     if (fresh) step_->fill(liquid_regions(scene));
     view_ = view_of(*step_->fluid());

@@ -111,11 +111,11 @@ double e_out_full_cells(const CaseRun& c) {
   return with_full_cells(c, e_out(c), c.metric("e_out_grains_kinetic_kJ") + c.metric("e_out_grains_potential_kJ"));
 }
 
-/// m/s: of the water's front over the last half metre before the net.
+/// m/s: of the water's front over the last half metre before the net; unknown where it begins nearer.
 double front_speed(const CaseRun& c) {
   const double end = first_at_least(c, "front_x_m", c.study_case.release - kInflowDistance);
   const double start = first_at_least(c, "front_x_m", c.study_case.release - 0.65);
-  return 0.5 / (end - start);
+  return start > c.series.time_s.front() ? 0.5 / (end - start) : kNone;
 }
 double front_froude(const CaseRun& c) {
   return front_speed(c) / std::sqrt(kGravity * c.metric("depth_at_inflow_m") * kCos35);

@@ -68,7 +68,7 @@ const std::vector<Choice>& variants() {
        "averages over 0.08 m, the diameter of the large grains",
        {"coupling.averaging_length_m=0.08"},
        "averaged"},
-      {"half_speed", "half the time step of the fluid", {"fluid.max_speed_m_s=14"}, "", true},
+      {"half_speed", "half the time step of the fluid", {"fluid.lattice_velocity=0.05"}, "", true},
       {"stiff_rock", "rock as stiff as Table 4 says", {"materials.rock.youngs_modulus_Pa=70e9"}, "", true},
       {"light_beads", "beads without added inertia", {"barrier.net.bead_mass_scale=1"}, "", true},
       {"soft_bonds", "bonds of a fifth of the stiffness", {"solids.bond_stiffness_scale=0.2"}}};

@@ -15,7 +15,7 @@ BarrierResponse::BarrierResponse(const Observed& run) : Observer(run) {
       declare_ends(c);
   else
     declare_foundations();
-  column("barrier_elongation_m", "m", "largest displacement of a bead along the flow", [this] {
+  column("barrier_elongation_m", "m", "largest displacement of a bead along the flow, torn wires aside", [this] {
     return now_.elongation;
   }).peak("max_elongation_m", "m", "largest `barrier_elongation_m` of the rows");
   column("barrier_elastic_J", "J", "elastic energy of all bonds", [this] {

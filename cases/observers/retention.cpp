@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "barrier/response.h"
 #include "cases/observers/grains.h"
 
 namespace lahar::cases {
@@ -24,18 +25,6 @@ Retention::Retention(const Observed& run) : Observer(run) {
   }).unknown_at_times();
 }
 
-namespace {
-
-/// By id: whether a bond of a particle is broken.
-std::vector<bool> at_torn_bonds(const dem::Particles& p, const dem::Bonds& bonds) {
-  std::vector<bool> torn(p.size(), false);
-  for (std::size_t b = 0; b < bonds.size(); ++b)
-    if (!bonds.intact[b]) torn[p.id(bonds.i[b])] = torn[p.id(bonds.j[b])] = true;
-  return torn;
-}
-
-}  // namespace
-
 /// How far down a grain may be and still count as held: the net's section, or the foremost bead of the net where it has
 /// bulged beyond it. Posts and what else hangs on them hold no grain, nor do wires and nodes of meshes that
 /// are torn, which may fly off, and what has left the domain.
@@ -46,23 +35,17 @@ double Retention::limit() const {
   const auto& p = run_.simulation.solids()->particles();
   const dem::Bonds& bonds = run_.simulation.solids()->bonds();
   const scene::Domain& domain = run_.scene.domain;
+  const std::vector<bool> holding = barrier::holding_beads(*net, bonds);
   const auto reach = [&](dem::ParticleId first, std::size_t count) {
     for (dem::ParticleId id = first; id < first + count; ++id) {
       const Vec3 bead = p.position[p.index(id)];
-      if ((bead.array() >= domain.lower.array()).all() && (bead.array() <= domain.upper.array()).all())
-        limit = std::max(limit, bead.x() + p.radius[p.index(id)]);
+      const bool inside = (bead.array() >= domain.lower.array()).all() && (bead.array() <= domain.upper.array()).all();
+      if (holding[id - net->first_bead] && inside) limit = std::max(limit, bead.x() + p.radius[p.index(id)]);
     }
   };
   for (const auto* wires : {&net->rings, &net->cables})
-    for (const barrier::Wire& wire : *wires) {
-      const auto first = bonds.intact.begin() + static_cast<std::ptrdiff_t>(wire.first_bond);
-      if (std::all_of(first, first + static_cast<std::ptrdiff_t>(wire.bonds), [](auto intact) { return intact != 0; }))
-        reach(wire.first_bead, wire.beads);
-    }
-  const std::vector<bool> torn = at_torn_bonds(p, bonds);
-  for (const barrier::MeshPart& mesh : net->meshes)
-    for (dem::ParticleId node = mesh.first_node; node < mesh.first_node + mesh.nodes; ++node)
-      if (!torn[node]) reach(node, 1);
+    for (const barrier::Wire& wire : *wires) reach(wire.first_bead, wire.beads);
+  for (const barrier::MeshPart& mesh : net->meshes) reach(mesh.first_node, mesh.nodes);
   return limit;
 }
 

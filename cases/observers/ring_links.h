@@ -24,7 +24,7 @@ class RingLinks final : public Observer {
     const dem::Solids& solids = *run_.simulation.solids();
     return barrier::find_topology(*run_.simulation.net(), solids.particles(), solids.bonds());
   }
-  barrier::Topology at_start_;  // of the net as it was built, before a checkpoint is loaded
+  barrier::Topology at_start_;  // also of a run that goes on: of the net as built, whose links are those it hangs with
 };
 
 }  // namespace lahar::cases

@@ -21,8 +21,7 @@ SolidsEnergy::SolidsEnergy(const Observed& run) : Observer(run) {
       .peak_magnitude("solids_energy_gap_max_J", "largest `solids_energy_gap_J` of the rows, without its sign");
   hidden([this] { return turned_over(); })
       .peak("solids_energy_turned_over_max_J", "J",
-            "kinetic energy of grains and barrier + lost + work and what was carried away, without signs, the largest "
-            "of the rows");
+            "kinetic energy of grains and barrier + lost + work without its sign, the largest of the rows");
   in_kJ("solids_friction_kJ", "lost by sliding and rolling contacts", [this] { return friction(); });
   in_kJ("solids_damping_kJ", "lost by dampers of contacts", [this] { return damping(); });
   in_kJ("solids_work_kJ", "work of the liquid and of moving walls on grains and barrier", [this] { return work(); });

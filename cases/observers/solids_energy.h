@@ -23,8 +23,7 @@ class SolidsEnergy final : public Observer {
   [[nodiscard]] double bonds() const { return now_.bonds.dissipated() - bonds_at_start_; }
   [[nodiscard]] double work() const { return now_.external_work - work_at_start_; }
   [[nodiscard]] double turned_over() const {
-    return now_.kinetic + now_.rotational + friction() + damping() + bonds() + std::abs(work()) +
-           std::abs(now_.removed);
+    return now_.kinetic + now_.rotational + friction() + damping() + bonds() + std::abs(work());
   }
   [[nodiscard]] double gap() const { return now_.total() - total_at_start_; }
 

@@ -190,6 +190,7 @@ class Strike {
     start_places_ = places();
     energy_at_start_ = solids.ledger().total();
     ball_energy_at_start_ = ball_energy();
+    bond_loss_at_start_ = solids.bond_energy().dissipated();  // as the net came to rest
   }
 
   void sample(double time, double travelled) {
@@ -203,7 +204,7 @@ class Strike {
     s.bond_energy.push_back(bonds.elastic());
     s.friction_loss.push_back(ledger.friction);
     s.contact_loss.push_back(ledger.contact_damping);
-    s.bond_loss.push_back(bonds.dissipated());
+    s.bond_loss.push_back(bonds.dissipated() - bond_loss_at_start_);
     s.ledger_gap.push_back(ledger.total() - energy_at_start_);
     sample_brakes();
     sample_cables();
@@ -234,7 +235,7 @@ class Strike {
   dem::ParticleIndex ball_;
   std::vector<barrier::Threading> threads_;
   std::vector<double> start_places_;
-  double energy_at_start_ = 0, ball_energy_at_start_ = 0;
+  double energy_at_start_ = 0, ball_energy_at_start_ = 0, bond_loss_at_start_ = 0;
 };
 
 void Strike::sample_brakes() {

@@ -93,6 +93,16 @@ bool only_walls(const scene::Scene& s, const std::string& a) {
   return !(s.barrier.enabled && s.barrier.net.material == a);
 }
 
+/// A time step that was asked for; one of Lahar's own is held against it as the scene is read.
+void add_step_of_barrier(const scene::Scene& s, double time_step, Warnings& list) {
+  const double limit = limit_as_built(s);
+  if (time_step <= limit) return;
+  list.push_back(
+      fmt::format("the time step of particles ({:.3g} s) is above what the bonds of the barrier as built "
+                  "allow ({:.3g} s)",
+                  time_step, limit));
+}
+
 }  // namespace
 
 void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
@@ -101,6 +111,8 @@ void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& lis
   if (s.solids.time_step > critical)
     list.push_back(fmt::format("solids.time_step_s ({:.3g} s) is above the critical time step ({:.3g} s)",
                                s.solids.time_step, critical));
+  else if (s.solids.time_step > 0)
+    add_step_of_barrier(s, f.time_step, list);
   if (s.solids.contact_modulus_scale < 1)
     list.push_back(fmt::format("contacts are softened: moduli times {:g}", s.solids.contact_modulus_scale));
   if (s.solids.bond_stiffness_scale < 1 && s.barrier.enabled)

@@ -250,6 +250,7 @@ struct GrainSphere {
   double diameter = 0, density = 0;
   std::string material;
   bool fixed = false;
+  WrittenAt written_at;  ///< set by load
   bool operator==(const GrainSphere&) const = default;
 };
 
@@ -317,6 +318,7 @@ struct Barrier {
   Anchors anchors;
   Posts posts;
   double settle_time = 0;  ///< s
+  WrittenAt written_at;    ///< set by load
   bool operator==(const Barrier&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/sphere.h"
 #include "coupling/grains/bed_drag.h"
 #include "coupling/grains/block_nodes.h"
 #include "coupling/grains/sphere_rows.h"
@@ -20,8 +21,6 @@ namespace {
 
 /// Spheres do not pack denser; a thin sheet of water around grains has no room for more.
 constexpr double kDensest = 0.74;
-
-double sphere_volume(double radius) { return 4.0 / 3.0 * std::numbers::pi * radius * radius * radius; }
 
 }  // namespace
 

@@ -1,9 +1,9 @@
 #include "coupling/grains/grain_map.h"
 
 #include <cstring>
-#include <numbers>
 
 #include "core/parallel.h"
+#include "core/sphere.h"
 #include "coupling/grains/sphere_fraction.h"
 
 namespace lahar::coupling {
@@ -82,7 +82,7 @@ void GrainMap<Real>::place_grain(const lbm::Fluid<Real>& fluid, const dem::Parti
   s.radius = static_cast<Real>(radius.mapped);
   shape(r, s);
   s.factor = 1;
-  g.volume = 4.0 / 3.0 * std::numbers::pi * r * r * r;
+  g.volume = sphere_volume(r);
   const std::uint32_t former = former_grain_[g.id];
   const bool seen = former != kNoGrain && former_[former].pairs > 0;
   look_up_blocks(fluid, k, seen ? former_pairs_.data() + former_[former].first_pair : nullptr);

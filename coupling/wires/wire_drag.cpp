@@ -12,6 +12,7 @@
 #include "coupling/wires/wire_kernel.h"
 #include "lbm/grid/block_geometry.h"
 #include "lbm/grid/row_types.h"
+#include "lbm/step/cell_moments.h"
 
 namespace lahar::coupling {
 
@@ -235,14 +236,33 @@ void WireDrag<Real>::look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Pa
   if (bead.pairs > 0) kernel.set_weights();
 }
 
+namespace {
+
+/// What the sweep would have left in fields that a block has just got.
+template <class Real>
+void note_velocities(lbm::FluidGrid<Real>& grid, BlockIndex b, lbm::Parity parity) {
+  Block<Real>& block = grid.block(b);
+  lbm::BodyFields<Real>& fields = *block.body;
+  for (int n = 0; n < lbm::kBlockCells; ++n) {
+    if (!lbm::is_wet(block.type[static_cast<std::size_t>(n)])) continue;
+    const auto m = lbm::outgoing_moments(grid, {b, n}, parity);
+    fields.velocity_x[n] = m.u[0], fields.velocity_y[n] = m.u[1], fields.velocity_z[n] = m.u[2];
+  }
+}
+
+}  // namespace
+
 /// Blocks in reach get fields, so that impulses can be written and velocities sampled there.
 template <class Real>
 void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, SolidFields<Real>& fields) {
   auto& grid = fluid.grid();
   for (std::size_t b = 0; b < by_block_.blocks(); ++b) {
     if (!by_block_.any_in(b)) continue;
-    fields.reach(grid, static_cast<BlockIndex>(b));
-    grid.require_impulse(static_cast<BlockIndex>(b));
+    const auto block = static_cast<BlockIndex>(b);
+    const bool fresh = grid.block(block).body == nullptr;
+    fields.reach(grid, block);
+    if (fresh) note_velocities(grid, block, fluid.parity());
+    grid.require_impulse(block);
   }
 }
 

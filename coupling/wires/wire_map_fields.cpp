@@ -39,17 +39,6 @@ template <bool kByDistance, class Real>
       });
 }
 
-/// Sums of eps over the cells of a mask, for each of the two beads.
-template <class Real>
-struct BeadSums {
-  Row<Real> all{0}, second{0};
-  [[gnu::always_inline]] void add(const Row<Real>& eps, const Row<Real>& share) { all += eps, second += eps * share; }
-  void reduce(double& first_bead, double& second_bead) const {
-    second_bead = static_cast<double>(sum_of_lanes(second));
-    first_bead = static_cast<double>(sum_of_lanes(all)) - second_bead;
-  }
-};
-
 /// Volumes of a piece in the cells of two masks; null for all cells, and for none.
 template <class Real, class Share>
 void measure(const GridCylinder<Real>& piece, const Vec3i& lowest, const CellMask<Real>* wet,

@@ -18,25 +18,24 @@ template <class Real>
 struct LoadSums {
   using R = Row<Real>;
   R force[3]{R(0), R(0), R(0)}, torque[3]{R(0), R(0), R(0)};
-  R entrained{0}, entrained_inertia{0}, wet{0};
+  R entrained{0}, entrained_inertia{0};
 
   /// `share`: of the bead in the cells.
   [[gnu::always_inline]] void add(const R& share, const ArmRow<Real>& arm, const MotionRow<Real>& f,
-                                  const R& entrained_here, const R& wet_here) {
+                                  const R& entrained_here) {
     const R fx = share * f.x, fy = share * f.y, fz = share * f.z, e = share * entrained_here;
     force[0] += fx, force[1] += fy, force[2] += fz;
     torque[0] += arm.y * fz - arm.z * fy;
     torque[1] += arm.z * fx - arm.x * fz;
     torque[2] += arm.x * fy - arm.y * fx;
-    entrained += e, wet += share * wet_here;
+    entrained += e;
     entrained_inertia += e * (arm.x * arm.x + Real(arm.y * arm.y + arm.z * arm.z));
   }
   template <class Load>
   void reduce(Load& load) const {
     load.force = Vec3(sum_of(force[0]), sum_of(force[1]), sum_of(force[2]));
     load.torque = Vec3(sum_of(torque[0]), sum_of(torque[1]), sum_of(torque[2]));
-    load.entrained = sum_of(entrained), load.entrained_inertia = 2.0 / 3.0 * sum_of(entrained_inertia),
-    load.wet = sum_of(wet);
+    load.entrained = sum_of(entrained), load.entrained_inertia = 2.0 / 3.0 * sum_of(entrained_inertia);
   }
 };
 
@@ -56,6 +55,7 @@ template <bool kByDistance, class Real, class Load>
                                   const Surroundings<Real>& around, std::array<Load, 2>& loads) {
   using R = Row<Real>;
   LoadSums<Real> sums[2];
+  BeadSums<Real> displaced;  // to the bit as the next step measures it where nothing moves
   R taken[3]{R(0), R(0), R(0)};
   const lbm::BodyFields<Real>& f = around.fields;
   const Real gravity[3] = {static_cast<Real>(around.gravity.x()), static_cast<Real>(around.gravity.y()),
@@ -78,10 +78,12 @@ template <bool kByDistance, class Real, class Load>
         const MotionRow<Real> load{exchange.x + interior * rise.x - wet * gravity[0],
                                    exchange.y + interior * rise.y - wet * gravity[1],
                                    exchange.z + interior * rise.z - wet * gravity[2]};
-        sums[0].add(R(1) - cover.share, arm[0], load, entrained, wet);
-        sums[1].add(cover.share, arm[1], load, entrained, wet);
+        sums[0].add(R(1) - cover.share, arm[0], load, entrained);
+        sums[1].add(cover.share, arm[1], load, entrained);
+        displaced.add(wet, cover.share);
       });
   for (std::size_t e = 0; e < 2; ++e) sums[e].reduce(loads[e]);
+  displaced.reduce(loads[0].wet, loads[1].wet);
   return {sum_of(taken[0]), sum_of(taken[1]), sum_of(taken[2])};
 }
 

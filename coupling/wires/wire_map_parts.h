@@ -17,6 +17,17 @@ struct ArmRow {
   }
 };
 
+/// Sums of eps over the cells of a mask, for each of the two beads.
+template <class Real>
+struct BeadSums {
+  Row<Real> all{0}, second{0};
+  [[gnu::always_inline]] void add(const Row<Real>& eps, const Row<Real>& share) { all += eps, second += eps * share; }
+  void reduce(double& first_bead, double& second_bead) const {
+    second_bead = static_cast<double>(sum_of_lanes(second));
+    first_bead = static_cast<double>(sum_of_lanes(all)) - second_bead;
+  }
+};
+
 /// Calls visit(first cell of the row, what the piece covers of it, the row's y and z) for the rows of a block that the
 /// piece reaches, as far as `reach` from its axis.
 template <bool kByDistance, class Real, class Visit>

@@ -17,28 +17,50 @@ constexpr std::size_t kChunk = 256;
 constexpr std::int64_t kFewSteps = 8, kManySteps = 60;
 constexpr double kThinnest = 0.02;
 
-/// Copies the histories of row i from `old` to `fresh`: a merge, as both rows ascend by `precedes`.
-template <class Precedes>
-void carry_row(const ContactSlots& old, ContactSlots& fresh, std::size_t i, const Precedes& precedes) {
-  std::uint32_t a = old.offset[i];
-  for (std::uint32_t b = fresh.offset[i]; b < fresh.offset[i + 1]; ++b) {
-    while (a < old.offset[i + 1] && precedes(old.partner[a], fresh.partner[b])) ++a;
-    if (a == old.offset[i + 1]) return;
-    if (old.partner[a] != fresh.partner[b] || !old.touching[a]) continue;
+/// What the tangential and rolling springs of slot k hold; R* = 1/(1/Ri + 1/Rj) in m.
+ContactTally held_by_springs(const ContactSlots& slots, std::uint32_t k, double effective_radius) {
+  const ContactHistory h = slots.history[k];
+  ContactTally held;
+  held.friction = 0.5 * h.tangential_stiffness * dot(h.tangential_displacement, h.tangential_displacement);
+  if (!slots.rolls) return held;
+  const double stiffness = effective_radius * effective_radius * h.tangential_stiffness;
+  held.rolling = 0.5 * stiffness * dot(slots.rolling[k], slots.rolling[k]);
+  return held;
+}
+
+/// Copies the histories of row i from `old` to `fresh`: a merge, as both rows ascend by `precedes`. Returns what
+/// springs held of those that are gone; effective_radius(i, partner) as above.
+template <class Precedes, class EffectiveRadius>
+ContactTally carry_row(const ContactSlots& old, ContactSlots& fresh, std::size_t i, const Precedes& precedes,
+                       const EffectiveRadius& effective_radius) {
+  ContactTally lost;
+  std::uint32_t b = fresh.offset[i];
+  for (std::uint32_t a = old.offset[i]; a < old.offset[i + 1]; ++a) {
+    if (!old.touching[a]) continue;
+    while (b < fresh.offset[i + 1] && precedes(fresh.partner[b], old.partner[a])) ++b;
+    if (b == fresh.offset[i + 1] || fresh.partner[b] != old.partner[a]) {
+      lost += held_by_springs(old, a, effective_radius(i, old.partner[a]));
+      continue;
+    }
     fresh.history.set(b, old.history[a]);
     if (fresh.rolls) fresh.rolling[b] = old.rolling[a];
     fresh.touching[b] = 1;
   }
+  return lost;
 }
 
-template <class Precedes>
-void carry_histories(const ContactSlots& old, ContactSlots& fresh, const Precedes& precedes) {
+/// Sums up in the order of ids.
+template <class Precedes, class EffectiveRadius>
+ContactTally carry_histories(const ContactSlots& old, ContactSlots& fresh, const Numbering& numbering,
+                             const Precedes& precedes, const EffectiveRadius& effective_radius) {
   fresh.history.clear(fresh.size());
   fresh.touching.assign(fresh.size(), 0);
   fresh.rolling.assign(fresh.rolls ? fresh.size() : 0, Triple{});
-  if (old.offset.empty()) return;
+  if (old.offset.empty()) return {};
   const std::size_t rows = std::min(old.offset.size(), fresh.offset.size()) - 1;
-  parallel_for(0, rows, 512, [&](std::size_t i) { carry_row(old, fresh, i, precedes); });
+  return ordered_sum<ContactTally>(
+      rows, [&](std::size_t id) { return carry_row(old, fresh, numbering.index(id), precedes, effective_radius); },
+      512);
 }
 
 void store(const ContactSlots& slots, const Numbering& numbering, bool with_wall, std::vector<StoredContact>& out) {
@@ -82,23 +104,29 @@ bool ContactDetection::outdated(const Particles& particles) {
   return true;
 }
 
-void ContactDetection::rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded,
-                               const RateShare& share) {
+ContactTally ContactDetection::rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded,
+                                       const RateShare& share) {
   neighbours_.build(particles, excluded, share);
-  refresh(particles, share);
+  ContactTally lost = refresh(particles, share);
   std::swap(walls_, previous_walls_);
   list_walls(particles, walls, share);
-  carry_histories(previous_walls_, walls_, std::less<>{});
+  lost += carry_histories(previous_walls_, walls_, particles.numbering, std::less<>{},
+                          [&](std::size_t i, std::uint32_t) { return particles.radius[i]; });
+  return lost;
 }
 
-void ContactDetection::refresh(const Particles& particles, const RateShare& share) {
+ContactTally ContactDetection::refresh(const Particles& particles, const RateShare& share) {
   remember_positions(particles, share);
   std::swap(pairs_, previous_pairs_);
   list_pairs(particles);
-  carry_histories(previous_pairs_, pairs_,
-                  [&](ParticleIndex a, ParticleIndex b) { return particles.numbering.precedes(a, b); });
+  const std::vector<double>& r = particles.radius;
+  const ContactTally lost = carry_histories(
+      previous_pairs_, pairs_, particles.numbering,
+      [&](ParticleIndex a, ParticleIndex b) { return particles.numbering.precedes(a, b); },
+      [&](std::size_t i, std::uint32_t j) { return r[i] * r[j] / (r[i] + r[j]); });
   list_parties(particles);
   ++refreshes_;
+  return lost;
 }
 
 void ContactDetection::set_move_limits(const Particles& particles, const RateShare& share) {

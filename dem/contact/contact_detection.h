@@ -6,6 +6,7 @@
 
 #include "core/geometry.h"
 #include "core/row_field.h"
+#include "dem/contact/contact_energy_sums.h"
 #include "dem/contact/contact_state.h"
 #include "dem/contact/neighbours.h"
 #include "dem/particles.h"
@@ -108,10 +109,13 @@ class ContactDetection {
   void remember_rolling() {
     for (ContactSlots* slots : {&pairs_, &walls_, &previous_pairs_, &previous_walls_}) slots->rolls = true;
   }
-  /// Builds all lists of the contacts in `share` anew and carries the histories over. Positions must be finite.
-  void rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded, const RateShare& share = {});
+  /// Builds all lists of the contacts in `share` anew and carries the histories over. Positions must be finite. Returns
+  /// what the tangential and rolling springs held of contacts that touched and are not listed any more, as those of
+  /// removed particles.
+  ContactTally rebuild(const Particles& particles, const Walls& walls, const PairSet& excluded,
+                       const RateShare& share = {});
   /// Lists the slots anew from the neighbour list, which must hold.
-  void refresh(const Particles& particles, const RateShare& share = {});
+  ContactTally refresh(const Particles& particles, const RateShare& share = {});
 
   [[nodiscard]] ContactSlots& pairs() { return pairs_; }
   [[nodiscard]] const ContactSlots& pairs() const { return pairs_; }

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/check.h"
+#include "core/sphere.h"
 
 namespace lahar::dem {
 
@@ -12,8 +13,6 @@ namespace {
 
 /// [0, 1), the same on every machine: the standard's distributions are not.
 double random(std::mt19937_64& generator) { return static_cast<double>(generator() >> 11) * 0x1.0p-53; }
-
-double sphere_volume(double diameter) { return std::numbers::pi / 6 * diameter * diameter * diameter; }
 
 /// Share of a normal distribution below x standard deviations.
 double normal_share(double x) { return 0.5 * std::erfc(-x / std::numbers::sqrt2); }
@@ -75,7 +74,7 @@ double mean_volume(const LogNormalSizes& sizes) {
   // The integral of d^3 over ln d: a factor exp(3 ln d) moves the normal distribution by 3 deviations squared.
   const LogNormalSizes s = by_number(sizes);
   const double a = place_of(s, s.smallest), b = place_of(s, s.largest), shift = 3 * s.deviation;
-  return sphere_volume(s.median) * std::exp(0.5 * shift * shift) * normal_share(a - shift, b - shift) /
+  return sphere_volume(0.5 * s.median) * std::exp(0.5 * shift * shift) * normal_share(a - shift, b - shift) /
          normal_share(a, b);
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/check.h"
+#include "core/sphere.h"
 #include "dem/packing/relaxer.h"
 
 namespace lahar::dem {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/parallel.h"
+#include "core/sphere.h"
 
 namespace lahar::dem {
 

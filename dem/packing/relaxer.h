@@ -2,7 +2,6 @@
 // Spheres on their way into a packing: from a random start, under soft frictionless contacts, to rest.
 #include <algorithm>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <vector>
@@ -13,8 +12,6 @@
 #include "dem/particles.h"
 
 namespace lahar::dem {
-
-[[nodiscard]] inline double sphere_volume(double r) { return 4.0 / 3.0 * std::numbers::pi * r * r * r; }
 
 /// Spheres with soft frictionless contacts in a box with its lower corner at the origin and an open top.
 class Relaxer {

@@ -65,26 +65,34 @@ void expose(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   surface.fill_level[place.cell] = Real(1);
 }
 
-/// What a body covers moves as it does: at the neighbours' velocity a cell would bring it momentum from nowhere.
+/// What a body covers moves as it does, but for the liquid in the cell (lu): all of it at another velocity would bring
+/// the body momentum from nowhere.
 template <class Real>
-void take_over_velocity(const BodyFields<Real>& body, int cell, CellMoments<Real>& m) {
-  const Real weight = std::max(body.exchange_weight[cell], Real(1e-6));
-  m.u[0] = body.weighted_velocity_x[cell] / weight;
-  m.u[1] = body.weighted_velocity_y[cell] / weight;
-  m.u[2] = body.weighted_velocity_z[cell] / weight;
+void take_over_velocity(const BodyFields<Real>& body, int cell, Real liquid, CellMoments<Real>& m) {
+  const Real weight = std::max(body.exchange_weight[cell], Real(1e-6)), share = std::clamp(liquid, Real(0), Real(1));
+  const Real* const weighted[3] = {body.weighted_velocity_x, body.weighted_velocity_y, body.weighted_velocity_z};
+  for (int a = 0; a < 3; ++a) {
+    const Real of_body = weighted[a][cell] / weight;
+    m.u[a] = of_body + share * (m.u[a] - of_body);
+  }
 }
 
 }  // namespace
 
 template <class Real>
-void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& mean, Real liquid,
+void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, CellMoments<Real> mean, Real liquid,
                  EquilibriumOrder order) {
   Block<Real>& block = grid.block(place.block);
+  if (is_covered(block, place.cell)) take_over_velocity(*block.body, place.cell, liquid, mean);
   SurfaceFields<Real>& surface = *block.surface;
   const auto cell = static_cast<std::size_t>(place.cell);
   surface.mass[cell] = body_share(block, place.cell) + liquid;
   surface.density[cell] = mean.drho;
   surface.fill_level[cell] = std::clamp(surface.mass[cell] / (Real(1) + mean.drho), Real(0), Real(1));
+  if (block.body) {
+    BodyFields<Real>& body = *block.body;
+    body.velocity_x[cell] = mean.u[0], body.velocity_y[cell] = mean.u[1], body.velocity_z[cell] = mean.u[2];
+  }
   // Outgoing populations of the new cell; what comes in from wet neighbours is there already, what comes from gas is
   // rebuilt before the next step, what comes from walls is set here.
   block.f(0)[cell] = equilibrium(order, 0, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
@@ -106,11 +114,7 @@ void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex
   if (own.new_surface) grid.clear_surface(b);
   if (!own.opened.empty()) {
     NeighbourMeans<Real> means(grid, changes, b, parity);
-    own.opened.for_each([&](int cell) {
-      CellMoments<Real> m = means.around(cell);
-      if (is_covered(grid.block(b), cell)) take_over_velocity(*grid.block(b).body, cell, m);
-      refill_cell(grid, {b, cell}, parity, m, Real(0), order);
-    });
+    own.opened.for_each([&](int cell) { refill_cell(grid, {b, cell}, parity, means.around(cell), Real(0), order); });
   }
   own.arrivals.for_each([&](int cell, const Arrival<Real>& a) {
     refill_cell(grid, {b, cell}, parity, a.moments, a.liquid, order);
@@ -120,9 +124,7 @@ void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex
 
 template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity, EquilibriumOrder);
 template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity, EquilibriumOrder);
-template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, const CellMoments<float>&, float,
-                                 EquilibriumOrder);
-template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, const CellMoments<double>&, double,
-                                  EquilibriumOrder);
+template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, CellMoments<float>, float, EquilibriumOrder);
+template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, CellMoments<double>, double, EquilibriumOrder);
 
 }  // namespace lahar::lbm

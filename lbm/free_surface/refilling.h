@@ -1,9 +1,9 @@
 #pragma once
 // What cells hold that become interface cells. Refilling by equilibrium, the most robust of the ways compared by
 // Schwarzmeier & Ruede 2022 (arXiv:2207.13962): a cell that was gas gets the equilibrium at the mean density and
-// velocity of its wet neighbours, without those that were gas too, or, where a body covers it, at the body's velocity
-// (docs/decisions/0059); one that a drop has moved into, at the drop's. A liquid cell that becomes interface keeps its
-// populations.
+// velocity of its wet neighbours, without those that were gas too; one that a drop has moved into, at the drop's. Where
+// a body covers it all but its liquid moves as the body (docs/decisions/0059). A liquid cell that becomes interface
+// keeps its populations.
 #include "lbm/collision/equilibrium.h"
 #include "lbm/free_surface/block_changes.h"
 
@@ -16,17 +16,18 @@ template <class Real>
 void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex b, Parity parity,
             EquilibriumOrder order);
 
-/// Mass, density, fill level and populations of one interface cell with some liquid, in the equilibrium of `moments`.
+/// Mass, density, fill level and populations of one interface cell with some liquid (lu), in the equilibrium of
+/// `moments`; where a body covers the cell, what is not liquid moves as the body.
 template <class Real>
-void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, const CellMoments<Real>& moments, Real liquid,
+void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, CellMoments<Real> moments, Real liquid,
                  EquilibriumOrder order);
 
 extern template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity, EquilibriumOrder);
 extern template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity,
                                     EquilibriumOrder);
-extern template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, const CellMoments<float>&, float,
+extern template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, CellMoments<float>, float,
                                         EquilibriumOrder);
-extern template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, const CellMoments<double>&, double,
+extern template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, CellMoments<double>, double,
                                          EquilibriumOrder);
 
 }  // namespace lahar::lbm

@@ -83,11 +83,12 @@ struct WallCell {
   std::uint16_t first_link;
   std::uint8_t links;
   WallSlip slip;
-  std::array<float, 3> normal;         ///< unit, out of the wall
-  std::array<float, 3> wall_velocity;  ///< lu
-  float distance;                      ///< of the cell centre from the wall, lu
-  float roughness;                     ///< k_s, lu; WallSlip::wall_model
-  std::int16_t wall = -1;              ///< index of the wall in the domain
+  std::array<float, 3> normal;            ///< unit, out of the wall
+  std::array<float, 3> surface_velocity;  ///< of the wall there, m/s
+  std::array<float, 3> wall_velocity;     ///< the same, lu
+  float distance;                         ///< of the cell centre from the wall, lu
+  float roughness;                        ///< k_s, lu; WallSlip::wall_model
+  std::int16_t wall = -1;                 ///< index of the wall in the domain
   /// Whether the links' pushes cancel for any velocity along the wall, as they do on a flat wall along the lattice.
   bool even = true;
 };
@@ -105,8 +106,9 @@ struct RowLink {
 
 /// Where a link meets its wall; only with WallPlacement::interpolated.
 struct WallHit {
-  float share;  ///< of the link, from the cell centre
-  float push;   ///< c_i . u_wall there, lu
+  float share;         ///< of the link, from the cell centre
+  float surface_push;  ///< c_i . u_wall there, m/s
+  float push;          ///< the same, lu
 };
 
 struct WallLinks {
@@ -121,6 +123,13 @@ struct WallLinks {
   void clear() {
     cells.clear(), others.clear(), rows.clear(), directions.clear(), hits.clear(), gains.clear();
     gained = 0, takers = 0;
+  }
+  /// Lattice velocities of walls from those in m/s: the same whether set at once or after others.
+  void set_velocities(double velocity_to_lu) {
+    const auto to_lu = [&](float v) { return static_cast<float>(velocity_to_lu * static_cast<double>(v)); };
+    for (WallCell& c : cells)
+      for (std::size_t a = 0; a < 3; ++a) c.wall_velocity[a] = to_lu(c.surface_velocity[a]);
+    for (WallHit& h : hits) h.push = to_lu(h.surface_push);
   }
 };
 

@@ -41,16 +41,16 @@ void give_corner_links(const Domain& domain, const Vec3i& place, std::array<int,
   }
 }
 
-WallHit wall_hit(const Domain& domain, const Wall& wall, const Vec3& from, int i, double velocity_to_lu) {
+WallHit wall_hit(const Domain& domain, const Wall& wall, const Vec3& from, int i) {
   const Vec3 c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
   const double share = domain.wall_share(from, from + domain.cell_size() * c);
-  const Vec3 velocity = wall.surface_velocity(from + share * domain.cell_size() * c) * velocity_to_lu;
-  return {static_cast<float>(share), static_cast<float>(c.dot(velocity))};
+  const Vec3 velocity = wall.surface_velocity(from + share * domain.cell_size() * c);
+  return {static_cast<float>(share), static_cast<float>(c.dot(velocity)), 0};
 }
 
 /// Lists the links of a cell into walls, wall by wall. A wall that is reached only beyond a periodic face is looked at
 /// from where the cell stands beside it there.
-void add_wall_links(WallLinks& block_links, const Domain& domain, double velocity_to_lu, int cell, const Vec3i& place,
+void add_wall_links(WallLinks& block_links, const Domain& domain, int cell, const Vec3i& place,
                     const TypesAround& types) {
   const auto p = cell_position(cell);
   std::array<int, D3Q19::q> wall_of{};
@@ -79,7 +79,7 @@ void add_wall_links(WallLinks& block_links, const Domain& domain, double velocit
     }
     const Vec3 centre = domain.centre(reached_within ? place : seen_at),
                normal = domain.walls().gradient(static_cast<std::size_t>(wall), centre);
-    const Vec3 velocity = w.surface_velocity(centre) * velocity_to_lu;
+    const Vec3 velocity = w.surface_velocity(centre);
     WallCell entry{
         static_cast<std::uint16_t>(cell),
         static_cast<std::uint16_t>(block_links.directions.size()),
@@ -87,12 +87,13 @@ void add_wall_links(WallLinks& block_links, const Domain& domain, double velocit
         w.slip,
         {},
         {},
+        {},
         static_cast<float>(domain.walls().distance(static_cast<std::size_t>(wall), centre) / domain.cell_size()),
         static_cast<float>(w.roughness / domain.cell_size()),
         static_cast<std::int16_t>(wall)};
     for (int a = 0; a < 3; ++a) {
       entry.normal[static_cast<std::size_t>(a)] = static_cast<float>(normal[a]);
-      entry.wall_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);
+      entry.surface_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);
     }
     Vec3 sum = Vec3::Zero();
     for (int i = 1; i < D3Q19::q; ++i)
@@ -104,7 +105,7 @@ void add_wall_links(WallLinks& block_links, const Domain& domain, double velocit
       if (wall_of[static_cast<std::size_t>(i)] == wall) {
         block_links.directions.push_back(static_cast<std::uint8_t>(i));
         if (domain.placement() == WallPlacement::interpolated)
-          block_links.hits.push_back(wall_hit(domain, w, centre, i, velocity_to_lu));
+          block_links.hits.push_back(wall_hit(domain, w, centre, i));
       }
   }
 }
@@ -137,8 +138,9 @@ void cut_geometry(Block<Real>& fresh, const Domain& domain, const Vec3i& lowest,
     fresh.at_rim[cell] = false;
     if (at(0) != CellType::gas) continue;
     for (int i = 1; i < D3Q19::q; ++i) fresh.at_rim[cell] = fresh.at_rim[cell] || at(i) == CellType::sink;
-    add_wall_links(fresh.walls, domain, velocity_to_lu, n, lowest + Vec3i(p[0], p[1], p[2]), types);
+    add_wall_links(fresh.walls, domain, n, lowest + Vec3i(p[0], p[1], p[2]), types);
   }
+  fresh.walls.set_velocities(velocity_to_lu);
   list_row_links(fresh.walls, types, domain, lowest);
 }
 

@@ -39,15 +39,12 @@ bool Domain::outside_open_face(const Vec3i& cell) const {
 }
 
 double Domain::wall_distance(const Vec3& p) const {
-  double least = spec_.walls.nearest(p).distance;
-  const Vec3 width = kBlockWidth * spec_.cell_size * period_.cast<double>();
-  const auto images = [&](int axis) { return period_[axis] > 0 ? 1 : 0; };
-  for (int x = -images(0); x <= images(0); ++x)
-    for (int y = -images(1); y <= images(1); ++y)
-      for (int z = -images(2); z <= images(2); ++z)
-        if (x != 0 || y != 0 || z != 0)
-          least = std::min(least, spec_.walls.nearest(p + width.cwiseProduct(Vec3(x, y, z))).distance);
-  return least;
+  Vec3 within = p;  // beyond a periodic face there is what is at the other end, as cells are classified
+  for (int axis = 0; axis < 3; ++axis) {
+    const double width = kBlockWidth * spec_.cell_size * period_[axis];
+    if (width > 0) within[axis] -= width * std::floor((p[axis] - spec_.lower[axis]) / width);
+  }
+  return spec_.walls.nearest(within).distance;
 }
 
 double Domain::wall_share(const Vec3& from, const Vec3& into) const {

@@ -9,7 +9,7 @@ namespace lahar::lbm {
 
 /// Faces of the box in the order x-, x+, y-, y+, z-, z+.
 enum class FaceKind : std::uint8_t {
-  closed,    ///< a no-slip wall
+  closed,    ///< a wall, by DomainSpec::slip
   open,      ///< liquid leaves at ambient pressure and does not come back
   periodic,  ///< both faces of an axis; the number of cells must be a multiple of 8
 };
@@ -58,7 +58,7 @@ class Domain {
   [[nodiscard]] CellType classify(const Vec3i& cell) const;
 
  private:
-  /// Signed distance of the nearest wall, m, also of those that go on beyond periodic faces.
+  /// Signed distance of the nearest wall, m; of a point beyond a periodic face that of its image inside.
   [[nodiscard]] double wall_distance(const Vec3& p) const;
   [[nodiscard]] bool outside_open_face(const Vec3i& cell) const;
 

@@ -58,6 +58,13 @@ void FluidGrid<Real>::make_blocks(const std::vector<BlockIndex>& made) {
   });
 }
 
+template <class Real>
+void FluidGrid<Real>::set_velocity_to_lu(double velocity_to_lu) {
+  velocity_to_lu_ = velocity_to_lu;
+  for (const BlockIndex b : owned())
+    if (has_walls(b)) block(b).walls.set_velocities(velocity_to_lu);
+}
+
 /// Tells a block and its neighbours of each other.
 template <class Real>
 void FluidGrid<Real>::link_block(BlockIndex b) {

@@ -51,8 +51,8 @@ class FluidGrid {
   /// Appends the coordinates of a block's neighbours of these slots.
   void add_coordinates(BlockIndex b, std::uint32_t slots, std::vector<Vec3i>& coordinates) const;
   void release(BlockIndex b);
-  /// For the walls of blocks that are made from now on.
-  void set_velocity_to_lu(double velocity_to_lu) { velocity_to_lu_ = velocity_to_lu; }
+  /// From now on the walls' velocities have these lattice units.
+  void set_velocity_to_lu(double velocity_to_lu);
 
   /// The cell next to `place` along velocity i; block kNoBlock if it does not exist.
   [[nodiscard]] CellPlace neighbour(CellPlace place, int i) const {

@@ -115,13 +115,9 @@ double rescale_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, const
   return static_cast<double>(mass) - static_cast<double>(old_mass);
 }
 
-/// Velocities of what stands or moves in the block.
+/// Velocities of the bodies in the block.
 template <class Real>
 void rescale_velocities(Block<Real>& block, double ratio) {
-  const auto r = static_cast<float>(ratio);
-  for (WallCell& wall : block.walls.cells)
-    for (float& v : wall.wall_velocity) v *= r;
-  for (WallHit& hit : block.walls.hits) hit.push *= r;
   const auto scale = [&](Real* field) {
     for (int n = 0; n < kBlockCells; ++n) field[n] *= static_cast<Real>(ratio);
   };

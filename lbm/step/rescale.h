@@ -24,8 +24,9 @@
 namespace lahar::lbm {
 
 /// Brings one block to a time step `ratio` times as long: populations and masses of its wet cells, velocities of its
-/// walls and bodies, momentum that the coming collision is given. `before` are the parameters of the sweep so far,
-/// `parity` that of the coming one. Returns the mass that came in, lu. Writes locations of this block's cells alone.
+/// bodies, momentum that the coming collision is given. Walls follow the grid (FluidGrid::set_velocity_to_lu). `before`
+/// are the parameters of the sweep so far, `parity` that of the coming one. Returns the mass that came in, lu. Writes
+/// locations of this block's cells alone.
 template <class Real>
 double rescale_block(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const SweepParameters& before, double ratio);
 

@@ -3,6 +3,7 @@
 //
 // A stated share of the wet cells, the fastest, is not counted: drops and jets of a splash, whose speed is limited
 // (collision/cell_state.h) and says little about the flow.
+// The speed is the largest of the liquid and of bodies that it may meet.
 // Too fast: a speed beyond 1.5 times the target shortens the step at once, so that it comes to the target, by at most
 // half. Calm: when at 16 looks in a row the largest of
 //   the speed, what its pressure can give to the liquid (Bernoulli, u^2 = 2 p / rho = 2/3 (rho - 1)), a fall by one

@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "cases/assembly/estimates.h"
 #include "cases/assembly/load.h"
 #include "cases/compare_cfd_dem/jobs.h"
 #include "cases/compare_cfd_dem/published_flows.h"
@@ -63,6 +64,19 @@ TEST(StudyCases, LeaveOutVariantsThatSayNothing) {
     FAIL();
   } catch (const InputError& e) {
     EXPECT_NE(e.mistakes().at(0).message.find("--variant rigid_grains"), std::string::npos);
+  }
+}
+
+/// Also where the step adapts: what it aims at is half as fast.
+TEST(StudyCases, HalfSpeedHalvesTheTimeStep) {
+  for (const char* preset : {"coarse", "standard"}) {
+    const StudyCase study{"matched", preset, "resolved", "study", 4.1, 1, {}};
+    StudyCase half = study;
+    half.variant = "half_speed";
+    const scene::Scene a = scene::load(study.scene_file(), study.changes()),
+                       b = scene::load(half.scene_file(), half.changes());
+    EXPECT_NEAR(cases::fluid_time_step(b) / cases::fluid_time_step(a), 0.5, 1e-12) << preset;
+    EXPECT_EQ(b.fluid.lattice_velocity, 0.5 * a.fluid.lattice_velocity) << preset;
   }
 }
 

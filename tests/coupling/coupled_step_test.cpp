@@ -43,6 +43,66 @@ TEST(CoupledStep, MomentumAudit) {
   }
 }
 
+/// A step that adapts is short before a fast grain reaches the water, which rests until then.
+TEST(CoupledStep, TheStepKnowsOfGrainsInTheAir) {
+  auto fluid = by_distance(tank(Vec3(0.32, 0.32, 0.64), 0.02, 1e-3), lbm::BodyWeighting::inertial);
+  fluid.adaptive_time_step = true;
+  constexpr double speed = 6;  // 0.3 lu at first
+  dem::ParticleSpec boulder = grain(Vec3(0.16, 0.16, 0.5), 0.04, 2500);
+  boulder.velocity = Vec3(0, 0, -speed);
+  CoupledStep<double> step(fluid, grains(fluid, {boulder}), {.thin_wires = ThinWires::uncoupled, .substeps = 10});
+  step.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.1)}});
+  const auto bottom = [&] { return step.solids()->particles().position.z[0] - 0.04; };
+  while (bottom() > 0.12) step.advance();
+  EXPECT_LE(step.time_step() * speed / 0.02, 1.5 * fluid.lattice_velocity);
+  EXPECT_EQ(step.fluid()->time_step_record().longest, 1e-3) << "it began with the one asked for";
+  while (step.time() < 0.2) step.advance();
+  EXPECT_LT(step.audit().relative(), 1e-10);
+  // Grains that the water does not feel leave its step alone.
+  CoupledStep<double> apart(fluid, grains(fluid, {boulder}), {.thin_wires = ThinWires::uncoupled, .substeps = 10},
+                            nullptr);
+  apart.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.1)}});
+  for (int s = 0; s < 40; ++s) apart.advance();
+  EXPECT_GE(apart.time_step(), 1e-3);
+}
+
+/// A drop that hits a dry grain holds a part of a cell, and gives no more than that has.
+TEST(CoupledStep, ADropGivesAGrainItsOwnMomentum) {
+  constexpr double dx = 0.01, dt = 2e-4, speed = 0.1 * dx / dt, share = 0.3;
+  for (const auto weighting : {lbm::BodyWeighting::wall_distance, lbm::BodyWeighting::inertial}) {
+    auto fluid = by_distance(tank(Vec3(0.32, 0.16, 0.16), dx, dt), weighting);
+    fluid.gravity = Vec3::Zero();
+    dem::ParticleSpec target = grain(Vec3(0.2, 0.08, 0.08), 0.04, 2500);
+    target.state = dem::ParticleState::fixed;
+    CoupledStep<double> step(fluid, grains(fluid, {target}), {.thin_wires = ThinWires::uncoupled, .substeps = 10});
+    step.fill(
+        {{.lower = Vec3(0.1, 0.08, 0.08), .upper = Vec3(0.1 + share * dx, 0.09, 0.09), .velocity = {speed, 0, 0}}});
+    double given = 0;
+    for (int s = 0; s < 400; ++s) {
+      step.advance();
+      given += dt * step.solids()->particles().external_force.x[0];
+    }
+    const double has = share * 1000 * dx * dx * dx * speed;
+    EXPECT_GT(given, 0.3 * has);
+    EXPECT_LT(given, 1.3 * has);
+  }
+}
+
+/// An inflow wets cells that a grain covers, too; what it pushes the grain with is what it brings.
+TEST(CoupledStep, AnInflowOverAGrainBringsItsOwnMomentum) {
+  auto fluid = by_distance(tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4), lbm::BodyWeighting::inertial);
+  fluid.gravity = Vec3::Zero();
+  constexpr double speed = 1, discharge = 1e-6;
+  fluid.inflows.push_back(
+      {"spring", Vec3(0.08, 0.08, 0.16), Vec3(0.24, 0.24, 0.2), Vec3(speed, 0, 0), {{{0, discharge}, {1, discharge}}}});
+  CoupledStep<double> step(fluid, grains(fluid, {grain(Vec3(0.16, 0.16, 0.16), 0.08, 2500)}),
+                           {.thin_wires = ThinWires::uncoupled, .substeps = 10});
+  step.fill({});
+  for (int s = 0; s < 200; ++s) step.advance();
+  const dem::Particles& p = step.solids()->particles();
+  EXPECT_LT(p.mass[0] * std::abs(p.velocity.x[0]), 1.01 * step.fluid()->inflow_mass() * speed);
+}
+
 /// Light spheres of a cell to three rise through water at rest, with every weighting. Interior inertia beyond what is
 /// entrained made them spin, and then threw them out at hundreds of m/s.
 TEST(CoupledStep, SmallLightSpheresRise) {

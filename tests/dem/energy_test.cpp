@@ -113,6 +113,36 @@ TEST(EnergyLedger, grain_taken_out_of_a_pile_leaves_no_gap) {
   }
 }
 
+/// Lists that are built anew before the next step know a removed particle no longer; what its contacts' springs held is
+/// lost as if they had come apart.
+TEST(EnergyLedger, springs_of_a_grain_taken_out_are_lost_where_lists_are_built_at_once) {
+  for (const double rolling_friction : {0.0, 0.3}) {
+    Particles p;
+    p.add(sphere({0, 0, 0.01995}, 0.02, 2650, {0.02, 0, 0}));
+    p.add(sphere({0, 0, 0.0598}, 0.02, 2650, {-0.02, 0, 0}));
+    Materials materials = one_material(1e8, 0.25, 0.9, 1);
+    if (rolling_friction > 0) materials.set_pair(0, 0, 0.9, 1, rolling_friction);
+    Solids solids(p, {}, materials, testing::ground(), options(1e-6, {0, 0, -kG}));
+    solids.advance(300);
+    const EnergyLedger before = solids.ledger();
+    const double springs = before.elastic_tangential + before.elastic_rolling;
+    ASSERT_GT(before.elastic_tangential, 1e-6);
+    ASSERT_TRUE(rolling_friction == 0 || before.elastic_rolling > 1e-3 * springs);
+    solids.remove(0);
+    ParticleSpec far_away = sphere({5, 0, 0}, 0.02, 2650);
+    far_away.state = ParticleState::fixed;
+    solids.particles().add(far_away);  // lists are built anew
+    const double with_it = solids.ledger().total();
+    solids.step();
+    const EnergyLedger after = solids.ledger();
+    EXPECT_NEAR(after.total(), with_it, 0.02 * springs);
+    EXPECT_EQ(after.elastic_tangential, 0);
+    EXPECT_EQ(after.elastic_rolling, 0);
+    EXPECT_NEAR(after.friction - before.friction, before.elastic_tangential, 0.02 * springs);
+    EXPECT_NEAR(after.rolling - before.rolling, before.elastic_rolling, 0.02 * springs);
+  }
+}
+
 /// Two bonded beads with opposite velocities, free to fly apart, to meet or to slide past each other.
 Solids breaking_pair(const Vec3& velocity, double tensile_strength, double shear_strength, double dt) {
   Particles p;

@@ -55,6 +55,10 @@ TEST(Estimates, CompressionAtTheStart) {
   const double a = 3 * 9.81 * 0.6 * 0.01;
   EXPECT_NEAR(sound_speed(dam), 10 / std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(start_compression(dam), std::expm1(a) / a - 1, 1e-12);
+  scene::Scene stacked = dam;  // the same column in two boxes
+  stacked.fluid.regions.push_back(dam.fluid.regions[0]);
+  stacked.fluid.regions[0].upper.z() = stacked.fluid.regions[1].lower.z() = 0.2;
+  EXPECT_EQ(start_compression(stacked), start_compression(dam));
   scene::Scene weightless = dam;
   weightless.gravity.magnitude = 0;
   EXPECT_EQ(start_compression(weightless), 0);

@@ -63,6 +63,7 @@ position_m = [0.1, 0.5, )") + z + "]\n");
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("grains.sphere[1] reaches into a packed grain"), std::string::npos)
         << e.what();
+    EXPECT_GT(e.mistakes().front().line, 1) << "the place of the sphere";
   }
 }
 

@@ -94,6 +94,7 @@ TEST(Simulation, ABarrierThatSagsIntoAGrainIsRefused) {
     FAIL() << "the net sags by " << sag << " m";
   } catch (const InputError& e) {
     EXPECT_NE(std::string(e.what()).find("grains.sphere[0] reaches into the barrier"), std::string::npos) << e.what();
+    EXPECT_GT(e.mistakes().front().line, 1) << "the place of the sphere";
   }
 }
 

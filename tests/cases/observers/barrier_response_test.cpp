@@ -184,6 +184,19 @@ TEST(BarrierResponse, WiresTearAboveTheirStrength) {
 }
 
 /// Rings that were moved along the upper cable have slid by as much.
+/// A piece of a torn ring that flies off is no elongation of the net.
+TEST_F(SmallNet, TornWiresDoNotCountInItsElongation) {
+  const barrier::Net& net = *run_.simulation->net();
+  dem::Particles& p = run_.solids().particles();
+  dem::Bonds& bonds = run_.solids().bonds();
+  const auto elongation = [&] { return barrier::response(net, p, bonds).elongation; };
+  const double before = elongation();
+  p.position.x[p.index(net.rings.front().first_bead)] += 5;
+  EXPECT_GT(elongation(), 4);
+  bonds.intact[net.rings.front().first_bond] = 0;
+  EXPECT_NEAR(elongation(), before, 1e-12);
+}
+
 TEST_F(SmallNet, RingsSlideAlongTheirCables) {
   run_.take_row();
   EXPECT_EQ(run_.metrics().at("max_ring_travel_m"), 0);

@@ -36,6 +36,31 @@ TEST_F(SmallNet, EnergyOfASwingingNetIsBooked) {
   EXPECT_TRUE(passes(run_.observers.checks()));
 }
 
+/// What bonds hold as the run begins is in the books of the first row.
+TEST(SettledNet, RestsWithItsBooksClosed) {
+  Sampled run{scene::load(scene::case_file("hanging_net/scene.toml"),
+                          {"barrier.net.width_m=0.38", "barrier.net.height_m=0.26", "barrier.settle_time_s=0.3"})};
+  run.take_row();
+  const double held = run.solids().bond_energy().elastic();
+  EXPECT_GT(held, 0);
+  run.take_row(2000);
+  EXPECT_LT(run.metrics().at("solids_energy_gap_max_J"), 0.02 * held);
+  EXPECT_GT(run.column("upper_cable_end_force_N")[0], 0);
+}
+
+/// The books do not know where heights are counted from, so neither does what they are held against.
+TEST_F(SmallNet, WhatIsTakenOutDoesNotCountAsTurnedOver) {
+  run_.take_row();
+  run_.take_row(1000);
+  const double before = run_.metrics().at("solids_energy_turned_over_max_J");
+  dem::Particles& p = run_.solids().particles();
+  const dem::ParticleIndex boulder = p.add({.position = Vec3(0, 0, 1000), .radius = 0.1, .density = 2500});
+  run_.take_row();
+  run_.solids().remove(boulder);
+  run_.take_row();
+  EXPECT_NEAR(run_.metrics().at("solids_energy_turned_over_max_J"), before, 1e-6 * before);
+}
+
 /// Twice their speed comes from nowhere, as from steps that are too long.
 TEST_F(SmallNet, EnergyFromNowhereFailsTheCheck) {
   run_.take_row();

@@ -254,6 +254,15 @@ TEST(Warnings, Solids) {
   using S = scene::Scene;
   EXPECT_TRUE(warns(report([](S& s) { s.solids.time_step = 1e-4; }), "above the critical time step"));
   EXPECT_FALSE(warns(report([](S& s) { s.solids.time_step = 1e-7; }), "critical"));
+  const auto hanging = [](const char* step) {  // beads that do not touch
+    return check_scene(load(case_file("hanging_net/scene.toml"),
+                            {"barrier.net.beads_per_ring=26", "barrier.bonds.cable_stiffness_N_m3=3e11",
+                             "barrier.bonds.dissipator_stiffness_N_m3=[]", "barrier.bonds.dissipator_force_limit_N=[]",
+                             "solids.bond_stiffness_scale=1", std::string("solids.time_step_s=") + step}));
+  };
+  const char* const as_built = "above what the bonds of the barrier as built allow";
+  EXPECT_TRUE(warns(hanging("6.3e-6"), as_built));
+  EXPECT_FALSE(warns(hanging("4e-6"), as_built));
   EXPECT_TRUE(
       warns(report([](S& s) { s.solids.contact_modulus_scale = 0.5; }), "contacts are softened: moduli times 0.5"));
   EXPECT_TRUE(warns(report([](S& s) { s.solids.bond_stiffness_scale = 0.5; }), "bonds are softened"));

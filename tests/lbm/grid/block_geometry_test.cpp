@@ -121,6 +121,20 @@ TEST(BlockGeometry, LinksKnowWhereTheyHit) {
   EXPECT_GT(ball, 100);
 }
 
+/// A wall that is drawn beyond a periodic face, as a level bed is around its map, is no wall where the period puts it.
+TEST(BlockGeometry, WhatLiesBeyondAPeriodicFaceStaysThere) {
+  DomainSpec spec;
+  spec.upper = Vec3::Constant(0.8);
+  spec.cell_size = 0.1;
+  spec.placement = WallPlacement::interpolated;
+  spec.faces[0] = spec.faces[1] = FaceKind::periodic;
+  spec.walls.add({"sill", SolidBox{Vec3(-1, -1, -1), Vec3(0.2, 2, 0.23)}});
+  const Domain domain(spec);
+  EXPECT_NEAR(domain.wall_share(Vec3(0.45, 0.35, 0.03), Vec3(0.45, 0.35, -0.07)), 0.3, 1e-9) << "the floor";
+  EXPECT_NEAR(domain.wall_share(Vec3(0.25, 0.35, 0.05), Vec3(0.15, 0.35, 0.05)), 0.5, 1e-9) << "the end of the sill";
+  EXPECT_NEAR(domain.wall_share(Vec3(0.77, 0.35, 0.05), Vec3(0.87, 0.35, 0.05)), 0.3, 1e-6) << "the sill in the seam";
+}
+
 /// The link into the edge of a moving lid with a side wall is the side wall's (docs/decisions/0038).
 TEST(BlockGeometry, CornersBelongToTheWallThatMovesLess) {
   DomainSpec spec;

@@ -71,6 +71,25 @@ TYPED_TEST(FluidTransfer, GoesOnAcrossPeriodicFaces) {
   expect_same_after_restart<TypeParam>(o, kColumn, 400);
 }
 
+/// Lattice velocities of walls follow from those in m/s, however often the step has changed.
+TYPED_TEST(FluidTransfer, GoesOnBesideWallsThatMoveAsTheStepAdapts) {
+  FluidOptions o = dam();
+  o.adaptive_time_step = true;
+  o.domain.placement = WallPlacement::interpolated;
+  Wall roller{"roller", SolidCylinder{Vec3(0.45, -1, 0.05), Vec3(0.45, 1, 0.05), 0.047}};
+  roller.angular_velocity = Vec3(0, 11.3, 0);
+  roller.centre = Vec3(0.45, 0, 0.05);
+  o.domain.walls.add(roller);
+  Wall belt{"belt", HalfSpace{Vec3(0, 0, 0.013), Vec3::UnitZ()}};
+  belt.velocity = Vec3(0.3, 0.1, 0);
+  o.domain.walls.add(belt);
+  Fluid<TypeParam> fluid(o);
+  fluid.fill(kColumn);
+  run(fluid, 601);
+  ASSERT_GE(fluid.time_step_record().changes, 2);
+  expect_same_after_restart<TypeParam>(o, kColumn, 601);
+}
+
 TEST(FluidState, StoresBlocksThatWereUsedAgain) {
   // Only then are indices another order than that in space, and must come back as they were: others hold them.
   Fluid<double> fluid(dam());
