@@ -92,7 +92,9 @@ Retaining add_retaining(const Post& post, const Vec3& anchor, const std::vector<
   if ((from - from.dot(axis) * axis).norm() < 2 * post.radius)
     throw InputError("the anchor of a retaining cable lies at its post, expected it a post's diameter away at least");
   const Vec3 back = (anchor - head).normalized();
-  const Vec3 end = head + (post.radius + 0.55 * properties.diameter) * back;
+  // Its last bead is clear of the post, along which a steep cable leads.
+  const double away = (back - back.dot(axis) * axis).norm();
+  const Vec3 end = head + (post.radius + 0.55 * properties.diameter) / away * back;
   Retaining made;
   made.wire = add_cable(cable_line({.start = anchor, .end = end}, properties.diameter),
                         {.fixed_at = {0}, .fixed_all = false, .dissipators_at = dissipators_at}, properties, sorts,

@@ -5,6 +5,7 @@
 #include "cases/assembly/check_start.h"
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
+#include "cases/assembly/grain_extent.h"
 #include "cases/assembly/net_spec.h"
 #include "cases/assembly/packings.h"
 #include "cases/assembly/settled_barrier.h"
@@ -154,7 +155,7 @@ BuiltSolids build_solids(const scene::Scene& scene, GrainStart grains) {
   options.gravity = scene.gravity.vector();
   options.contact_law = scene.solids.contact_law;
   options.wire_contacts = scene.solids.wire_contacts;
-  options.watchdog.speed_limit = 200;  // m/s: nothing in a debris flow is that fast
+  options.watchdog.speed_limit = scene::kLargestSpeed;
   options.watchdog.overlap_limit = 1;  // beyond it a bead has gone through
   options.watchdog.interval = 20;
   // Beads are hit by boulders and move far in a step, for their size: a skin of half a wire between them would be used

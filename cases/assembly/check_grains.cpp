@@ -75,6 +75,10 @@ void check_sphere(const Scene& scene, std::size_t i, Findings& findings) {
   }
   if (s.fixed && (s.velocity.norm() > 0 || s.angular_velocity.norm() > 0))
     findings.mistake(path + ".fixed", path + ".fixed holds it in place, expected no velocity and no spin");
+  if (s.velocity.norm() > kLargestSpeed)
+    findings.mistake(path + ".velocity_m_s",
+                     fmt::format("{}.velocity_m_s is {:g} m/s, expected at most {:g} m/s, where a run stops", path,
+                                 s.velocity.norm(), kLargestSpeed));
   if (!findings.sound({"wall", path})) return;
   const Walls walls = make_walls(scene);
   if (!s.fixed && !walls.empty() && walls.nearest(s.position).distance < (1 - kLargestOverlap) * s.diameter / 2)

@@ -6,6 +6,8 @@
 #include <map>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace lahar::cases {
 
@@ -94,39 +96,126 @@ bool exists_in(const scene::Domain& domain, Vec3 p) {
   return domain.contains(p);
 }
 
+/// Extents of a section along its width and height, from its centre (m), as far as the domain reaches.
+struct Extent {
+  double left, right, bottom, top;
+};
+
+/// The part of a rectangle that lies in a cube, by cutting it along the cube's sides in turn (Sutherland & Hodgman
+/// 1974, Commun. ACM 17:32).
+class Patch {
+ public:
+  Patch(const SectionFrame& f, const Extent& e, const Vec3& lower, double width) {
+    const std::pair<double, double> corners[] = {
+        {e.left, e.bottom}, {e.right, e.bottom}, {e.right, e.top}, {e.left, e.top}};
+    for (const auto& [x, y] : corners) points_.push_back(f.centre + x * f.across + y * f.up);
+    for (int axis = 0; axis < 3; ++axis) {
+      cut([&](const Vec3& p) { return p[axis] - lower[axis]; });
+      cut([&](const Vec3& p) { return lower[axis] + width - p[axis]; });
+    }
+    const Vec3& first = points_.empty() ? lower : points_.front();
+    for (std::size_t k = 2; k < points_.size(); ++k) {
+      const double part = 0.5 * (points_[k - 1] - first).cross(points_[k] - first).norm();
+      area_ += part;
+      centre_ += part / 3 * (first + points_[k - 1] + points_[k]);
+    }
+    if (area_ > 0) centre_ /= area_;
+  }
+  [[nodiscard]] double area() const { return area_; }  ///< m^2
+  [[nodiscard]] const Vec3& centre() const { return centre_; }
+
+ private:
+  /// Keeps what is inside: inside(point) >= 0.
+  template <class Inside>
+  void cut(const Inside& inside) {
+    std::vector<Vec3> kept;
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      const Vec3 &p = points_[k], &q = points_[(k + 1) % points_.size()];
+      const double at_p = inside(p), at_q = inside(q);
+      if (at_p >= 0) kept.push_back(p);
+      if ((at_p < 0) != (at_q < 0)) kept.push_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+    points_ = std::move(kept);
+  }
+
+  std::vector<Vec3> points_;
+  double area_ = 0;
+  Vec3 centre_ = Vec3::Zero();
+};
+
+/// Calls visit(wet cell, m^2 of the section in it, their middle) for an oblique section.
+template <class Visit>
+void for_cells_across(const FluidView& fluid, const SectionFrame& frame, const Extent& extent,
+                      const scene::Domain& domain, const Visit& visit) {
+  const double dx = fluid.units().cell_size;
+  Vec3 lower = Vec3::Constant(1e300), upper = -lower;
+  for (const double x : {extent.left, extent.right})
+    for (const double y : {extent.bottom, extent.top}) {
+      const Vec3 corner = frame.centre + x * frame.across + y * frame.up;
+      lower = lower.cwiseMin(corner), upper = upper.cwiseMax(corner);
+    }
+  lower = lower.cwiseMax(domain.lower), upper = upper.cwiseMin(domain.upper);
+  const Vec3i low = ((lower - domain.lower) / dx).array().floor().cast<int>(),
+              high = ((upper - domain.lower) / dx - Vec3::Constant(1e-9)).array().floor().cast<int>();
+  const double farthest = 0.5 * dx * frame.normal.cwiseAbs().sum();  // of a cell's centre from the plane
+  for (int x = low.x(); x <= high.x(); ++x)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int z = low.z(); z <= high.z(); ++z) {
+        const Vec3 corner = domain.lower + dx * Vec3(x, y, z), centre = corner + Vec3::Constant(dx / 2);
+        if (std::abs((centre - frame.centre).dot(frame.normal)) >= farthest) continue;
+        const auto cell = fluid.cell_at(centre);
+        if (!cell) continue;
+        const Patch patch(frame, extent, corner, dx);
+        if (patch.area() > 0) visit(*cell, patch.area(), patch.centre());
+      }
+}
+
+/// The same for a section along two axes: sums over points half a cell apart, a quarter of a cell off on both sides.
+/// Where it lies between two layers of cells it takes half of each; on a face of the domain, all of the one inside.
+template <class Visit>
+void for_points_of(const FluidView& fluid, const SectionFrame& frame, const Extent& extent, const scene::Domain& domain,
+                   const Visit& visit) {
+  const double spacing = fluid.units().cell_size / 2;
+  const auto parts = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / spacing - 1e-6))); };
+  const int columns = parts(extent.right - extent.left), rows = parts(extent.top - extent.bottom);
+  const double wide = (extent.right - extent.left) / columns, high = (extent.top - extent.bottom) / rows;
+  const Vec3 half_way = 0.5 * spacing * frame.normal;
+  for (int i = 0; i < columns; ++i)
+    for (int k = 0; k < rows; ++k) {
+      const Vec3 p = frame.centre + (extent.left + (i + 0.5) * wide) * frame.across +
+                     (extent.bottom + (k + 0.5) * high) * frame.up;
+      if (!domain.contains(p)) continue;
+      const bool both = exists_in(domain, p - half_way) && exists_in(domain, p + half_way);
+      for (const int side : {0, 1})
+        if (const auto cell = fluid.cell_at(side == 0 ? Vec3(p - half_way) : Vec3(p + half_way)))
+          visit(*cell, (both ? 0.5 : 1.0) * wide * high, p);
+    }
+}
+
 }  // namespace
 
 Flux liquid_flux(const FluidView& fluid, const LiquidVelocity& velocity, const dem::Particles* grains,
                  const SectionFrame& frame, const scene::Domain& domain, const Vec3& up, double datum) {
-  const double spacing = fluid.units().cell_size / 2, rho = fluid.options().density, g = fluid.options().gravity.norm();
+  const double rho = fluid.options().density, g = fluid.options().gravity.norm();
   const auto [left, right] = reach(frame, frame.across, frame.half_width, domain);
   const auto [bottom, top] = reach(frame, frame.up, frame.half_height, domain);
-  const int columns = std::max(1, static_cast<int>(std::ceil((right - left) / spacing - 1e-6)));
-  const int rows = std::max(1, static_cast<int>(std::ceil((top - bottom) / spacing - 1e-6)));
-  const double wide = (right - left) / columns, high = (top - bottom) / rows;
   const double cell_volume = std::pow(fluid.units().cell_size, 3);
   const GrainVelocities velocities(fluid.domain(), grains, frame);
   Flux flux;
-  for (int i = 0; i < columns; ++i)
-    for (int k = 0; k < rows; ++k) {
-      const Vec3 p = frame.centre + (left + (i + 0.5) * wide) * frame.across + (bottom + (k + 0.5) * high) * frame.up;
-      if (!domain.contains(p)) continue;
-      // A plane between two layers of cells takes half of each; on a face of the domain, all of the one inside.
-      const Vec3 half_way = 0.5 * spacing * frame.normal;
-      const bool both = exists_in(domain, p - half_way) && exists_in(domain, p + half_way);
-      for (const int side : {0, 1}) {
-        const auto cell = fluid.cell_at(side == 0 ? Vec3(p - half_way) : Vec3(p + half_way));
-        if (!cell) continue;
-        const double area = (both ? 0.5 : 1.0) * wide * high, liquid = cell->liquid_volume / cell_volume;
-        const Vec3 solid = velocities.at(cell->centre).value_or(cell->velocity);
-        const double volume =
-            area * (cell->fill_level * cell->velocity - (cell->fill_level - liquid) * solid).dot(frame.normal);
-        flux.area += area * liquid;
-        flux.volume += volume;
-        flux.energy +=
-            volume * (0.5 * rho * velocity(*cell).squaredNorm() + rho * g * (up.dot(p) - datum) + cell->pressure);
-      }
-    }
+  const auto add = [&](const lbm::WetCell& cell, double area, const Vec3& p) {
+    const double liquid = cell.liquid_volume / cell_volume;
+    const Vec3 solid = velocities.at(cell.centre).value_or(cell.velocity);
+    const double volume =
+        area * (cell.fill_level * cell.velocity - (cell.fill_level - liquid) * solid).dot(frame.normal);
+    flux.area += area * liquid;
+    flux.volume += volume;
+    flux.energy += volume * (0.5 * rho * velocity(cell).squaredNorm() + rho * g * (up.dot(p) - datum) + cell.pressure);
+  };
+  const bool along_the_cells = frame.normal.cwiseAbs().maxCoeff() > 1 - 1e-9;
+  if (along_the_cells)
+    for_points_of(fluid, frame, {left, right, bottom, top}, domain, add);
+  else
+    for_cells_across(fluid, frame, {left, right, bottom, top}, domain, add);
   return flux;
 }
 

@@ -27,7 +27,8 @@ struct Flux {
   double energy = 0;  ///< W: kinetic and potential energy that passes, and the work of the pressure
 };
 
-/// Sums over points half a cell apart, a quarter of a cell off the plane on both sides. `up` is the unit vector against
+/// Sums over the cells that the plane cuts, by its area in them; where it lies along the cells, over both layers beside
+/// it. `up` is the unit vector against
 /// gravity, heights count from `datum` (m) along it. The velocity U of a cell is that of all that it holds: with the
 /// fill level F and the solid fraction eps, F U - eps v of liquid pass, v the velocity of the grains there (`grains`;
 /// none: null). They carry the energy of `velocity`.

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdint>
+#include <cstring>
 #include <ctime>
 
 #include "cases/runner/options.h"
@@ -14,6 +15,7 @@ namespace lahar::cases {
 namespace {
 
 bool watching = false;
+std::atomic<const char*> more_to_say{nullptr};
 std::atomic<std::int64_t> first_signal_ms{0};  // 0: none has come
 static_assert(std::atomic<std::int64_t>::is_always_lock_free,
               "only lock-free atomics may be touched in a signal handler");
@@ -39,7 +41,8 @@ void note(int signal) {
 
 void end(int) {
   static constexpr char kText[] = "interrupted before the run began\n";
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
+  [[maybe_unused]] auto written = write(STDERR_FILENO, kText, sizeof kText - 1);
+  if (const char* const more = more_to_say.load()) written = write(STDERR_FILENO, more, std::strlen(more));
   _exit(exit_interrupted);
 }
 
@@ -56,6 +59,8 @@ void set_handler(void (*handler)(int)) {
 }
 
 }  // namespace
+
+void say_at_interrupt(const char* more) { more_to_say.store(more); }
 
 void end_at_interrupt() {
   watching = false;

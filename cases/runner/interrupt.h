@@ -8,6 +8,9 @@ namespace lahar::cases {
 /// yet.
 void end_at_interrupt();
 
+/// What the end at such a signal says beside that there was one; null: no more. A text that stays.
+void say_at_interrupt(const char* more);
+
 /// From now on the first SIGINT, SIGTERM or SIGHUP only sets a flag; one that comes more than a second later ends the
 /// process at once. SIGPIPE is ignored: a run goes on when nobody reads what it prints. Changes nothing where this is
 /// so already.

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "cases/files/text_file.h"
+#include "cases/runner/interrupt.h"
 #include "cases/scene/writer.h"
 #include "core/check.h"
 
@@ -134,6 +135,7 @@ FormerRun::FormerRun(const fs::path& folder) : folder_(folder) {
   fs::create_directory(folder / kOnTheWay);
   for (const fs::path& file : files_of_run(folder)) fs::rename(file, folder / kOnTheWay / file.filename());
   fs::rename(folder / kOnTheWay, folder / kAside);
+  say_at_interrupt("the former run is kept: lahar resume, or the next run, puts it back\n");
 }
 
 FormerRun::~FormerRun() {
@@ -150,6 +152,7 @@ void FormerRun::remove() {
     fs::remove_all(folder_ / kGoing);
   }
   folder_.clear();
+  say_at_interrupt(nullptr);
 }
 
 void FormerRun::recover(const fs::path& folder) {

@@ -13,6 +13,7 @@ ProgressStyle progress_style(bool quiet, std::FILE* stream) {
 }
 
 std::string time_text(double seconds) {
+  if (!(seconds < 3.6e9)) return "more than a million hours";
   const auto s = static_cast<long long>(seconds + 0.5);
   if (s >= 3600) return fmt::format("{} h {:02} min", s / 3600, s / 60 % 60);
   if (s >= 60) return fmt::format("{} min {:02} s", s / 60, s % 60);

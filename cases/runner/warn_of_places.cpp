@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <variant>
@@ -107,8 +108,9 @@ bool has_a_cell(const scene::WallSettings& solid, const Bounds& bounds, const sc
 void add_lost_walls(const scene::Scene& s, Warnings& list) {
   for (const scene::WallSettings& w : s.walls) {
     const auto bounds = bounds_of(w);
-    if (bounds && !((bounds->upper.array() > s.domain.lower.array()).all() &&
-                    (bounds->lower.array() < s.domain.upper.array()).all()))
+    // One that ends at a face of the domain bears what comes to rest there.
+    if (bounds && !((bounds->upper.array() >= s.domain.lower.array()).all() &&
+                    (bounds->lower.array() <= s.domain.upper.array()).all()))
       list.push_back(fmt::format("wall \"{}\" stands outside the domain: nothing meets it", w.name));
     if (s.fluid.enabled && w.file.resolution > s.fluid.cell_size)
       list.push_back(
@@ -133,16 +135,22 @@ void add_thin_walls(const scene::Scene& s, Warnings& list) {
 
 /// Faces of the domain and walls along the axes that fall between the faces of cells.
 void add_rounded_walls(const scene::Scene& s, Warnings& list) {
-  const auto acts_at = [&](double x, int axis) {
-    const double from = s.domain.lower[axis];
-    return from + s.fluid.cell_size * std::round((x - from) / s.fluid.cell_size);
+  // A cell whose centre lies on a wall is liquid. `free`: on which side of the wall, 1 or -1.
+  const auto acts_at = [&](double x, int axis, double free) {
+    const double from = s.domain.lower[axis], dx = s.fluid.cell_size;
+    double face = std::round((x - from) / dx);
+    const auto is_wall = [&](double cell) { return free * (from - dx + (cell + 1.5) * dx - x) < 0; };
+    const auto beside = [&] { return free > 0 ? face : face - 1; };  // the free cell at the face
+    if (is_wall(beside())) face += free;
+    if (!is_wall(beside() - free)) face -= free;
+    return from + dx * face;
   };
-  const auto tell = [&](const std::string& what, double x, int axis) {
+  const auto tell = [&](const std::string& what, double x, int axis, double free) {
     constexpr double bearable = 0.01;  // of a cell
     if (x < s.domain.lower[axis] || x > s.domain.upper[axis]) return;
-    if (std::abs(acts_at(x, axis) - x) > bearable * s.fluid.cell_size)
+    if (std::abs(acts_at(x, axis, free) - x) > bearable * s.fluid.cell_size)
       list.push_back(fmt::format("{} at {} = {:.6g} m acts on the liquid at {:.6g} m, the nearest faces of cells", what,
-                                 "xyz"[axis], x, acts_at(x, axis)));
+                                 "xyz"[axis], x, acts_at(x, axis, free)));
   };
   const auto is_between_cells = [&](WallSlip slip) {
     return s.fluid.wall_placement == scene::WallPlacement::half_way || slip != WallSlip::no_slip;
@@ -150,17 +158,29 @@ void add_rounded_walls(const scene::Scene& s, Warnings& list) {
   for (int axis = 0; axis < 3; ++axis)
     if (is_between_cells(s.domain.slip) && !s.domain.open(static_cast<scene::Face>(2 * axis + 1)) &&
         !s.domain.periodic(static_cast<scene::Axis>(axis)))
-      tell("domain.upper_m", s.domain.upper[axis], axis);
+      tell("domain.upper_m", s.domain.upper[axis], axis, -1);
   for (const scene::WallSettings& w : s.walls) {
     if (!is_between_cells(w.slip)) continue;
     const std::string what = fmt::format("wall \"{}\"", w.name);
     for (int axis = 0; axis < 3; ++axis) {
       if (w.shape == scene::WallShape::plane && std::abs(w.normal.normalized()[axis]) > 1 - 1e-9)
-        tell(what, w.point[axis], axis);
+        tell(what, w.point[axis], axis, w.normal[axis] > 0 ? 1 : -1);
       if (w.shape == scene::WallShape::box && has_a_cell(w, {w.lower, w.upper}, s))
-        tell(what, w.lower[axis], axis), tell(what, w.upper[axis], axis);
+        tell(what, w.lower[axis], axis, -1), tell(what, w.upper[axis], axis, 1);
     }
   }
+}
+
+/// Coordinates of a map's own grid, say: far from the origin files hold them too coarsely.
+void add_far_places(const scene::Scene& s, Warnings& list) {
+  const double far = std::max(s.domain.lower.cwiseAbs().maxCoeff(), s.domain.upper.cwiseAbs().maxCoeff());
+  const double apart = far * std::pow(2.0, -23);
+  const double small = s.fluid.enabled ? s.fluid.cell_size : 1e-4 * (s.domain.upper - s.domain.lower).maxCoeff();
+  if (apart > 0.01 * small)
+    list.push_back(
+        fmt::format("coordinates reach {:.6g} m: files hold places in single precision, up to {:.2g} m apart "
+                    "there; put the origin near the domain",
+                    far, apart));
 }
 
 }  // namespace
@@ -169,6 +189,7 @@ void warn_of_places(const scene::Scene& scene, bool has_fluid, Warnings& list) {
   add_places(scene, list);
   add_heightmaps(scene, list);
   add_lost_walls(scene, list);
+  add_far_places(scene, list);
   if (has_fluid) add_thin_walls(scene, list);
   if (has_fluid) add_rounded_walls(scene, list);
 }

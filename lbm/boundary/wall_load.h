@@ -2,6 +2,7 @@
 // What the fluid gives to walls: momentum exchange over their links (Ladd 1994, J. Fluid Mech. 271, eq. 3.3). A link
 // that sends f_i into a wall and gets f_opposite(i) back gives it the momentum (f_i + f_opposite(i)) c_i. Populations
 // are stored less their weights, so the sum is that of the pressure above ambient: air presses on the dry side too.
+// Links into the edge where two walls meet load both: each gets the component along the axis that leads to it.
 #include <vector>
 
 #include "core/archive.h"

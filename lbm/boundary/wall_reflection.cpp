@@ -151,11 +151,23 @@ int given_to_wall(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, 
   return link.along != 0 && grid.type(grid.neighbour(place, link.along)) != CellType::wall ? link.into : i;
 }
 
+/// By axis velocity: the wall that it leads to from a cell, -1 for none. The cell's entries follow each other.
+std::array<int, 7> walls_beside(const WallLinks& walls, std::size_t first) {
+  std::array<int, 7> beside;
+  beside.fill(-1);
+  for (std::size_t e = first; e < walls.cells.size() && walls.cells[e].cell == walls.cells[first].cell; ++e)
+    for (int k = 0; k < walls.cells[e].links; ++k)
+      if (const std::size_t i = walls.directions[walls.cells[e].first_link + static_cast<std::size_t>(k)]; i < 7)
+        beside[i] = walls.cells[e].wall;
+  return beside;
+}
+
 /// What went into the wall over the links of a cell and what came back. Cells at the surface move as if they were full:
-/// of theirs the wall gets the part that is.
+/// of theirs the wall gets the part that is. A link into the edge of two walls presses on both, on each along the axis
+/// that leads to it from the cell.
 template <class Real>
-void add_load(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, const std::uint8_t* links, Parity parity,
-              BlockWallLoads& loads) {
+void add_load(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, const std::uint8_t* links,
+              const std::array<int, 7>& beside, Parity parity, BlockWallLoads& loads) {
   const Block<Real>& block = grid.block(place.block);
   const double full =
       block.type[wall.cell] == CellType::interface ? std::clamp(
@@ -172,17 +184,37 @@ void add_load(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, cons
     const double back = static_cast<double>(i == a ? *pair.incoming_b : *pair.incoming_a);
     const auto* c = D3Q19::c[i];
     const auto* given = D3Q19::c[given_to_wall(grid, place, wall, i)];
-    loads.add(wall.wall, centre + 0.5 * Vec3(c[0], c[1], c[2]),
-              full * (sent + back) * Vec3(given[0], given[1], given[2]));
+    const Vec3 at = centre + 0.5 * Vec3(c[0], c[1], c[2]),
+               impulse = full * (sent + back) * Vec3(given[0], given[1], given[2]);
+    bool into_edge = true;
+    std::array<int, 3> of_axis{-1, -1, -1};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (given[axis] == 0) continue;
+      of_axis[axis] = beside[2 * axis + (given[axis] > 0 ? 1 : 2)];
+      into_edge = into_edge && of_axis[axis] >= 0;
+    }
+    if (!into_edge) {
+      loads.add(wall.wall, at, impulse);
+      continue;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (given[axis] != 0)
+        loads.add(of_axis[axis], at,
+                  impulse[static_cast<Eigen::Index>(axis)] * Vec3::Unit(static_cast<Eigen::Index>(axis)));
   }
 }
 
 template <class Real>
 void add_loads(FluidGrid<Real>& grid, BlockIndex b, Parity parity, BlockWallLoads& loads) {
   const Block<Real>& block = grid.block(b);
-  for (const WallCell& wall : block.walls.cells)
-    if (is_wet(block.type[wall.cell]))
-      add_load(grid, {b, wall.cell}, wall, block.walls.directions.data() + wall.first_link, parity, loads);
+  const WallLinks& walls = block.walls;
+  std::array<int, 7> beside{};
+  for (std::size_t e = 0; e < walls.cells.size(); ++e) {
+    const WallCell& wall = walls.cells[e];
+    if (!is_wet(block.type[wall.cell])) continue;
+    if (e == 0 || walls.cells[e - 1].cell != wall.cell) beside = walls_beside(walls, e);
+    add_load(grid, {b, wall.cell}, wall, walls.directions.data() + wall.first_link, beside, parity, loads);
+  }
 }
 
 }  // namespace

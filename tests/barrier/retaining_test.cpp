@@ -49,8 +49,11 @@ TEST(Retaining, StandsAtItsPostOrAtEvery) {
       EXPECT_EQ(p.state[anchor], dem::ParticleState::fixed);
       const Vec3 base(net.start[own.wire.first_bead - net.first_bead] - Vec3(0, 0, 0.0125));
       EXPECT_LT((Vec3(p.position[anchor]) - base - Vec3(-0.15, 0, 0.01)).norm(), 1e-12);
-      // The last bead touches the head, but for a twentieth of its diameter.
-      EXPECT_NEAR((p.position[end] - p.position[own.head()]).norm() - own.radius, 0.55 * net.wire_diameter, 1e-12);
+      // The last bead touches the post, but for a twentieth of its diameter, and so does what leads down from there.
+      const Vec3 head = p.position[own.head()], foot = p.position[own.wire.first_bead],
+                 axis = (head - foot).normalized();
+      const Vec3 arm = Vec3(p.position[end]) - head;
+      EXPECT_NEAR((arm - arm.dot(axis) * axis).norm() - own.radius, 0.55 * net.wire_diameter, 1e-12);
     }
   }
 }

@@ -63,6 +63,24 @@ TEST(Sections, DischargeIsTheVolumeThatArrives) {
   }
 }
 
+/// A layer of two cells that slides along as a whole: each plane across it sees the same discharge.
+TEST(Sections, ObliquePlanesSeeTheDischargeOfAPlug) {
+  const scene::Scene scene =
+      scene::load_text(dam, {"fluid.region[0].lower_m=[0.1, 0, 0]", "fluid.region[0].upper_m=[0.9, 0.16, 0.04]",
+                             "fluid.region[0].velocity_m_s=[1, 0, 0]", "gravity.magnitude_m_s2=0"});
+  lbm::Fluid<double> fluid(fluid_options(scene));
+  const auto view = view_of(fluid);
+  fluid.fill(liquid_regions(scene));
+  const Vec3 normals[] = {Vec3(1, 0, 0), Vec3(1, 0, 0.2), Vec3(1, 0, 1), Vec3(1, 0.3, -0.7), Vec3(1, -1, 0)};
+  for (const Vec3& normal : normals)
+    for (const double z : {0.0, 0.013, 0.2}) {
+      const SectionFrame frame = frame_of({"s", Vec3(0.5, 0.08, z), normal, 0, 0}, scene.domain);
+      const Flux flux = liquid_flux(*view, velocity_of, nullptr, frame, scene.domain, Vec3::UnitZ(), 0);
+      EXPECT_NEAR(flux.volume, 0.16 * 0.04, 1e-6) << normal.transpose() << ", " << z;
+      EXPECT_NEAR(flux.area * frame.normal.x(), 0.16 * 0.04, 1e-6) << normal.transpose() << ", " << z;
+    }
+}
+
 /// Of a tank of water with a heavy ball, two diameters above a level section and then two below it.
 const std::string sinking = R"([scene]
 name = "sinking"

@@ -296,6 +296,49 @@ TEST(Warnings, WallsBetweenCells) {
                     "domain.upper_m at x = 1.613 m acts on the liquid at 1.62 m, the nearest faces of cells"));
   EXPECT_FALSE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]", "fluid.wall_placement=interpolated"}), "acts on"));
   EXPECT_FALSE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]", "domain.open_faces=['x+']"}), "acts on"));
+  // A cell whose centre lies on a wall is liquid: a bed half-way acts below, a ceiling above.
+  const auto half_way = [](const char* normal) {
+    return check_scene(scene::load_text(R"([scene]
+name = "half_way"
+[run]
+duration_s = 0.1
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [1, 1, 2]
+[fluid]
+enabled = true
+cell_size_m = 0.125
+[[fluid.region]]
+lower_m = [0, 0, 0.5]
+upper_m = [1, 1, 0.75]
+[[wall]]
+name = "plate"
+shape = "plane"
+point_m = [0, 0, 0.8125]
+normal = )" + std::string(normal)));
+  };
+  EXPECT_TRUE(warns(half_way("[0, 0, -1]"), "z = 0.8125 m acts on the liquid at 0.875 m"));
+  EXPECT_TRUE(warns(half_way("[0, 0, 1]"), "z = 0.8125 m acts on the liquid at 0.75 m"));
+}
+
+/// Of viscosity, of places far from the origin, of a floor that ends at the domain.
+TEST(Warnings, WhatIsFarOutside) {
+  const auto report = [](std::vector<std::string> set) {
+    return check_scene(load(case_file("dam_break/scene.toml"), set));
+  };
+  EXPECT_TRUE(warns(report({"fluid.kinematic_viscosity_m2_s=10"}), "what is so viscous flows too fast"));
+  EXPECT_FALSE(warns(report({}), "what is so viscous"));
+  EXPECT_TRUE(warns(
+      report({"domain.lower_m=[500000, 0, 0]", "domain.upper_m=[500001.6, 0.3, 0.8]",
+              "fluid.region[0].lower_m=[500000, 0, 0]", "fluid.region[0].upper_m=[500000.6, 0.3, 0.6]", "probe=[]"}),
+      "coordinates reach 500002 m"));
+  EXPECT_FALSE(warns(report({}), "coordinates reach"));
+  const auto box = [&](const char* top) {
+    return report(
+        {"wall=[{name='floor', shape='box', lower_m=[-1, -1, -0.2], upper_m=[3, 1, " + std::string(top) + "]}]"});
+  };
+  EXPECT_FALSE(warns(box("0"), "stands outside the domain"));
+  EXPECT_TRUE(warns(box("-0.1"), "stands outside the domain"));
 }
 
 TEST(Warnings, SectionsAtOpenFaces) {

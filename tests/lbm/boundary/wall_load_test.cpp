@@ -96,6 +96,32 @@ TEST(WallLoad, IsHydrostaticAtRest) {
               0.02 * fluid.liquid_mass() * gravity);
 }
 
+/// Links into an edge press on both of its walls: the bed bears the weight, with no share of the sides', and none pulls
+/// along the other.
+TEST(WallLoad, EdgesPressOnBothWalls) {
+  for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
+    FluidOptions o = tank_options(Vec3(0.08, 0.08, 0.16), 0.01, 2.0);
+    o.kinematic_viscosity = 1e-3;
+    o.domain.slip = slip;
+    Fluid<double> fluid(o);
+    fluid.fill({{Vec3::Zero(), Vec3(0.08, 0.08, 0.1)}});
+    for (int s = 0; s < 400; ++s) fluid.step();
+    fluid.measure_walls();
+    const double start = fluid.time();
+    for (int s = 0; s < 2000; ++s) fluid.step();
+    const auto force = [&](std::size_t face) {
+      return Vec3(fluid.wall_loads()[face].impulse / (fluid.time() - start));
+    };
+    const double weight = 9.81 * fluid.liquid_mass();
+    EXPECT_NEAR(force(4).z() / weight, -1, 2e-3) << "bed";
+    EXPECT_NEAR(force(4).head<2>().norm() / weight, 0, 1e-4);
+    for (const std::size_t side : {0, 1}) EXPECT_NEAR(force(side).tail<2>().norm() / weight, 0, 2e-3) << side;
+    const double push = 1000 * 9.81 * 0.08 * 0.1 * 0.1 / 2;
+    EXPECT_NEAR(force(1).x() / push, 1, 0.05) << "the level is felt within half a cell";
+    EXPECT_NEAR((force(0).x() + force(1).x()) / push, 0, 1e-3);
+  }
+}
+
 /// Layers of some cells and a part, also of a part alone, at rest and down a bed that slips: its load is their weight,
 /// without friction.
 TEST(WallLoad, IsTheWeightOfLayers) {
