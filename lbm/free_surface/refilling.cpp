@@ -65,11 +65,14 @@ void expose(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   surface.fill_level[place.cell] = Real(1);
 }
 
-/// What a body covers moves as it does, but for the liquid in the cell (lu): all of it at another velocity would bring
-/// the body momentum from nowhere.
+/// What is of a body in a cell moves as it does: at another velocity it would bring the body momentum from nowhere. Of
+/// a cell that a body covers that is all but its liquid (lu), of others the share that is solid.
 template <class Real>
-void take_over_velocity(const BodyFields<Real>& body, int cell, Real liquid, CellMoments<Real>& m) {
-  const Real weight = std::max(body.exchange_weight[cell], Real(1e-6)), share = std::clamp(liquid, Real(0), Real(1));
+void take_over_velocity(const Block<Real>& block, int cell, Real liquid, CellMoments<Real>& m) {
+  const BodyFields<Real>& body = *block.body;
+  const Real around = is_covered(block, cell) ? Real(0) : Real(1) - body.solid_fraction[cell];
+  const Real share = std::clamp(std::max(liquid, around), Real(0), Real(1));
+  const Real weight = std::max(body.exchange_weight[cell], Real(1e-6));
   const Real* const weighted[3] = {body.weighted_velocity_x, body.weighted_velocity_y, body.weighted_velocity_z};
   for (int a = 0; a < 3; ++a) {
     const Real of_body = weighted[a][cell] / weight;
@@ -83,7 +86,7 @@ template <class Real>
 void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, CellMoments<Real> mean, Real liquid,
                  EquilibriumOrder order) {
   Block<Real>& block = grid.block(place.block);
-  if (is_covered(block, place.cell)) take_over_velocity(*block.body, place.cell, liquid, mean);
+  if (block.body && !block.body->fills_with_level) take_over_velocity(block, place.cell, liquid, mean);
   SurfaceFields<Real>& surface = *block.surface;
   const auto cell = static_cast<std::size_t>(place.cell);
   surface.mass[cell] = body_share(block, place.cell) + liquid;

@@ -1,9 +1,9 @@
 #pragma once
 // What cells hold that become interface cells. Refilling by equilibrium, the most robust of the ways compared by
 // Schwarzmeier & Ruede 2022 (arXiv:2207.13962): a cell that was gas gets the equilibrium at the mean density and
-// velocity of its wet neighbours, without those that were gas too; one that a drop has moved into, at the drop's. Where
-// a body covers it all but its liquid moves as the body (docs/decisions/0059). A liquid cell that becomes interface
-// keeps its populations.
+// velocity of its wet neighbours, without those that were gas too; one that a drop has moved into, at the drop's. What
+// is of a body in it moves as the body (docs/decisions/0059, 0087). A liquid cell that becomes interface keeps its
+// populations.
 #include "lbm/collision/equilibrium.h"
 #include "lbm/free_surface/block_changes.h"
 
@@ -17,7 +17,7 @@ void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex
             EquilibriumOrder order);
 
 /// Mass, density, fill level and populations of one interface cell with some liquid (lu), in the equilibrium of
-/// `moments`; where a body covers the cell, what is not liquid moves as the body.
+/// `moments`; what is of a body in it moves as the body.
 template <class Real>
 void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, CellMoments<Real> moments, Real liquid,
                  EquilibriumOrder order);

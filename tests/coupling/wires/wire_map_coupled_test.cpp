@@ -58,6 +58,30 @@ double solid_at(CoupledStep<Real>& step, const Vec3& place) {
   return solid;
 }
 
+/// Water that hits a wire gives it what it loses: the cells in the wire that turn wet bring nothing of their own.
+TEST(ResolvedWiresInTheStep, ASlamIsWhatTheWaterLoses) {
+  Chains c;
+  c.add(straight_line(Vec3(0.2, 0.02, 0.24), Vec3(0.2, 0.38, 0.24), 5), 0.1, false);
+  auto fluid = small_tank();
+  fluid.gravity = Vec3::Zero();
+  CouplingOptions options;
+  options.substeps = 20;
+  options.mapped_wires = MappedWires{2.5};
+  CoupledStep<double> step(fluid, solids_of(std::move(c), fluid.gravity), options);
+  constexpr double speed = 5;
+  step.fill({{.lower = Vec3(0.04, 0.1, 0.16), .upper = Vec3(0.12, 0.3, 0.32), .velocity = {speed, 0, 0}}});
+  const double before = step.liquid_momentum().x();
+  double given = 0;
+  while (step.time() < 0.02) {
+    step.advance();
+    const dem::Particles& p = step.solids()->particles();
+    for (std::size_t i = 0; i < p.size(); ++i) given += step.time_step() * p.external_force.x[i];
+  }
+  const double lost = before - step.liquid_momentum().x();
+  ASSERT_GT(lost, 0.2 * before);
+  EXPECT_NEAR(given / lost, 1, 0.1);
+}
+
 /// What it displaces after a step is to the bit what the next one finds: nothing drifts in single precision.
 TEST(ResolvedWiresInTheStep, AWireThatStandsStillDisplacesNoMore) {
   Chains c;
