@@ -79,7 +79,8 @@ void CellConversion<Real>::run(FluidLevel<Real>& level, LiquidAccount& account) 
   }
   make_room(grid);
   const EquilibriumOrder order = equilibrium_order(level.parameters.collision);
-  for_reached([&](BlockIndex b) { refill(grid, *changes_, b, level.parity(), order); });
+  const RefillLaw law{order, level.parameters.coverage_weight};
+  for_reached([&](BlockIndex b) { refill(grid, *changes_, b, level.parity(), law); });
   distribute(grid, level.parity(), order);
   book(account);
   changes_->clear();
@@ -235,7 +236,8 @@ void CellConversion<Real>::wet(FluidLevel<Real>& level, CellPlace place, const C
   const bool known = grid.has_surface(place.block);
   grid.require_surface(place.block);
   grid.block(place.block).type[static_cast<std::size_t>(place.cell)] = CellType::interface;
-  refill_cell(grid, place, level.parity(), moments, Real(0), equilibrium_order(level.parameters.collision));
+  refill_cell(grid, place, level.parity(), moments, Real(0),
+              {equilibrium_order(level.parameters.collision), level.parameters.coverage_weight});
   grid.list_cells(place.block);
   if (!known) note_densities(grid, place.block, level.parity());
 }

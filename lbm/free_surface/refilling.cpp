@@ -1,6 +1,7 @@
 #include "lbm/free_surface/refilling.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lbm/collision/equilibrium.h"
 #include "lbm/free_surface/covered_cells.h"
@@ -66,27 +67,33 @@ void expose(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
 }
 
 /// What is of a body in a cell moves as it does: at another velocity it would bring the body momentum from nowhere. Of
-/// a cell that a body covers that is all but its liquid (lu), of others the share that is solid.
+/// a cell that is covered in part that is the share that is solid. One that is covered gives the body B times its own
+/// momentum in the coming step: it gets what makes that the momentum of its liquid (lu).
 template <class Real>
-void take_over_velocity(const Block<Real>& block, int cell, Real liquid, CellMoments<Real>& m) {
+void take_over_velocity(const Block<Real>& block, int cell, Real liquid, const CoverageWeightLaw& law,
+                        CellMoments<Real>& m) {
   const BodyFields<Real>& body = *block.body;
-  const Real around = is_covered(block, cell) ? Real(0) : Real(1) - body.solid_fraction[cell];
-  const Real share = std::clamp(std::max(liquid, around), Real(0), Real(1));
-  const Real weight = std::max(body.exchange_weight[cell], Real(1e-6));
+  const Real eps = body.solid_fraction[cell], weight = std::max(body.exchange_weight[cell], Real(1e-6));
   const Real* const weighted[3] = {body.weighted_velocity_x, body.weighted_velocity_y, body.weighted_velocity_z};
-  for (int a = 0; a < 3; ++a) {
-    const Real of_body = weighted[a][cell] / weight;
-    m.u[a] = of_body + share * (m.u[a] - of_body);
+  Real slip[3], square = 0;
+  for (int a = 0; a < 3; ++a) slip[a] = m.u[a] - weighted[a][cell] / weight, square += slip[a] * slip[a];
+  Real share = std::max(liquid, Real(1) - eps);
+  if (is_covered(block, cell)) {
+    const Real given = CoverageWeights<Real>(law).of(body.drag[cell], eps, std::sqrt(square));
+    share = liquid < given ? liquid / given : Real(1);
   }
+  share = std::clamp(share, Real(0), Real(1));
+  for (int a = 0; a < 3; ++a) m.u[a] -= (Real(1) - share) * slip[a];
 }
 
 }  // namespace
 
 template <class Real>
 void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, CellMoments<Real> mean, Real liquid,
-                 EquilibriumOrder order) {
+                 const RefillLaw& law) {
   Block<Real>& block = grid.block(place.block);
-  if (block.body && !block.body->fills_with_level) take_over_velocity(block, place.cell, liquid, mean);
+  if (block.body && !block.body->fills_with_level)
+    take_over_velocity(block, place.cell, liquid, law.coverage_weight, mean);
   SurfaceFields<Real>& surface = *block.surface;
   const auto cell = static_cast<std::size_t>(place.cell);
   surface.mass[cell] = body_share(block, place.cell) + liquid;
@@ -98,11 +105,11 @@ void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, CellMome
   }
   // Outgoing populations of the new cell; what comes in from wet neighbours is there already, what comes from gas is
   // rebuilt before the next step, what comes from walls is set here.
-  block.f(0)[cell] = equilibrium(order, 0, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
+  block.f(0)[cell] = equilibrium(law.order, 0, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
   for (int a = 1; a < D3Q19::q; a += 2) {
     const auto pair = grid.access(place, a, parity);
-    const Real fa = equilibrium(order, a, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
-    const Real fb = equilibrium(order, a + 1, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
+    const Real fa = equilibrium(law.order, a, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
+    const Real fb = equilibrium(law.order, a + 1, mean.drho, mean.u[0], mean.u[1], mean.u[2]);
     *pair.outgoing_a = fa;
     *pair.outgoing_b = fb;
     if (grid.type(grid.neighbour(place, a)) == CellType::wall) *pair.incoming_b = fb;
@@ -112,22 +119,22 @@ void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, CellMome
 
 template <class Real>
 void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex b, Parity parity,
-            EquilibriumOrder order) {
+            const RefillLaw& law) {
   const BlockChanges<Real>& own = changes.of(b);
   if (own.new_surface) grid.clear_surface(b);
   if (!own.opened.empty()) {
     NeighbourMeans<Real> means(grid, changes, b, parity);
-    own.opened.for_each([&](int cell) { refill_cell(grid, {b, cell}, parity, means.around(cell), Real(0), order); });
+    own.opened.for_each([&](int cell) { refill_cell(grid, {b, cell}, parity, means.around(cell), Real(0), law); });
   }
   own.arrivals.for_each([&](int cell, const Arrival<Real>& a) {
-    refill_cell(grid, {b, cell}, parity, a.moments, a.liquid, order);
+    refill_cell(grid, {b, cell}, parity, a.moments, a.liquid, law);
   });
   own.exposed.for_each([&](int cell) { expose(grid, {b, cell}, parity); });
 }
 
-template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity, EquilibriumOrder);
-template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity, EquilibriumOrder);
-template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, CellMoments<float>, float, EquilibriumOrder);
-template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, CellMoments<double>, double, EquilibriumOrder);
+template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity, const RefillLaw&);
+template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity, const RefillLaw&);
+template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, CellMoments<float>, float, const RefillLaw&);
+template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, CellMoments<double>, double, const RefillLaw&);
 
 }  // namespace lahar::lbm

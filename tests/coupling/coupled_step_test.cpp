@@ -83,7 +83,7 @@ TEST(CoupledStep, ADropGivesAGrainItsOwnMomentum) {
       given += dt * step.solids()->particles().external_force.x[0];
     }
     const double has = share * 1000 * dx * dx * dx * speed;
-    EXPECT_GT(given, 0.3 * has);
+    EXPECT_GT(given, 0.2 * has);  // what is left when a covered cell closes again goes with the liquid
     EXPECT_LT(given, 1.3 * has);
   }
 }

@@ -86,7 +86,7 @@ TEST_F(ExcessMassTest, OverlappingDebtsAreScaled) {
 /// What is left goes to liquid neighbours, which go on as they did.
 TEST_F(ExcessMassTest, LiquidTakesWhatIsLeft) {
   const CellPlace wet = put({7, 7, 8}, CellType::liquid, 0);
-  refill_cell(grid_, wet, fluid_.parity(), {0.0, {0.05, -0.02, 0.01}}, 0.0, EquilibriumOrder::fourth);
+  refill_cell(grid_, wet, fluid_.parity(), {0.0, {0.05, -0.02, 0.01}}, 0.0, {EquilibriumOrder::fourth});
   const CellMoments<double> before = outgoing_moments(grid_, wet, fluid_.parity());
   owe({8, 8, 8}, 0.04);
   EXPECT_EQ(distribute(), 0);

@@ -20,7 +20,7 @@ TEST(Refilling, TakesTheMeanOfNeighboursThatWereWet) {
   const auto put = [&](const Vec3i& cell, const CellMoments<double>& moments) {
     const CellPlace p = place(cell);
     grid.block(p.block).type[static_cast<std::size_t>(p.cell)] = CellType::interface;
-    refill_cell(grid, p, fluid.parity(), moments, 0.5, EquilibriumOrder::fourth);
+    refill_cell(grid, p, fluid.parity(), moments, 0.5, {EquilibriumOrder::fourth});
     return p;
   };
   LevelChanges<double> changes;
@@ -31,7 +31,7 @@ TEST(Refilling, TakesTheMeanOfNeighboursThatWereWet) {
   changes.of(also_new.block).fresh.add(also_new.cell);
   grid.block(opened.block).type[static_cast<std::size_t>(opened.cell)] = CellType::interface;
   changes.of(opened.block).opened.add(opened.cell);
-  refill(grid, changes, opened.block, fluid.parity(), EquilibriumOrder::fourth);
+  refill(grid, changes, opened.block, fluid.parity(), RefillLaw{EquilibriumOrder::fourth});
   const auto m = outgoing_moments(grid, opened, fluid.parity());
   EXPECT_NEAR(m.drho, 0.03, 1e-14);
   EXPECT_NEAR(m.u[0], 0.02, 1e-14);
