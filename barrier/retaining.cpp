@@ -75,7 +75,9 @@ void RetainingCable::add_to(Construction& construction, std::vector<Wire>& wires
 }
 
 double RetainingCable::beads(const SpansSpec& spec) const {
-  return (post < 0 ? spec.spans + 1.0 : 1.0) * std::hypot(spec.post_height, anchor.norm()) / spec.net.wire_diameter;
+  const double d = spec.net.wire_diameter, whole = std::hypot(spec.post_height, anchor.norm());
+  const double at_head = (0.5 * spec.post_diameter + 0.55 * d) * whole / anchor.norm();  // see add_retaining
+  return (post < 0 ? spec.spans + 1.0 : 1.0) * std::max(1.0, (whole - at_head) / d);
 }
 
 double RetainingCable::bond_limit(const SpansSpec& spec) const {

@@ -1,9 +1,11 @@
 #include "lbm/free_surface/inflow.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "core/check.h"
+#include "lbm/free_surface/covered_cells.h"
 #include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
@@ -40,6 +42,21 @@ void Inflow<Real>::feed(FluidLevel<Real>& level, CellConversion<Real>& conversio
   account.inflow += arrived;
 }
 
+namespace {
+
+/// What a cell holds that is wetted for the liquid that is to come: where bodies are, what moves as they do until then.
+template <class Real>
+CellMoments<Real> before_it_comes(const FluidGrid<Real>& grid, CellPlace place, const CellMoments<Real>& entering) {
+  const BodyFields<Real>* const body = grid.block(place.block).body;
+  if (!body || !(body->exchange_weight[place.cell] > 0)) return entering;
+  CellMoments<Real> moments;
+  const std::array<Real, 3> u = velocity_of_bodies(*body, place.cell);
+  std::copy(u.begin(), u.end(), moments.u);
+  return moments;
+}
+
+}  // namespace
+
 /// Lists the wet cells of the box after wetting the lowest free cell of each column that is dry there.
 template <class Real>
 void Inflow<Real>::collect(FluidLevel<Real>& level, CellConversion<Real>& conversion) {
@@ -55,7 +72,7 @@ void Inflow<Real>::collect(FluidLevel<Real>& level, CellConversion<Real>& conver
         const CellPlace place{grid.require_block(block_of(cell)), cell_index(x & 7, y & 7, z & 7)};
         const CellType type = grid.type(place);
         if (type == CellType::wall || type == CellType::sink) continue;
-        if (type == CellType::gas && lowest) conversion.wet(level, place, entering);
+        if (type == CellType::gas && lowest) conversion.wet(level, place, before_it_comes(grid, place, entering));
         if (is_wet(grid.type(place))) wet_.push_back(place);
         lowest = false;
       }

@@ -67,22 +67,21 @@ void expose(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
 }
 
 /// What is of a body in a cell moves as it does: at another velocity it would bring the body momentum from nowhere. Of
-/// a cell that is covered in part that is the share that is solid. One that is covered gives the body B times its own
-/// momentum in the coming step: it gets what makes that the momentum of its liquid (lu).
+/// a cell without liquid that is the share that is solid. A covered cell gives the body B times its own momentum in the
+/// coming step: it gets what makes that the momentum of its liquid (lu).
 template <class Real>
 void take_over_velocity(const Block<Real>& block, int cell, Real liquid, const CoverageWeightLaw& law,
                         CellMoments<Real>& m) {
   const BodyFields<Real>& body = *block.body;
-  const Real eps = body.solid_fraction[cell], weight = std::max(body.exchange_weight[cell], Real(1e-6));
-  const Real* const weighted[3] = {body.weighted_velocity_x, body.weighted_velocity_y, body.weighted_velocity_z};
+  const Real eps = body.solid_fraction[cell];
+  const std::array<Real, 3> of_bodies = velocity_of_bodies(body, cell);
   Real slip[3], square = 0;
-  for (int a = 0; a < 3; ++a) slip[a] = m.u[a] - weighted[a][cell] / weight, square += slip[a] * slip[a];
-  Real share = std::max(liquid, Real(1) - eps);
+  for (std::size_t a = 0; a < 3; ++a) slip[a] = m.u[a] - of_bodies[a], square += slip[a] * slip[a];
+  Real share = liquid > 0 ? Real(1) : std::clamp(Real(1) - eps, Real(0), Real(1));
   if (is_covered(block, cell)) {
     const Real given = CoverageWeights<Real>(law).of(body.drag[cell], eps, std::sqrt(square));
-    share = liquid < given ? liquid / given : Real(1);
+    share = liquid < given ? std::max(liquid, Real(0)) / given : Real(1);
   }
-  share = std::clamp(share, Real(0), Real(1));
   for (int a = 0; a < 3; ++a) m.u[a] -= (Real(1) - share) * slip[a];
 }
 

@@ -66,7 +66,7 @@ TEST(Retaining, KnowsItsBeadsAndItsTimeStepBeforeItIsBuilt) {
   const Net net = build_spans(spec, p, b);
   double beads = 0;
   for (const Wire& w : net.elements.at(0)) beads += w.beads;
-  EXPECT_NEAR(cable.beads(spec) / beads, 1, 0.15);  // it ends at the surface of the head, not at the post's top
+  EXPECT_NEAR(cable.beads(spec) / beads, 1, 0.05);
   // Two beads of its wire: no bead is taken as held less than in the middle of a chain.
   const int sort = wire.add_sort(spec.net.cable);
   for (const double x : {0.0, spec.net.wire_diameter})

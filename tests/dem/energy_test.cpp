@@ -119,7 +119,9 @@ TEST(EnergyLedger, springs_of_a_grain_taken_out_are_lost_where_lists_are_built_a
   for (const double rolling_friction : {0.0, 0.3}) {
     Particles p;
     p.add(sphere({0, 0, 0.01995}, 0.02, 2650, {0.02, 0, 0}));
-    p.add(sphere({0, 0, 0.0598}, 0.02, 2650, {-0.02, 0, 0}));
+    ParticleSpec upper = sphere({0, 0, 0.0598}, 0.02, 2650, {-0.02, 0, 0});
+    upper.angular_velocity = {0, 2, 0};
+    p.add(upper);
     Materials materials = one_material(1e8, 0.25, 0.9, 1);
     if (rolling_friction > 0) materials.set_pair(0, 0, 0.9, 1, rolling_friction);
     Solids solids(p, {}, materials, testing::ground(), options(1e-6, {0, 0, -kG}));
