@@ -68,7 +68,8 @@ void expose(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
 
 /// What is of a body in a cell moves as it does: at another velocity it would bring the body momentum from nowhere. Of
 /// a cell without liquid that is the share that is solid. A covered cell gives the body B times its own momentum in the
-/// coming step: it gets what makes that the momentum of its liquid (lu).
+/// coming step, by `inertial` but for what stays in the body's place (docs/decisions/0061): it gets what makes that the
+/// momentum of its liquid (lu).
 template <class Real>
 void take_over_velocity(const Block<Real>& block, int cell, Real liquid, const CoverageWeightLaw& law,
                         CellMoments<Real>& m) {
@@ -79,8 +80,9 @@ void take_over_velocity(const Block<Real>& block, int cell, Real liquid, const C
   for (std::size_t a = 0; a < 3; ++a) slip[a] = m.u[a] - of_bodies[a], square += slip[a] * slip[a];
   Real share = liquid > 0 ? Real(1) : std::clamp(Real(1) - eps, Real(0), Real(1));
   if (is_covered(block, cell)) {
-    const Real given = CoverageWeights<Real>(law).of(body.drag[cell], eps, std::sqrt(square));
-    share = liquid < given ? std::max(liquid, Real(0)) / given : Real(1);
+    const Real left = law.inertial > 0 ? std::max(Real(0), Real(1) - eps) : Real(1);
+    const Real given = left * CoverageWeights<Real>(law).of(body.drag[cell], eps, std::sqrt(square));
+    share = liquid > 0 ? std::min(Real(1), liquid / std::max(given, Real(1e-6))) : Real(0);
   }
   for (int a = 0; a < 3; ++a) m.u[a] -= (Real(1) - share) * slip[a];
 }
