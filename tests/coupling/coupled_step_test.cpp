@@ -99,9 +99,11 @@ TEST(CoupledStep, AnInflowOverAGrainBringsItsOwnMomentum) {
     CoupledStep<double> step(fluid, grains(fluid, {grain(Vec3(0.16, 0.16, 0.16), 0.08, 2500)}),
                              {.thin_wires = ThinWires::uncoupled, .substeps = 10});
     step.fill({});
-    for (int s = 0; s < 200; ++s) step.advance();
+    for (int s = 0; s < 2; ++s) step.advance();  // no grain is in the cells of a block that the inflow has just made
     const dem::Particles& p = step.solids()->particles();
-    EXPECT_LT(p.mass[0] * std::abs(p.velocity.x[0]), 1.1 * step.fluid()->inflow_mass() * speed);
+    const double before = p.velocity.x[0];
+    for (int s = 0; s < 200; ++s) step.advance();
+    EXPECT_LT(p.mass[0] * std::abs(p.velocity.x[0] - before), 1.1 * step.fluid()->inflow_mass() * speed);
   }
 }
 

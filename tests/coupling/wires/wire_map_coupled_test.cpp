@@ -79,7 +79,7 @@ TEST(ResolvedWiresInTheStep, ASlamIsWhatTheWaterLoses) {
   }
   const double lost = before - step.liquid_momentum().x();
   ASSERT_GT(lost, 0.2 * before);
-  EXPECT_NEAR(given / lost, 1, 0.1);
+  EXPECT_NEAR(given / lost, 1, 0.2);
 }
 
 /// What it displaces after a step is to the bit what the next one finds: nothing drifts in single precision.
