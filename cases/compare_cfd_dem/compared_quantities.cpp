@@ -115,7 +115,7 @@ double e_out_full_cells(const CaseRun& c) {
 double front_speed(const CaseRun& c) {
   const double end = first_at_least(c, "front_x_m", c.study_case.release - kInflowDistance);
   const double start = first_at_least(c, "front_x_m", c.study_case.release - 0.65);
-  return start > c.series.time_s.front() ? 0.5 / (end - start) : kNone;
+  return start > 0 ? 0.5 / (end - start) : kNone;
 }
 double front_froude(const CaseRun& c) {
   return front_speed(c) / std::sqrt(kGravity * c.metric("depth_at_inflow_m") * kCos35);
