@@ -66,23 +66,27 @@ void expose(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
   surface.fill_level[place.cell] = Real(1);
 }
 
-/// What is of a body in a cell moves as it does: at another velocity it would bring the body momentum from nowhere. Of
-/// a cell without liquid that is the share that is solid. A covered cell gives the body B times its own momentum in the
-/// coming step, by `inertial` but for what stays in the body's place (docs/decisions/0061): it gets what makes that the
-/// momentum of its liquid (lu).
+/// What is of a body in a cell moves as it does: at another velocity it would bring the body momentum from nowhere. A
+/// covered cell without liquid has the body's velocity; of others the solid share has it, by the part B of the slip
+/// that the body takes over in a step, and by `inertial`, whose bodies take it over step by step, all of it. A drop in
+/// a covered cell gets the slip of which the body takes the momentum of the drop's liquid (lu); by `inertial` it takes
+/// but what does not stay in its place (docs/decisions/0061, 0087).
 template <class Real>
 void take_over_velocity(const Block<Real>& block, int cell, Real liquid, const CoverageWeightLaw& law,
                         CellMoments<Real>& m) {
   const BodyFields<Real>& body = *block.body;
-  const Real eps = body.solid_fraction[cell];
+  const bool covered = is_covered(block, cell);
+  if (liquid > 0 && !covered) return;
   const std::array<Real, 3> of_bodies = velocity_of_bodies(body, cell);
   Real slip[3], square = 0;
   for (std::size_t a = 0; a < 3; ++a) slip[a] = m.u[a] - of_bodies[a], square += slip[a] * slip[a];
-  Real share = liquid > 0 ? Real(1) : std::clamp(Real(1) - eps, Real(0), Real(1));
-  if (is_covered(block, cell)) {
-    const Real left = law.inertial > 0 ? std::max(Real(0), Real(1) - eps) : Real(1);
-    const Real given = left * CoverageWeights<Real>(law).of(body.drag[cell], eps, std::sqrt(square));
-    share = liquid > 0 ? std::min(Real(1), liquid / std::max(given, Real(1e-6))) : Real(0);
+  const Real eps = std::clamp(body.solid_fraction[cell], Real(0), Real(1));
+  const Real taken = CoverageWeights<Real>(law).of(body.drag[cell], eps, std::sqrt(square));
+  const bool inertial = law.inertial > 0;
+  Real share = covered ? Real(0) : Real(1) - eps * (inertial ? Real(1) : std::min(Real(1), taken));
+  if (liquid > 0) {
+    const Real given = inertial ? taken * (Real(1) - eps) : taken;
+    share = std::min(Real(1), liquid / std::max(given, Real(1e-6)));
   }
   for (int a = 0; a < 3; ++a) m.u[a] -= (Real(1) - share) * slip[a];
 }
