@@ -8,6 +8,10 @@
 
 namespace lahar::barrier {
 
+double guide_time_step(const GuideStiffness& guide, double mass) {
+  return 4 * guide.damping_ratio * std::sqrt(mass / guide.stiffness);
+}
+
 void Guides::add(const Wire& cable, const Vec3& point) {
   require(cable.beads > 3 && !cable.closed, "a guide needs a cable of more than three beads");
   guides_.push_back({cable.first_bead, cable.first_bead + cable.beads, point});

@@ -15,6 +15,11 @@ struct GuideStiffness {
   double damping_ratio = 0.3;  ///< of critical for one bead, sideways
 };
 
+/// s, the longest stable step of beads of `mass` (kg) in guides. Their force is held over a step, from places and
+/// velocities at its start: with a = omega dt the square of an oscillation's amplitude then changes by the factor
+/// 1 - 2 zeta a + a^2/2, so that a may not exceed 4 zeta.
+[[nodiscard]] double guide_time_step(const GuideStiffness& guide, double mass);
+
 /// A damped spring from a point to the nearest point of a cable, as an eyelet without friction: its force is normal to
 /// the cable wherever that runs, and is shared by the two beads beside that point according to how near they are
 /// (moment and energy k d^2 / 2 are exact). A straight cable slides through without bumps, whether it meets its guide

@@ -86,9 +86,10 @@ Filling fill(const RingNetSpec& spec, double length, const std::string& what) {
   const int count = std::max(1, 1 + static_cast<int>(std::lround((length - first) / spec.ring_pitch)));
   const double spare = length - filled(spec, count, spec.ring_pitch);
   const int steps = spec.fit == NetFit::cables_on_frame ? count : count - 1;
-  const double change = steps > 0 ? spare / steps : 0.0;
-  if (std::abs(change) <= 0.08 * spec.ring_pitch) return {count, spec.ring_pitch + change};
-  const int fewer = spare < 0 ? count - 1 : count;
+  const double change = spare / std::max(1, steps);
+  if (std::abs(change) <= 0.08 * spec.ring_pitch)
+    return {count, steps > 0 ? spec.ring_pitch + change : spec.ring_pitch};
+  const int fewer = std::max(2, spare < 0 ? count - 1 : count);
   throw InputError("whole rings at a pitch of " + std::to_string(spec.ring_pitch) + " m do not fill a " + what +
                    " of " + std::to_string(length) + " m; " + std::to_string(filled(spec, fewer, spec.ring_pitch)) +
                    " m and " + std::to_string(filled(spec, fewer + 1, spec.ring_pitch)) + " m would do");

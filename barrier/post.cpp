@@ -76,6 +76,7 @@ Post add_post(const PostSpec& spec, dem::Particles& particles, dem::Bonds& bonds
   if (spec.foot_joint == FootJoint::fixed) wire.fixed_beads = {0};
   Post post{add_wire(wire, particles, bonds), 0.5 * spec.diameter};
   post.foot_beads = {post.wire.first_bead};
+  particles.bury(post.wire.first_bead);
   if (spec.foot_joint == FootJoint::hinged)
     add_joint(spec, spec.section.youngs_modulus * spec.section.area / spacing, post, particles, bonds);
   return post;

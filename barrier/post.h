@@ -53,9 +53,11 @@ struct Post {
 /// Mass of a bead: that of the profile over one spacing, kg.
 [[nodiscard]] double post_bead_mass(const PostSection& section, double spacing);
 
-/// Adds a post at rest. A clamped foot is a fixed bead. A hinged one hangs in three links at right angles, half a
-/// radius long, to fixed beads inside it: they keep its place and let it turn. Throws InputError for a section without
-/// stiffness or mass, and for a post shorter than five of its beads.
+/// Adds a post at rest. Its first bead stands in the ground and touches no wall. A clamped foot is a fixed bead. A
+/// hinged one hangs in three links at right angles, half a radius long, to fixed beads inside it: they keep its place
+/// and let it turn.
+/// Throws InputError for a section without stiffness or mass,
+/// and for a post shorter than five of its beads.
 Post add_post(const PostSpec& spec, dem::Particles& particles, dem::Bonds& bonds);
 
 /// What the ground does to the foot, N: the opposite of what acts on the fixed beads.

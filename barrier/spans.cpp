@@ -175,9 +175,8 @@ Vec3 post_base(const SpansSpec& spec, int k) {
 
 PostSpec post_spec(const SpansSpec& spec, int k) {
   PostSpec post;
-  const double radius = 0.5 * spec.post_diameter;
-  post.foot = post_base(spec, k) + radius * spec.net.up;
-  post.head = post_base(spec, k) + (spec.post_height - radius) * spec.net.up;
+  post.foot = post_base(spec, k);
+  post.head = post_base(spec, k) + (spec.post_height - 0.5 * spec.post_diameter) * spec.net.up;
   post.across = spec.net.across;
   post.diameter = spec.post_diameter;
   post.section = spec.section;

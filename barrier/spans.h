@@ -27,8 +27,8 @@ struct SpansSpec {
 [[nodiscard]] double post_distance(const SpansSpec& spec);
 /// Where post k (0 .. spans) stands on the line of the net's lower edge, m.
 [[nodiscard]] Vec3 post_base(const SpansSpec& spec, int k);
-/// The post without its place among the others: foot and head are its end beads' centres, so that it stands on the
-/// lower edge and ends at the post height.
+/// The post without its place among the others, held at its base, where the centre of its first bead is; its last bead
+/// ends at the post height.
 [[nodiscard]] PostSpec post_spec(const SpansSpec& spec, int k);
 
 /// Builds all at rest and free of stress. Throws InputError for what build_net, add_post and the elements refuse, and

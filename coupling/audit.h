@@ -23,9 +23,10 @@ class MomentumAudit {
     exchanged_ += step.from_fluid.cwiseAbs();
     worst_ = std::max(worst_, (step.to_solids - step.from_fluid).norm());
   }
-  /// |sum of differences| over the sum of what was exchanged, 0 if nothing was.
+  /// |sum of differences| over the sum of what the fluid gave, at most 1: what the solids got of nothing. 0 if nothing
+  /// was exchanged.
   [[nodiscard]] double relative() const {
-    const double scale = exchanged_.norm();
+    const double scale = std::max(exchanged_.norm(), difference_.norm());
     return scale <= 0 ? 0.0 : difference_.norm() / scale;  // NaN stays NaN
   }
   [[nodiscard]] double worst_step() const { return worst_; }

@@ -52,7 +52,8 @@ CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::opti
 template <class Real>
 void CoupledStep<Real>::choose_wires() {
   if (thin_wires_ && mapped_wires_) thin_wires_->leave_out(solids_->bonds(), mapped_wires_->wires().is_mapped());
-  fluid_->keep_velocities((thin_wires_ && thin_wires_->beads() > 0) || (grains_ && grains_->samples_velocity()));
+  // Mapped wires that break are left to the drag law from one step to the next.
+  fluid_->keep_velocities(thin_wires_ && (thin_wires_->beads() > 0 || mapped_wires_));
 }
 
 template <class Real>
@@ -142,6 +143,7 @@ void CoupledStep<Real>::follow_time_step() {
 template <class Real>
 void CoupledStep<Real>::map_bodies() {
   const dem::Particles& particles = solids_->particles();
+  fluid_->make_room();
   fields_.open(fluid_->grid());
   if (grains_) {
     const ScopedTimer timer(timers_.section("coupling.body_map"));

@@ -12,12 +12,9 @@ void CoupledStep<Real>::transfer(Archive& archive) {
   if (fluid_) archive.part("fluid", *fluid_);
   if (solids_) archive.part("solids", *solids_);
   if (grains_) archive.part("grains", *grains_);
-  if (archive.loading() && mapped_wires_) {
-    mapped_wires_->follow_breakage(solids_->particles(), solids_->bonds());
-    choose_wires();
-  }
-  if (thin_wires_) archive.part("thin_wires", *thin_wires_);
   if (mapped_wires_) archive.part("mapped_wires", *mapped_wires_);
+  if (archive.loading() && mapped_wires_) choose_wires();
+  if (thin_wires_) archive.part("thin_wires", *thin_wires_);
 }
 
 template <class Real>

@@ -38,7 +38,7 @@ class SolidFields {
     for (const lbm::BlockIndex b : grid.owned()) {
       lbm::Block<Real>& block = grid.block(b);
       Entry& e = entry(b);
-      e.reached = false;
+      e.reached = e.fresh = false;
       if (!block.body || e.birth != block.birth) e.writer = Writer::none;
       e.birth = block.birth;
       if (!block.body || e.writer == Writer::grains || e.writer == Writer::wires) continue;
@@ -50,7 +50,7 @@ class SolidFields {
   /// The fields of a block that somebody reaches in this step.
   lbm::BodyFields<Real>& reach(lbm::FluidGrid<Real>& grid, lbm::BlockIndex b) {
     Entry& e = entry(b);
-    if (!grid.block(b).body || e.birth != grid.block(b).birth) e = {grid.block(b).birth, Writer::none, false};
+    if (!grid.block(b).body || e.birth != grid.block(b).birth) e = {grid.block(b).birth, Writer::none, false, true};
     e.reached = true;
     return grid.require_body(b);
   }
@@ -60,6 +60,9 @@ class SolidFields {
     set_writer(b, Writer::several);
     return fields;
   }
+
+  /// Whether a block that was reached got its fields in this step: no sweep has left anything there yet.
+  [[nodiscard]] bool is_fresh(lbm::BlockIndex b) const { return entries_[static_cast<std::size_t>(b)].fresh; }
 
   /// Of a block with body fields, after open().
   [[nodiscard]] Writer writer(lbm::BlockIndex b) const {
@@ -87,6 +90,7 @@ class SolidFields {
     std::uint64_t birth = 0;  ///< of the block: its index may be used again
     Writer writer = Writer::none;
     bool reached = false;
+    bool fresh = false;
   };
   Entry& entry(lbm::BlockIndex b) {
     const auto k = static_cast<std::size_t>(b);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/archive.h"
+#include "core/check.h"
 #include "core/sphere.h"
 #include "core/triple.h"
 #include "core/vector.h"
@@ -54,7 +55,9 @@ struct Particles {
   std::vector<std::int32_t> material, body;
   std::vector<ParticleKind> kind;
   std::vector<ParticleState> state;
-  std::vector<Rail> rails;  // by id, ascending; they follow from the scene and are in no checkpoint
+  // By id, ascending; they follow from the scene and are in no checkpoint.
+  std::vector<Rail> rails;
+  std::vector<ParticleId> buried;  // in the ground: they touch no wall
   Numbering numbering;
 
   [[nodiscard]] std::size_t size() const { return radius.size(); }
@@ -66,6 +69,9 @@ struct Particles {
     const auto at =
         std::lower_bound(rails.begin(), rails.end(), id(i), [](const Rail& r, ParticleId k) { return r.id < k; });
     return at != rails.end() && at->id == id(i) ? &*at : nullptr;
+  }
+  [[nodiscard]] bool is_buried(std::size_t i) const {
+    return !buried.empty() && std::binary_search(buried.begin(), buried.end(), id(i));
   }
   /// Share of a force along `direction` (unit) that moves the particle along it, 0 to 1: less than 1 on a rail.
   [[nodiscard]] double free_share(std::size_t i, const Triple& direction) const {
@@ -103,6 +109,12 @@ struct Particles {
     const auto id = static_cast<ParticleId>(radius.size() - 1);
     if (s.rail) rails.push_back({id, *s.rail});
     return id;
+  }
+
+  /// It stands in the ground and touches no wall.
+  void bury(ParticleId id) {
+    require(buried.empty() || buried.back() < id, "particles are buried in the order of their ids");
+    buried.push_back(id);
   }
 
   void remove(ParticleIndex i) {

@@ -254,7 +254,11 @@ void Solids::take_external_forces() {
   Particles& p = particles_;
   const bool forces = exchange(p.force, slow_force_, slow_, p.external_force, applied_force_);
   external_acts_ = exchange(p.torque, slow_torque_, slow_, p.external_torque, applied_torque_) || forces;
+  // Forces that are there already were freed of what rails take up: what comes now is more.
+  std::vector<Vec3> taken_up;
+  for (const Rail& rail : p.rails) taken_up.push_back(rail.taken_up);
   hold_on_rails();
+  for (std::size_t k = 0; k < p.rails.size(); ++k) p.rails[k].taken_up += taken_up[k];
 }
 
 void Solids::remove(ParticleIndex i) {

@@ -140,7 +140,7 @@ void check_beads_beside_walls(const Scene& scene, const dem::Particles& beads, F
   for (dem::ParticleIndex b = 0; b < beads.size(); ++b) {
     const Vec3 x = beads.position[b];
     const double r = beads.radius[b], depth = r - walls.nearest(x).distance;
-    if (beads.state[b] != dem::ParticleState::free || depth <= kLargestOverlap * r) continue;
+    if (beads.state[b] != dem::ParticleState::free || beads.is_buried(b) || depth <= kLargestOverlap * r) continue;
     return findings.mistake(
         path, fmt::format("{}: a bead at ({:.4g}, {:.4g}, {:.4g}) of {:.3g} m across begins {:.2g} m deep in a wall, "
                           "expected net, posts and retaining cables clear of the ground and of what stands on it",

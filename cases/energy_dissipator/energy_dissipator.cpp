@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -150,14 +151,26 @@ void check(const EnergyDissipator& b) {
     throw InputError("dissipator.stiffness_N_m3 does not have two or three entries, expected one for each stage");
   unless(b.force_limit.size() + 1 == b.stiffness.size(),
          "dissipator.stiffness_N_m3 and force_limit_N do not fit together, expected one limit less than stages");
-  unless(std::is_sorted(b.force_limit.begin(), b.force_limit.end()) &&
-             (b.force_limit.empty() || b.last_force > b.force_limit.back()),
+  const bool rise =
+      std::adjacent_find(b.force_limit.begin(), b.force_limit.end(), std::greater_equal<>{}) == b.force_limit.end();
+  unless(rise && (b.force_limit.empty() || b.last_force > b.force_limit.back()),
          "dissipator.force_limit_N and last_force_N do not rise, expected each above the one before");
   if (b.unloading == BrakeUnloading::plastic)
     for (std::size_t k = 1; k < b.stiffness.size(); ++k)
       unless(b.stiffness[k] < b.stiffness[0],
              "dissipator.unloading is \"plastic\", expected later stages softer than the first");
   if (!wrong.empty()) throw InputError(wrong);
+  // Slopes are fitted to the points of a stage: they lie equally far apart.
+  constexpr double least = 6;
+  double before = 0;
+  for (std::size_t k = 0; k < b.stiffness.size(); ++k) {
+    const double after = b.displacement_at(k < b.force_limit.size() ? b.force_limit[k] : b.last_force);
+    const double share = (after - std::exchange(before, after)) / b.displacement_at(b.last_force);
+    if (share * static_cast<double>(b.samples) < least)
+      throw InputError("loading.samples is " + std::to_string(b.samples) + ", of which stage " + std::to_string(k + 1) +
+                       " gets " + std::to_string(share * static_cast<double>(b.samples)) + ", expected at least " +
+                       std::to_string(static_cast<std::int64_t>(std::ceil(least / share))));
+  }
 }
 
 BrakeCurve stretch(const EnergyDissipator& brake, const std::function<bool()>& go_on) {

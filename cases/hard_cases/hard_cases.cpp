@@ -69,6 +69,10 @@ const std::vector<HardCase>& found_here() {
        "Rings that fall, touch and part: work of contacts and bonds",
        "energy ledger closed",
        {"dem.energy_ledger"}},
+      {"L7",
+       "Layers of one to six cells at rest, and sheets that slide: sound between bed and surface fed itself",
+       "in each step the bed bears the weight within 3 and 5 %",
+       {"free_surface.thin_layers"}},
   };
   return cases;
 }

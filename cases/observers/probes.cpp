@@ -39,7 +39,7 @@ void Probes::declare_level(const scene::Probe& probe) {
       .peak(of_probe(probe.name, "_peak_m"), "m", "largest depth of the rows")
       .peak_time(of_probe(probe.name, "_peak_time_s"));
   event(of_probe(probe.name, "_arrival_s"), "s", "first row with a depth of half a cell or more",
-        [this, k] { return levels_[k].depth > run_.scene.fluid.cell_size / 2 ? run_.simulation.time() : kUnknown; });
+        [this, k] { return levels_[k].depth >= run_.scene.fluid.cell_size / 2 ? run_.simulation.time() : kUnknown; });
 }
 
 void Probes::declare_pressure(const scene::Probe& probe) {

@@ -18,9 +18,9 @@ void follow_row(const Quantity& quantity, double value, double time, Metrics& fo
     const std::string& name = m.label.name;
     if (m.follow == Follow::peak || m.follow == Follow::peak_magnitude) {
       const double now = (m.follow == Follow::peak ? value : std::abs(value)) / m.divisor;
-      double& peak = found[name];
-      rose = wrong || now > peak;  // what went wrong stays so
-      if (rose) peak = now;
+      const auto [peak, is_first] = found.try_emplace(name, now);
+      rose = is_first || wrong || now > peak->second;  // what went wrong stays so
+      if (rose) peak->second = now;
     } else if (m.follow == Follow::peak_time) {
       double& when = found[name];
       if (rose) when = wrong ? value : time;

@@ -23,9 +23,9 @@ struct Label {
 enum class Follow {
   last,            ///< the value at the end
   first,           ///< the first row whose value is not NaN; absent without one
-  peak,            ///< the largest of the rows, 0 at least
+  peak,            ///< the largest of the rows
   peak_magnitude,  ///< the same of absolute values
-  peak_time,       ///< s, the row of the peak that stands before this metric; 0 without one
+  peak_time,       ///< s, the row of the peak that stands before this metric; none without one
 };
 
 struct Metric {

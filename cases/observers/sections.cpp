@@ -219,13 +219,40 @@ Flux liquid_flux(const FluidView& fluid, const LiquidVelocity& velocity, const d
   return flux;
 }
 
+namespace {
+
+/// Of a disc around the origin, the part with x <= a and y <= b: along x the chord up to b is whole where the disc's
+/// edge lies below |b| and b is above, none where b is below, else b + sqrt(r^2 - x^2).
+double disc_in_corner(double r, double a, double b) {
+  a = std::clamp(a, -r, r), b = std::clamp(b, -r, r);
+  const auto chord = [r](double x) { return std::sqrt((r - x) * (r + x)); };  // 0 to the bit at the edge
+  const auto half = [&](double x) { return 0.5 * (x * chord(x) + r * r * std::asin(x / r)); };
+  const double q = chord(b);
+  const auto from_to = [&](double from, double to) { return to > from ? half(to) - half(from) : 0.0; };
+  const double inner = std::clamp(a, -q, q);
+  double sum = b * (inner + q) + from_to(-q, inner);
+  if (b > 0) sum += 2 * (from_to(-r, std::min(a, -q)) + from_to(q, a));
+  return sum;
+}
+
+}  // namespace
+
+double disc_in_rectangle(double r, const std::array<double, 2>& x, const std::array<double, 2>& y) {
+  return disc_in_corner(r, x[1], y[1]) - disc_in_corner(r, x[0], y[1]) - disc_in_corner(r, x[1], y[0]) +
+         disc_in_corner(r, x[0], y[0]);
+}
+
 double grain_area(const dem::Particles& particles, const SectionFrame& frame) {
   double sum = 0;
   for (dem::ParticleId id = 0; id < particles.size(); ++id) {
     const dem::ParticleIndex i = particles.index(id);
     if (particles.kind[i] != dem::ParticleKind::grain || particles.state[i] == dem::ParticleState::removed) continue;
-    const double off = (particles.position[i] - frame.centre).dot(frame.normal), r = particles.radius[i];
-    if (std::abs(off) < r && frame.holds(particles.position[i])) sum += std::numbers::pi * (r * r - off * off);
+    const Vec3 from = particles.position[i] - frame.centre;
+    const double off = from.dot(frame.normal), r = particles.radius[i];
+    if (std::abs(off) >= r) continue;
+    const double across = from.dot(frame.across), up = from.dot(frame.up);
+    sum += disc_in_rectangle(std::sqrt(r * r - off * off), {-frame.half_width - across, frame.half_width - across},
+                             {-frame.half_height - up, frame.half_height - up});
   }
   return sum;
 }

@@ -1,5 +1,6 @@
 #pragma once
 // Discharge and energy through the sections of a scene.
+#include <array>
 #include <string>
 #include <vector>
 
@@ -35,7 +36,11 @@ struct Flux {
 Flux liquid_flux(const FluidView& fluid, const LiquidVelocity& velocity, const dem::Particles* grains,
                  const SectionFrame& frame, const scene::Domain& domain, const Vec3& up, double datum);
 
-/// m^2 that the grains cut out of a section: discs of those whose centre is opposite the rectangle.
+/// m^2, the part of a disc of radius r around the origin that lies in a rectangle, from its least to its largest x and
+/// y.
+double disc_in_rectangle(double r, const std::array<double, 2>& x, const std::array<double, 2>& y);
+
+/// m^2 that the grains cut out of a section.
 double grain_area(const dem::Particles& particles, const SectionFrame& frame);
 
 class Sections final : public Observer {

@@ -72,6 +72,19 @@ void guide(barrier::Guides& guides, dem::Solids& solids) {
                          "a cable has slipped out: its dissipator is drawn out by more than net.cable_extension_m");
 }
 
+/// Of the guides and of contacts, which seldom bind.
+void check_step(const Rockfall& r, double time_step, const dem::Particles& particles) {
+  const auto refuse = [&](const char* key, double limit) {
+    if (time_step > limit)
+      throw InputError(std::string(key) + " asks for a time step of at most " + std::to_string(1e9 * limit) +
+                       "e-9 s, and it is " + std::to_string(1e9 * time_step) + "e-9 s: expected less, or a shorter " +
+                       "run.time_step_s");
+  };
+  const double bead = *std::min_element(particles.mass.begin(), particles.mass.end());
+  refuse("net.guide_stiffness_N_m", 0.5 * barrier::guide_time_step({.stiffness = r.guide_stiffness}, bead));
+  refuse("contact.youngs_modulus_Pa", 0.3 * dem::rayleigh_time_step(particles, materials_of(r)));
+}
+
 double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Particles& particles) {
   const double limit = dem::bond_time_step(bonds, particles);
   if (r.time_step > limit)
@@ -80,7 +93,9 @@ double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Parti
   if (0.7 * limit < 1e-8)
     throw InputError("bonds as stiff as these need a time step of " + std::to_string(1e9 * limit) +
                      "e-9 s, expected stiffnesses per unit area (N/m^3) that allow 1e-8 s");
-  return r.time_step > 0 ? r.time_step : 0.7 * limit;
+  const double time_step = r.time_step > 0 ? r.time_step : 0.7 * limit;
+  check_step(r, time_step, particles);
+  return time_step;
 }
 
 /// Of single values and pairs of them.

@@ -24,7 +24,10 @@ void add_common_options(CLI::App& app, CommonOptions& o, const Taken& taken) {
   app.add_option("--set", o.set, "Change a scene value: key.path=value, e.g. fluid.cell_size_m=0.02 (repeatable)")
       ->allow_extra_args(false)
       ->type_name("KEY=VALUE");
-  if (!taken.out.empty()) app.add_option("--out", o.out, taken.out)->type_name("DIR");
+  if (!taken.out.empty())
+    app.add_option("--out", o.out, taken.out)->type_name("DIR")->check([](const std::string& folder) {
+      return folder.empty() ? "is empty, expected a folder" : "";
+    });
   app.add_option("--threads", o.threads, "Number of threads (default: all)")
       ->check(CLI::Range(1, 4096))
       ->type_name("N");

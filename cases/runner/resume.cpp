@@ -50,10 +50,10 @@ scene::Scene load_resumed(const std::filesystem::path& folder, const std::vector
   scene::Scene scene = scene::load(folder / "scene.resolved.toml", overrides);
   const CheckpointHead head = read_head(folder, scene);
   // A run ends with the first step that reaches its duration, at most a step beyond it.
-  const bool shortened = std::any_of(overrides.begin(), overrides.end(),
-                                     [](const std::string& text) { return key_of(text) == "run.duration_s"; });
-  if (shortened && scene.run.duration < head.time * (1 - 1e-9))
-    throw InputError(std::vector<InputMistake>{{(folder / "scene.resolved.toml").string(), 1, 1,
+  const auto shortened = std::find_if(overrides.begin(), overrides.end(),
+                                      [](const std::string& text) { return key_of(text) == "run.duration_s"; });
+  if (shortened != overrides.end() && scene.run.duration < head.time * (1 - 1e-9))
+    throw InputError(std::vector<InputMistake>{{"--set " + *shortened, 1, 1,
                                                 "run.duration_s is " + std::to_string(scene.run.duration) +
                                                     ", expected at least the " + std::to_string(head.time) +
                                                     " s that the checkpoint has reached"}});

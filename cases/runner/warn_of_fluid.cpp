@@ -47,6 +47,38 @@ Room room_of(const scene::Scene& s) {
   return room;
 }
 
+/// A discharge in other units than the box and the velocity of its inflow are.
+void add_rapid_inflows(const scene::Scene& s, Warnings& list) {
+  constexpr double bearable = 2;           // of its velocity
+  constexpr double without_velocity = 10;  // m/s
+  for (const scene::Inflow& i : s.fluid.inflows) {
+    const double own = i.velocity.norm(), speed = inflow_speed(i);
+    if (speed > (own > 0 ? bearable * own : without_velocity))
+      list.push_back(
+          fmt::format("fluid.inflow \"{}\" comes with {:.3g} m/s, but its discharge_m3_s asks for {:.3g} m/s through "
+                      "the face of its box across that",
+                      i.name, own, speed));
+  }
+}
+
+/// Sheets of a cell or two win momentum at their surface.
+void add_thin_inflows(const scene::Scene& s, Warnings& list) {
+  constexpr double enough = 3;  // cells
+  for (const scene::Inflow& i : s.fluid.inflows) {
+    const Vec3 across = i.velocity.cross(s.gravity.vector());
+    double peak = 0;
+    for (const scene::TimeValue& entry : i.discharge) peak = std::max(peak, entry.value);
+    if (across.norm() <= 0 || peak <= 0) continue;
+    const double width = (i.upper - i.lower).dot(across.normalized().cwiseAbs());
+    const double cells = peak / (i.velocity.norm() * width) / s.fluid.cell_size;
+    if (cells < enough)
+      list.push_back(fmt::format(
+          "fluid.inflow \"{}\": at its velocity its liquid is {:.2g} cells deep, and sheets of less than {:g} "
+          "make momentum of their own, a third of it and more at 1.5 cells",
+          i.name, cells, enough));
+  }
+}
+
 /// Inflows into a domain that nothing leaves.
 void add_overfilling(const scene::Scene& s, const FluidFigures& f, Warnings& list) {
   if (f.inflow_cells == 0 || !s.domain.open_faces.empty()) return;
@@ -68,11 +100,11 @@ void warn_of_fluid(const scene::Scene& s, const FluidFigures& f, Warnings& list)
   const bool fragile = !stable_without_eddies(s.fluid.collision) && s.fluid.smagorinsky == 0;
   // A film of 5 cells runs 2 % fast at 1, 36 % at 9.5; by trt as it should there, twice as fast at 95.
   const double large_tau = std::holds_alternative<lbm::Trt>(s.fluid.collision) ? 10 : 1;
-  if (f.tau - 0.5 > large_tau)
+  if (const double tau = std::max(f.tau, f.limit_tau); tau - 0.5 > large_tau)
     list.push_back(
-        fmt::format("tau - 1/2 is {:.3g}: what is so viscous flows too fast where it is few cells thick; a "
+        fmt::format("tau - 1/2 {}is {:.3g}: what is so viscous flows too fast where it is few cells thick; a "
                     "lower fluid.lattice_velocity shortens the step, and collision = \"trt\" bears 10",
-                    f.tau - 0.5));
+                    tau > f.tau ? "at fluid.rheology.limit_viscosity_m2_s " : "", tau - 0.5));
   if (fragile && f.tau - 0.5 < 1e-3)
     list.push_back(fmt::format("tau - 1/2 is {:.2g}: this collision operator is unstable there without smagorinsky > 0",
                                f.tau - 0.5));
@@ -85,6 +117,8 @@ void warn_of_fluid(const scene::Scene& s, const FluidFigures& f, Warnings& list)
                     "domain reaches {:.3g} m/s: Ma would be {:.2f}",
                     s.fluid.max_speed, drop, f.mach * drop / s.fluid.max_speed));
   if (!s.fluid.inflows.empty() && f.inflow_cells == 0) list.push_back("inflows bring nothing in the time of the run");
+  add_rapid_inflows(s, list);
+  add_thin_inflows(s, list);
   add_overfilling(s, f, list);
   constexpr double light = 500, heavy = 3000;  // kg/m^3
   if (s.fluid.density < light || s.fluid.density > heavy)

@@ -33,11 +33,18 @@ void add_rows(const scene::Scene& s, const CheckReport& figures, Warnings& list)
                                steps < 1 ? "1" : fmt::format("{:.0f} or {:.0f}", std::floor(steps), std::ceil(steps))));
 }
 
+void add_gravity(const scene::Scene& s, Warnings& list) {
+  constexpr double heavy = 30;  // m/s^2
+  if (s.gravity.magnitude > heavy)
+    list.push_back(fmt::format("gravity.magnitude_m_s2 is {:g}, on Earth it is 9.81", s.gravity.magnitude));
+}
+
 }  // namespace
 
 std::vector<std::string> warnings(const scene::Scene& scene, const CheckReport& figures) {
   Warnings list;
   add_times(scene, list);
+  add_gravity(scene, list);
   add_rows(scene, figures, list);
   warn_of_places(scene, figures.fluid.has_value(), list);
   if (figures.fluid) warn_of_fluid(scene, *figures.fluid, list);

@@ -23,8 +23,9 @@ bool bare(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '
 /// The value as TOML in a table of its own, so that it carries its place.
 toml::table parse_value(const std::string& value, const std::string& source) {
   if (value.find('\n') != std::string::npos) throw BadOverride("has a line break, expected one TOML value");
-  const bool word =
-      !value.empty() && std::all_of(value.begin(), value.end(), [](char c) { return bare(c) || c == '+'; });
+  const auto only = [&](auto is) { return !value.empty() && std::all_of(value.begin(), value.end(), is); };
+  const bool number = only([](char c) { return std::isdigit(static_cast<unsigned char>(c)) || c == '+' || c == '-'; });
+  const bool word = !number && only([](char c) { return bare(c) || c == '+'; });
   try {
     return toml::parse("v = " + value, source);
   } catch (const toml::parse_error& e) {

@@ -397,8 +397,10 @@ void describe(V& v, BarrierBonds& s) {
       "dissipator_places", s.dissipator_places, {.range = between(0, 1)},
       "Where along each cable the dissipators are, as fractions of its length: the nearest bonds. A bottom cable that "
       "is fixed has none.");
-  v.value("plastic_unloading", s.plastic_unloading, {},
-          "Dissipators unload with the stiffness of the first stage instead of back along the curve.");
+  v.value(
+      "plastic_unloading", s.plastic_unloading, {},
+      "Dissipators unload with the stiffness of the first stage instead of back along the curve, and are slack from "
+      "there down to their first length.");
 }
 
 template <class V>
@@ -431,7 +433,7 @@ void describe(V& v, Posts& s) {
     v.value("height_m", s.height, required(positive()), "Top of the posts above the net's lower edge.");
     v.value("diameter_m", s.diameter, required(positive()),
             "Diameter that the flow meets. Posts stand beside the frames, a wire's diameter away.");
-    v.value("foot", s.foot, {}, "How its foot is held.");
+    v.value("foot", s.foot, {}, "How its foot is held, on the line of the net's lower edge.");
     v.value("youngs_modulus_Pa", s.youngs_modulus, {positive()}, "Young's modulus of the profile; steel by default.");
     v.value("area_m2", s.area, required(positive()), "Area of the profile.");
     v.value("second_moment_m4", s.second_moment, required(positive()),

@@ -20,15 +20,33 @@ Row relative_row(std::string label, double value, double reference, double toler
 
 Row absolute_row(std::string label, double value, double reference, double tolerance) {
   const double error = std::abs(value - reference);
-  return {std::move(label), value, reference, error, tolerance, error <= tolerance};
+  return {.label = std::move(label),
+          .value = value,
+          .reference = reference,
+          .error = error,
+          .tolerance = tolerance,
+          .pass = error <= tolerance,
+          .absolute = true};
 }
 
 Row at_least_row(std::string label, double value, double bar) {
-  return {std::move(label), value, bar, std::isnan(value) ? value : std::max(0.0, bar - value), 0, value >= bar};
+  return {.label = std::move(label),
+          .value = value,
+          .reference = bar,
+          .error = std::isnan(value) ? value : std::max(0.0, bar - value),
+          .tolerance = 0,
+          .pass = value >= bar,
+          .absolute = true};
 }
 
 Row at_most_row(std::string label, double value, double bar) {
-  return {std::move(label), value, 0, value, bar, value <= bar};
+  return {.label = std::move(label),
+          .value = value,
+          .reference = 0,
+          .error = value,
+          .tolerance = bar,
+          .pass = value <= bar,
+          .absolute = true};
 }
 
 Row note_row(std::string label, double value, double reference) {
@@ -76,6 +94,7 @@ nlohmann::json row_json(const Row& r) {
   nlohmann::json row{{"label", r.label},         {"value", number(r.value)},         {"reference", number(r.reference)},
                      {"error", number(r.error)}, {"tolerance", number(r.tolerance)}, {"pass", r.pass}};
   if (r.note) row["note"] = true;
+  if (r.absolute) row["absolute"] = true;
   return row;
 }
 

@@ -9,18 +9,19 @@
 
 namespace lahar::validate {
 
-/// One figure held against its reference. `error` and `tolerance` are in one unit: a fraction unless the label names
-/// one.
+/// One figure held against its reference.
 struct Row {
   std::string label;
-  double value = 0, reference = 0, error = 0, tolerance = 0;
-  bool pass = false;
-  bool note = false;  ///< shown without a bar: neither reached nor missed
+  double value = 0, reference = 0;
+  double error = 0, tolerance = 0;  ///< fractions of the reference, or
+  bool pass = false;                ///< error <= tolerance, but for notes
+  bool note = false;                ///< shown without a bar: neither reached nor missed
+  bool absolute = false;            ///< error and tolerance are in the value's own unit
 };
 
 /// |value - reference| / |reference| <= tolerance.
 Row relative_row(std::string label, double value, double reference, double tolerance);
-/// |value - reference| <= tolerance; name the unit in the label.
+/// |value - reference| <= tolerance.
 Row absolute_row(std::string label, double value, double reference, double tolerance);
 /// value >= bar; `error` is what is missing, the tolerance 0.
 Row at_least_row(std::string label, double value, double bar);

@@ -84,7 +84,7 @@ ExchangedMomentum AveragedExchange<Real>::give_impulses(lbm::Fluid<Real>& fluid,
   ExchangedMomentum sum;
   for (const WetGrain& grain : grains_) {
     for (const AveragingGrid::Share& s : grain.answers) nodes_[s.node].impulse += s.weight * grain.impulse;
-    sum.to_solids -= grain.impulse;
+    sum.to_solids += grain.taken;
   }
   sum.from_fluid = -push_cells(fluid, fields);
   return sum;
@@ -344,11 +344,13 @@ void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, double stretc
 
   const Vec3 accelerated = rho * volume * dt * state.acceleration;
   const Vec3 weight = rho * wet * dt * fluid.options().gravity;  // of the liquid in its place
-  particles.external_force.add(i, (drag + accelerated - weight) / dt);
+  const Vec3 force = (drag + accelerated - weight) / dt;
+  particles.external_force.add(i, force);
   // Forces act over the coming step, and the fluid stretches what cells get to it; what has changed has changed.
   const Vec3 own =
       grain.in_cells ? Vec3((change - to_kg * units.velocity_to_si(1.0) * grain.handed.momentum) / stretch) : weight;
   grain.impulse = (own - drag - accelerated) * (units.force_to_lu(1.0) / dt);
+  grain.taken = (force + (weight - own) / dt) * units.force_to_lu(1.0);
 }
 
 template <class Real>

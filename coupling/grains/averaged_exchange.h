@@ -71,6 +71,7 @@ class AveragedExchange final : public GrainExchange<Real> {
     bool in_cells;                                       ///< the cells hold its volume: not of beads
     typename DisplacedVolume<Real>::Handed handed = {};  ///< for it to interface cells
     Vec3 impulse = Vec3::Zero();                         ///< on the cells, lu
+    Vec3 taken = Vec3::Zero();                           ///< by itself, of what it exchanged with the cells, lu
     std::size_t mapped = 0;                              ///< index into GrainMap::grains(), if in_cells
     std::vector<AveragingGrid::Share> shares = {};       ///< of its wet volume, by node; their sum is 1
     std::array<AveragingGrid::Share, 8> answers{};       ///< of what the cells get of it; their sum is 1

@@ -21,7 +21,6 @@ class GrainCoupling {
   /// blocks where something changed, and books displaced volume.
   void update(lbm::Fluid<Real>& fluid, const dem::Particles& particles, SolidFields<Real>& fields);
 
-  [[nodiscard]] bool samples_velocity() const { return exchange_->samples_velocity(); }
   /// Then: forces that the exchange knows before the step, and the opposite impulses.
   ExchangedMomentum give_impulses(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields) {
     return exchange_->give_impulses(fluid, map_, displaced_, particles, fields);

@@ -47,9 +47,6 @@ class GrainExchange {
   /// the ledger of the liquid rests on it. In parallel over blocks.
   virtual void write_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const = 0;
 
-  /// Whether it looks at the velocity of the cells, BodyFields::velocity_x to _z, before the step.
-  [[nodiscard]] virtual bool samples_velocity() const { return false; }
-
   /// Puts forces onto grains (external_force, SI) and the opposite impulses into cells (FluidGrid::require_impulse) of
   /// blocks that it reaches (SolidFields::reach).
   virtual ExchangedMomentum give_impulses(lbm::Fluid<Real>& /*fluid*/, const GrainMap<Real>& /*map*/,

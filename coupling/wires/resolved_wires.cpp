@@ -41,7 +41,7 @@ bool goes_on(const Vec3& a, const Vec3& b, const Vec3& period, double tolerance)
 }  // namespace
 
 ResolvedWires::ResolvedWires(const dem::Particles& particles, const dem::Bonds& bonds, double smallest_diameter)
-    : thick_(bonds.size(), 0), mapped_(bonds.size(), 0) {
+    : thick_(bonds.size(), 0), mapped_(bonds.size(), 0), id_i_(bonds.id_i), id_j_(bonds.id_j) {
   for (std::size_t k = 0; k < bonds.size(); ++k)
     thick_[k] = is_wire(particles, bonds, k) && wire_diameter(particles, bonds, k) >= smallest_diameter;
   update(particles, bonds);
@@ -54,15 +54,23 @@ bool ResolvedWires::update(const dem::Particles& particles, const dem::Bonds& bo
     changed = changed || now != mapped_[k];
     mapped_[k] = now;
   }
-  if (!changed) return false;
+  if (changed) find_pieces();
+  return changed;
+}
+
+void ResolvedWires::transfer(Archive& archive) {
+  archive.list_of("mapped", mapped_, thick_.size());
+  if (archive.loading()) find_pieces();
+}
+
+void ResolvedWires::find_pieces() {
   pieces_.clear(), first_.clear(), second_.clear();
   for (std::size_t k = 0; k < mapped_.size(); ++k)
     if (mapped_[k]) {
       pieces_.push_back(static_cast<std::uint32_t>(k));
-      first_.push_back(bonds.id_i[k]), second_.push_back(bonds.id_j[k]);
+      first_.push_back(id_i_[k]), second_.push_back(id_j_[k]);
     }
   link();
-  return true;
 }
 
 /// The beads of the pieces, and which ends meet there.

@@ -26,6 +26,8 @@ class ResolvedWires {
 
   /// The bonds that are mapped, ascending: the pieces.
   [[nodiscard]] std::span<const std::uint32_t> bonds() const { return pieces_; }
+  /// State of a checkpoint: a bond that broke in the last step is a piece until the next look.
+  void transfer(Archive& archive);
   /// Per bond: whether it is mapped.
   [[nodiscard]] const std::vector<std::uint8_t>& is_mapped() const { return mapped_; }
   /// The beads of the pieces by id, ascending.
@@ -45,9 +47,11 @@ class ResolvedWires {
 
  private:
   static std::size_t end_index(int end) { return static_cast<std::size_t>(end); }
+  void find_pieces();
   void link();
 
   std::vector<std::uint8_t> thick_, mapped_;
+  std::vector<dem::ParticleId> id_i_, id_j_;  // ends of all bonds
   std::vector<std::uint32_t> pieces_, bead_of_, first_end_, ends_;
   std::vector<dem::ParticleId> beads_, first_, second_;  // beads of all pieces; of each piece
 };

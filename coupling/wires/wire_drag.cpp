@@ -259,9 +259,8 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, SolidFields<Real>&
   for (std::size_t b = 0; b < by_block_.blocks(); ++b) {
     if (!by_block_.any_in(b)) continue;
     const auto block = static_cast<BlockIndex>(b);
-    const bool fresh = grid.block(block).body == nullptr;
     fields.reach(grid, block);
-    if (fresh) note_velocities(grid, block, fluid.parity());
+    if (fields.is_fresh(block)) note_velocities(grid, block, fluid.parity());
     grid.require_impulse(block);
   }
 }

@@ -172,6 +172,7 @@ void WireMap<Real>::choose_blocks(lbm::FluidGrid<Real>& grid, SolidFields<Real>&
 /// Where the pieces are follows from the beads; what was displaced and felt does not.
 template <class Real>
 void WireMap<Real>::transfer(Archive& archive) {
+  archive.part("wires", wires_);
   std::size_t particles = states_.size();
   archive.value("particles", particles);
   states_.resize(particles);

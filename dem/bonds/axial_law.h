@@ -70,11 +70,13 @@ struct PlasticStep {
   double plastic_elongation;  ///< m
 };
 
-/// Plastic unloading: force along the line of stiffness k1 through the plastic elongation, capped by the curve.
+/// Plastic unloading: force along the line of stiffness k1 through the plastic elongation, capped by the curve. Drawn
+/// out and let go it is slack down to its first length, and pushes below that alone.
 inline PlasticStep plastic_step(const AxialCurve& c, double elongation, double plastic_elongation) {
   const double trial = c.k1 * (elongation - plastic_elongation);
   const double limit = curve_force(c, elongation);
-  return {std::max(std::min(trial, limit), c.lowest), trial > limit ? elongation - limit / c.k1 : plastic_elongation};
+  const double least = std::max(std::min(c.k1 * elongation, 0.0), c.lowest);
+  return {std::max(std::min(trial, limit), least), trial > limit ? elongation - limit / c.k1 : plastic_elongation};
 }
 
 /// Work that plastic elongation has dissipated (J): the area under the curve up to the point that it was left at, less

@@ -241,7 +241,7 @@ void ContactDetection::list_walls(const Particles& particles, const Walls& walls
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const double reach = particles.radius[i] + neighbours_.skin(particles, i);
     const Vec3 p = particles.position[i];
-    if (particles.state[i] == ParticleState::free && share.single(i))
+    if (particles.state[i] == ParticleState::free && share.single(i) && !particles.is_buried(i))
       for (std::size_t w = 0; w < walls.all().size(); ++w)
         if (walls.distance(w, p) < reach) {
           walls_.owner.push_back(static_cast<std::uint32_t>(i));

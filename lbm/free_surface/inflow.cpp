@@ -10,6 +10,12 @@
 
 namespace lahar::lbm {
 
+namespace {
+
+constexpr double kNothingDue = 1e-12;  // cells
+
+}  // namespace
+
 template <class Real>
 Inflow<Real>::Inflow(InflowOptions options, const Domain& domain) : options_(std::move(options)) {
   // Cells whose centre lies in [lower, upper).
@@ -23,12 +29,29 @@ Inflow<Real>::Inflow(InflowOptions options, const Domain& domain) : options_(std
   }
 }
 
+/// Cells, with what is left of the steps before.
+template <class Real>
+double Inflow<Real>::volume_due(const FluidGrid<Real>& grid, double time, double duration) const {
+  const double volume = options_.discharge.volume_until(time + duration) - options_.discharge.volume_until(time);
+  return owed_ + volume / std::pow(grid.domain().cell_size(), 3);
+}
+
+template <class Real>
+void Inflow<Real>::make_room(FluidGrid<Real>& grid, double time, double duration) const {
+  if (std::abs(volume_due(grid, time, duration)) < kNothingDue) return;
+  const Vec3i first = block_of(first_), last = block_of(last_);
+  std::vector<Vec3i> blocks;
+  for (int x = first.x(); x <= last.x(); ++x)
+    for (int y = first.y(); y <= last.y(); ++y)
+      for (int z = first.z(); z <= last.z(); ++z) blocks.emplace_back(x, y, z);
+  grid.require_blocks(blocks);
+}
+
 template <class Real>
 void Inflow<Real>::feed(FluidLevel<Real>& level, CellConversion<Real>& conversion, double time, double duration,
                         std::int64_t step, LiquidAccount& account) {
-  const double volume = options_.discharge.volume_until(time + duration) - options_.discharge.volume_until(time);
-  owed_ += volume / std::pow(level.units.cell_size, 3);
-  if (std::abs(owed_) < 1e-12) return;
+  owed_ = volume_due(level.grid, time, duration);
+  if (std::abs(owed_) < kNothingDue) return;
   collect(level, conversion);
   const double cells = (last_ - first_ + Vec3i::Ones()).cast<double>().prod();
   if (owed_ > std::max(cells, kLargestDose) || wet_.empty())

@@ -29,6 +29,8 @@ class Inflow {
  public:
   Inflow(InflowOptions options, const Domain& domain);
 
+  /// Makes the blocks of the box if something is due in a step of `duration` from `time` on, s.
+  void make_room(FluidGrid<Real>& grid, double time, double duration) const;
   /// Puts in what is due in a step of `duration` from `time` on, s. Throws NumericalFailure where the box cannot take
   /// the discharge.
   void feed(FluidLevel<Real>& level, CellConversion<Real>& conversion, double time, double duration, std::int64_t step,
@@ -36,6 +38,7 @@ class Inflow {
   void transfer(Archive& archive) { archive.value("owed", owed_); }
 
  private:
+  [[nodiscard]] double volume_due(const FluidGrid<Real>& grid, double time, double duration) const;
   void collect(FluidLevel<Real>& level, CellConversion<Real>& conversion);
   double dose(FluidLevel<Real>& level, CellPlace place, double mass) const;
 

@@ -35,8 +35,8 @@ class LookAround {
     const CellType* type = kNoCells;  ///< gas where there is no block
     const std::uint8_t* covered = kNoneCovered;
     const Real *fill_level = kRest<Real>, *density = kRest<Real>;
-    BlockIndex plain = kNoBlock;  ///< the block where it keeps no density
-    std::uint64_t wet_rows = 0;   ///< of a plain block whose density is asked for
+    BlockIndex block = kNoBlock;  ///< where its densities are asked for
+    bool keeps_density = false;
   };
 
   /// Columns x of the interface cells, as bits.
@@ -74,11 +74,9 @@ class LookAround {
     if (block->body) v.covered = block->body->covered.data();
     if (block->surface) {
       v.fill_level = block->surface->fill_level;
-      v.density = block->surface->density;
-    } else if (asked) {
-      v.plain = grid_.topology().neighbours(index_)[static_cast<std::size_t>(slot)];
-      v.wet_rows = block->wet_rows;
+      v.density = block->surface->density, v.keeps_density = true;
     }
+    if (asked) v.block = grid_.topology().neighbours(index_)[static_cast<std::size_t>(slot)];
     return v;
   }
 
@@ -94,9 +92,11 @@ class LookAround {
     const auto covered = [&](std::size_t k) { return unsigned{views[k].covered[first / kBlockWidth]}; };
     s.covered.set_row(y, z, covered(0) >> 6 | covered(1) << 2 | (covered(2) & 3U) << 10);
     if (wet == 0) return store(s.full + place, zero);
-    alignas(64) Real buffer[3][kBlockWidth];
-    store(s.density + place, row_and_sides(densities(views[0], first, buffer[0]), densities(views[1], first, buffer[1]),
-                                           densities(views[2], first, buffer[2])));
+    alignas(64) Real now[3][kBlockWidth], half_way[3][kBlockWidth];
+    Densities row[3];
+    for (std::size_t k = 0; k < 3; ++k) row[k] = densities(views[k], types[k], first, now[k], half_way[k]);
+    store(s.density + place, row_and_sides(row[0].now, row[1].now, row[2].now));
+    store(s.half_way + place, row_and_sides(row[0].half_way, row[1].half_way, row[2].half_way));
     using Lanes = typename Sixteen::mask_type;
     const Sixteen liquid = select(Lanes::from_bits(wet), one, zero);
     if (interface == 0) return store(s.full + place, liquid);
@@ -105,12 +105,21 @@ class LookAround {
     store(s.full + place, select(Lanes::from_bits(interface), half * fill, liquid));
   }
 
-  /// The sweep keeps no density of blocks without a surface: it is computed into `buffer` where cells are wet.
-  [[gnu::always_inline]] const Real* densities(const View& v, int first, Real* buffer) const {
-    if (v.plain == kNoBlock) return v.density + first;
-    if (!(v.wet_rows >> (first / kBlockWidth) & 1)) return kRest<Real>;
-    store_aligned(buffer, outgoing_density(grid_.around(v.plain), first, parity_));
-    return buffer;
+  /// What a row of a block is seen to hold: the numbers of its own fields, or of buffers.
+  struct Densities {
+    const Real *now, *half_way;
+  };
+
+  /// The sweep keeps no density of blocks without a surface: it is computed. Of cells of liquid half a step on it is
+  /// the mean of all that they send and get (docs/decisions/0089).
+  [[gnu::always_inline]] Densities densities(const View& v, std::uint64_t types, int first, Real (&now)[kBlockWidth],
+                                             Real (&half_way)[kBlockWidth]) const {
+    if (v.block == kNoBlock || (wet_cells(types) & ~interface_cells(types)) == 0)
+      return {v.density + first, v.density + first};
+    store_aligned(half_way, density_half_a_step_on(grid_.around(v.block), first, parity_));
+    if (v.keeps_density) return {v.density + first, half_way};
+    store_aligned(now, outgoing_density(grid_.around(v.block), first, parity_));
+    return {now, half_way};
   }
 
   /// The last two numbers of a row, a row, the first two of another, and four that are of no use.

@@ -26,7 +26,9 @@ namespace {
 /// Gas around a cell at which liquid no longer holds its stress: a cell at the edge of a cube has 9 of 18, at a flat
 /// surface or in a film on a wall 5.
 constexpr int kExposedSides = 9;
-constexpr int kLinksToALayer = 4;  ///< of a cell, to those of a layer beside it
+constexpr int kLinksToALayer = 4;     ///< of a cell, to those of a layer beside it
+constexpr int kLinksToLiquid = 3;     ///< the same to cells of liquid, also in a corner of the walls
+constexpr double kLeastShare = 0.25;  ///< bound on what the depth of a cell's centre makes of the gradient
 
 /// The interface cells of one row, or of two at y and y + 1, y even; lanes that hold other cells compute along and
 /// write nothing. V: a pack of 8 numbers or of 16.
@@ -48,6 +50,7 @@ class RowExchange {
         order_(physics.equilibrium_order),
         gas_drho_(physics.gas_drho),
         largest_gradient_(physics.largest_gradient),
+        gravity_{V(physics.gravity[0]), V(physics.gravity[1]), V(physics.gravity[2])},
         weight_(physics.weight),
         capillary_(capillary) {
     for (int pair = 0; pair < D3Q19::pairs; ++pair) {
@@ -260,12 +263,35 @@ class RowExchange {
   template <class Mask>
   SurfacePressure surface_pressure(int row, const Sight<V>& sight, const Mask& open) const {
     if (largest_gradient_ <= 0) return {V(0), V(0), V(0), V(0)};
-    V a[3];
-    pressure_gradient(sight, a);
-    const V size = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]), largest(largest_gradient_);
-    const V share = largest / max(size, largest);
-    for (V& component : a) component *= share;
-    return {depths_of_centres(a, fill_of_now(row), open), a[0], a[1], a[2]};
+    const Mask layer = capillary_ ? Mask::all(false) : on_a_layer(row, sight);
+    const PressureFit<V> fit =
+        pressure_gradient(sight, KnownPressure<V>{layer, gas_drho_, {gravity_[0], gravity_[1], gravity_[2]}});
+    const V fill = fill_of_now(row), largest(largest_gradient_);
+    V a[3] = {fit.at_surface[0], fit.at_surface[1], fit.at_surface[2]};
+    if (any(layer && open)) {
+      // a = at_surface - depth x per_depth, depth = |a| x the centre's distance from the surface: solved along a.
+      const V first = depths_of_centres(a, fill, layer && open), square = squared(a);
+      const V along = a[0] * fit.per_depth[0] + a[1] * fit.per_depth[1] + a[2] * fit.per_depth[2];
+      const V share = V(1) + first * along / max(square, V(Real(1e-30)));
+      const V depth = first / max(share, V(static_cast<Real>(kLeastShare)));
+      for (std::size_t k = 0; k < 3; ++k) a[k] -= depth * fit.per_depth[k];
+    }
+    const V bounded = largest / max(sqrt(squared(a)), largest);
+    for (V& component : a) component *= bounded;
+    return {depths_of_centres(a, fill, open), a[0], a[1], a[2]};
+  }
+
+  [[gnu::always_inline]] static V squared(const V (&a)[3]) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
+
+  /// Cells with liquid on one side, as in the surface of a layer, and without bodies.
+  [[gnu::always_inline]] typename V::mask_type on_a_layer(int row, const Sight<V>& sight) const {
+    V links(0);
+    for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+      links = select(sight.template liquid<CX, CY, CZ>(), links + V(1), links);
+      links = select(sight.template liquid<-CX, -CY, -CZ>(), links + V(1), links);
+    });
+    const auto layer = links >= V(kLinksToLiquid);
+    return block_.body ? layer && !(load<V>(block_.body->exchange_weight + 8 * row) > V(0)) : layer;
   }
 
   /// The level of now: that of the last conversion is a step old, and a pressure that lags feeds waves.
@@ -351,6 +377,7 @@ class RowExchange {
   const EquilibriumOrder order_;
   const V gas_drho_;
   const Real largest_gradient_;
+  const V gravity_[3];
   const V weight_;
   const Real* const capillary_;  ///< rho - 1 by surface tension, per cell; null without
   V incoming_a_[D3Q19::pairs], outgoing_b_[D3Q19::pairs], outgoing_a_[D3Q19::pairs], incoming_b_[D3Q19::pairs];

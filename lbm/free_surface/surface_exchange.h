@@ -41,6 +41,7 @@ struct SurfacePhysics {
   Real gas_drho = 0;                                              ///< rho - 1 at the pressure of the gas
   Real largest_gradient = 0;  ///< of |a|: beyond it densities are sound and splash, no weight of liquid; 0: plain rule
   Real surface_tension = 0;   ///< sigma over the density; 0 is off
+  Real gravity[3] = {};       ///< lu
   Real weight = 0;            ///< what |a| is compared with where the surface has no clear normal (surface_shear.h)
 };
 

@@ -21,27 +21,60 @@ void solve_symmetric(const V (&m)[6], const V (&b)[3], V (&x)[3]) {
   x[0] = b[0] / m[0] - l10 * x[1] - l20 * x[2];
 }
 
+/// The gradient of pressure over density where the pressure at the centre is not known: what it is if the surface runs
+/// through the centre, less so much for a pressure over density of 1 there.
+template <class V>
+struct PressureFit {
+  V at_surface[3], per_depth[3];
+};
+
+/// What pressure_gradient is told.
+template <class V>
+struct KnownPressure {
+  typename V::mask_type layer;  ///< cells on a layer of liquid: their own density does not count
+  V surface;                    ///< rho - 1 on the surface
+  V gravity[3];                 ///< lu
+};
+
 /// grad p / rho, lu, by weighted least squares over the wet cells two links away (one where the second is not wet):
-///   sum_i w_i c_i (c_i . a - (rho_far - rho_here) / (3 n_i)) = 0,  n_i = 1 or 2,
+///   sum_i w_i c_i (c_i . a - (p_far - p_here) / n_i) = 0,  n_i = 1 or 2, p = rho / 3,
 /// exact where the pressure is linear. Two links, because a sound wave of two cells, which differences over one link
 /// see best, is then not seen at all: the surface fed such waves until they drowned a gravity wave
-/// (docs/decisions/0007).
+/// (docs/decisions/0007). Of a cell on a layer of liquid, p_here stands for the depth of its centre below the surface
+/// (PressureFit) towards cells of liquid: its own density follows from the gradient of the step before, which fed sound
+/// between the surface and the bed. Where a layer has one cell of liquid on a wall, what the wall holds is weight.
+/// (docs/decisions/0089)
 template <class V>
-[[gnu::always_inline]] inline void pressure_gradient(const Sight<V>& sight, V (&a)[3]) {
+[[gnu::always_inline]] inline PressureFit<V> pressure_gradient(const Sight<V>& sight, const KnownPressure<V>& known) {
   const V none = number<V>(1e-6), zero(0);  // in directions without wet cells the gradient is 0
   const V here = sight.template density<0, 0, 0>();
-  V m[6] = {none, none, none, zero, zero, zero}, b[3] = {zero, zero, zero};
+  V m[6] = {none, none, none, zero, zero, zero}, b[3] = {zero, zero, zero}, v[3] = {zero, zero, zero};
   const auto add = [&]<int CX, int CY, int CZ>(double weight) __attribute__((always_inline)) {
     const auto once = sight.template wet<CX, CY, CZ>(), twice = once && sight.template wet<2 * CX, 2 * CY, 2 * CZ>();
+    const auto on_wall =
+        known.layer && sight.template liquid<CX, CY, CZ>() && !twice && !sight.template empty<2 * CX, 2 * CY, 2 * CZ>();
+    const auto by_surface = known.layer && twice && sight.template liquid<2 * CX, 2 * CY, 2 * CZ>();
     const V rise_once = sight.template density<CX, CY, CZ>() - here,
-            rise_twice = sight.template density<2 * CX, 2 * CY, 2 * CZ>() - here;
-    const V slope =
-        select(once, select(twice, number<V>(weight / 6) * rise_twice, number<V>(weight / 3) * rise_once), zero);
-    const V w = select(once, number<V>(weight), zero);
+            far = sight.template density<2 * CX, 2 * CY, 2 * CZ>(),
+            rise_twice = select(by_surface, sight.template density_half_way<2 * CX, 2 * CY, 2 * CZ>() - known.surface,
+                                far - here);
+    V slope = select(once, select(twice, number<V>(weight / 6) * rise_twice, number<V>(weight / 3) * rise_once), zero);
+    V w = select(once, number<V>(weight), zero);
     constexpr int c[3] = {CX, CY, CZ};
+    constexpr bool axis = CX * CX + CY * CY + CZ * CZ == 1;
+    if constexpr (axis) {
+      V weight_along(0);
+      for (int k = 0; k < 3; ++k)
+        if (c[k] != 0) weight_along += number<V>(weight * c[k]) * known.gravity[k];
+      slope = select(on_wall, weight_along, slope);
+    } else {
+      slope = select(on_wall, zero, slope), w = select(on_wall, zero, w);
+    }
+    const V half_weight = select(by_surface, number<V>(weight / 2), zero);
     for (int k = 0; k < 3; ++k) {
       if (c[k] == 0) continue;
       b[k] += number<V>(c[k]) * slope;
+      v[k] += number<V>(c[k]) * half_weight;
       m[k] += w;
     }
     if constexpr (CX * CY != 0) m[3] += number<V>(CX * CY) * w;
@@ -52,7 +85,10 @@ template <class V>
     (add.template operator()<D3Q19::c[I + 1][0], D3Q19::c[I + 1][1], D3Q19::c[I + 1][2]>(D3Q19::w(I + 1)), ...);
   }
   (std::make_index_sequence<D3Q19::q - 1>{});
-  solve_symmetric(m, b, a);
+  PressureFit<V> fit;
+  solve_symmetric(m, b, fit.at_surface);
+  solve_symmetric(m, v, fit.per_depth);
+  return fit;
 }
 
 }  // namespace lahar::lbm

@@ -38,6 +38,7 @@ struct Surroundings {
   /// Liquid 1, interface half of its own fill level, all else 0.
   alignas(64) Real full[size];
   alignas(64) Real density[size];   ///< rho - 1 in wet cells; not to be used in others
+  alignas(64) Real half_way[size];  ///< the same half a step on in cells of liquid
   SeenCells interface, wet, empty;  ///< empty: gas and sinks
   SeenCells covered;                ///< by bodies (covered_cells.h)
 
@@ -62,6 +63,10 @@ class Sight {
   template <int CX, int CY, int CZ>
   [[nodiscard]] [[gnu::always_inline]] V density() const {
     return numbers<CX, CY, CZ>(near_.density);
+  }
+  template <int CX, int CY, int CZ>
+  [[nodiscard]] [[gnu::always_inline]] V density_half_way() const {
+    return numbers<CX, CY, CZ>(near_.half_way);
   }
   template <int CX, int CY, int CZ>
   [[nodiscard]] [[gnu::always_inline]] Mask interface() const {

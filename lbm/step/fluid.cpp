@@ -128,6 +128,11 @@ void Fluid<Real>::rescale(double ratio) {
 }
 
 template <class Real>
+void Fluid<Real>::make_room() {
+  for (const Inflow<Real>& inflow : inflows_) inflow.make_room(level_.grid, time(), clock_.time_step());
+}
+
+template <class Real>
 void Fluid<Real>::feed() {
   for (Inflow<Real>& inflow : inflows_) inflow.feed(level_, conversion_, time(), clock_.time_step(), steps(), account_);
 }

@@ -53,6 +53,10 @@ class Fluid {
   /// Throws NumericalFailure if a cell is no longer finite or faster than the lattice can carry.
   void step();
 
+  /// Makes the blocks in which inflows bring liquid in the coming step, so that bodies can be mapped into them before
+  /// it.
+  void make_room();
+
   /// s, with which the coming step collides and streams; where the step adapts this is when it is chosen. The step in
   /// which a change is made collides what has streamed with the old step: time() goes on by the old one once more.
   /// @param speed_of_bodies  m/s, of the fastest that may meet the liquid

@@ -44,6 +44,18 @@ Row<Real> outgoing_density(const std::array<Block<Real>*, 27>& around, int first
   return drho;
 }
 
+/// The mean of that and of what comes in over the coming step, of cells of liquid: rho - 1 half a step on.
+template <class Real>
+Row<Real> density_half_a_step_on(const std::array<Block<Real>*, 27>& around, int first, Parity parity) {
+  Row<Real> moving(0);
+  for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
+    constexpr int i = D3Q19::forward(P);
+    for (const int slot : {parity.home(i), parity.away(i)})
+      moving += row_ahead<CX, CY, CZ>(around, slot, first) + load<Row<Real>>(around[13]->f(slot) + first);
+  });
+  return load<Row<Real>>(around[13]->f(0) + first) + Row<Real>(Real(0.5)) * moving;
+}
+
 /// outgoing_moments of eight cells, to the bit.
 template <class Real>
 struct RowMoments {

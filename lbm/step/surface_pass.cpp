@@ -24,9 +24,12 @@ void SurfacePass<Real>::run(FluidLevel<Real>& level, double surface_tension) {
   const auto& g = level.parameters.gravity;
   const double tension = level.units.surface_tension_to_lu(surface_tension);
   const double largest = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]) + kCapillaryGradient * tension;
-  const SurfacePhysics<Real> physics{equilibrium_order(level.parameters.collision), Real(0),
-                                     static_cast<Real>(kLargestGradient * largest), static_cast<Real>(tension),
-                                     static_cast<Real>(largest)};
+  const SurfacePhysics<Real> physics{
+      .equilibrium_order = equilibrium_order(level.parameters.collision),
+      .largest_gradient = static_cast<Real>(kLargestGradient * largest),
+      .surface_tension = static_cast<Real>(tension),
+      .gravity = {static_cast<Real>(g[0]), static_cast<Real>(g[1]), static_cast<Real>(g[2])},
+      .weight = static_cast<Real>(largest)};
   FluidGrid<Real>& grid = level.grid;
   const auto& owned = grid.owned();
   const bool viscous = largest > 0 && feels_surface_shear(level.parameters);

@@ -47,7 +47,7 @@ TEST(Retaining, StandsAtItsPostOrAtEvery) {
       const Post& own = net.posts[post < 0 ? k : static_cast<std::size_t>(post)];
       const dem::ParticleId anchor = cables[k].first_bead, end = anchor + cables[k].beads - 1;
       EXPECT_EQ(p.state[anchor], dem::ParticleState::fixed);
-      const Vec3 base(net.start[own.wire.first_bead - net.first_bead] - Vec3(0, 0, 0.0125));
+      const Vec3 base(net.start[own.wire.first_bead - net.first_bead]);
       EXPECT_LT((Vec3(p.position[anchor]) - base - Vec3(-0.15, 0, 0.01)).norm(), 1e-12);
       // The last bead touches the post, but for a twentieth of its diameter, and so does what leads down from there.
       const Vec3 head = p.position[own.head()], foot = p.position[own.wire.first_bead],

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "barrier/clearance.h"
@@ -70,6 +72,40 @@ TEST(Spans, HasItsParts) {
   for (const Post& p : b.net.posts) bodies.push_back(p.wire.body);
   std::ranges::sort(bodies);
   EXPECT_EQ(std::ranges::adjacent_find(bodies), bodies.end());
+}
+
+/// A foot stands in the bed, whatever the post leans: the bed does not push it out.
+TEST(Spans, TheBedLeavesTheFeetOfLeaningPostsAlone) {
+  for (const double lean : {0.0, 15.0}) {
+    SpansSpec spec = two_spans();
+    const double angle = lean * std::numbers::pi / 180;
+    spec.net.up = Vec3(std::sin(angle), 0, std::cos(angle)),
+    spec.net.normal = Vec3(std::cos(angle), 0, -std::sin(angle));
+    spec.net.origin.z() = 0.01;
+    Built b(spec);
+    double weight = 0;
+    for (const double mass : b.particles.gravitational_mass) weight += 9.81 * mass;
+    Walls walls;
+    walls.add({"bed", HalfSpace{Vec3(0, 0, 0.01), Vec3::UnitZ()}});
+    dem::Materials materials;
+    materials.add({"steel", 1e10, 0.3});
+    dem::SolidsOptions options;
+    options.time_step =
+        0.3 * std::min(dem::bond_time_step(b.bonds, b.particles), dem::rayleigh_time_step(b.particles, materials));
+    dem::Solids solids(b.particles, b.bonds, materials, walls, options);
+    for (int s = 0; s < 2000; ++s) {
+      solids.advance(1);
+      for (const Post& post : b.net.posts)
+        ASSERT_LT(foot_reaction(post, solids.particles()).norm(), 3 * weight) << lean << ", step " << s;
+    }
+  }
+}
+
+/// A clamped post bears the moment of a load about the line that it stands on.
+TEST(Spans, FeetStandOnTheLowerEdge) {
+  const Built b(two_spans());
+  for (int k = 0; k <= 2; ++k) EXPECT_LT((post_spec(two_spans(), k).foot - post_base(two_spans(), k)).norm(), 1e-15);
+  EXPECT_NEAR(b.particles.position.z[b.net.posts[1].wire.first_bead], 0, 1e-15);
 }
 
 TEST(Spans, NothingTouchesAtTheStart) {

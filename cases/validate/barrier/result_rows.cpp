@@ -2,14 +2,26 @@
 
 #include <cmath>
 
+#include "core/check.h"
+
 namespace lahar::validate {
+
+namespace {
+
+/// A check without a tolerance asks for its reference at least.
+Row row_of(const std::string& label, const cases::ResultCheck& c) {
+  if (c.reference == 0) return at_most_row(label, c.value, c.tolerance);
+  if (c.tolerance == 0) return at_least_row(label, c.value, c.reference);
+  return relative_row(label, c.value, c.reference, c.tolerance / std::abs(c.reference));
+}
+
+}  // namespace
 
 std::vector<Row> rows_of(const std::vector<cases::ResultCheck>& checks, const std::string& prefix) {
   std::vector<Row> rows;
   for (const cases::ResultCheck& c : checks) {
-    const double unit = c.reference == 0 ? 1.0 : std::abs(c.reference);
-    rows.push_back({prefix + c.name, c.value, c.reference, std::abs(c.value - c.reference) / unit, c.tolerance / unit,
-                    c.pass && std::isfinite(c.value)});
+    rows.push_back(row_of(prefix + c.name, c));
+    require(rows.back().pass == c.pass, "rows_of: row and check disagree");
   }
   return rows;
 }

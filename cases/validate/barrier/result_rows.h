@@ -8,7 +8,8 @@
 
 namespace lahar::validate {
 
-/// The tolerance is relative where the reference is not 0.
+/// Rows of the same outcome: no more than the tolerance where the reference is 0, at least the reference where there is
+/// no tolerance, else near it.
 std::vector<Row> rows_of(const std::vector<cases::ResultCheck>& checks, const std::string& prefix);
 
 }  // namespace lahar::validate

@@ -4,8 +4,6 @@
 // not belong to it.
 #include "cases/rockfall/rockfall.h"
 
-#include <cmath>
-
 #include "cases/rockfall/report.h"
 #include "cases/validate/barrier/result_rows.h"
 
@@ -25,11 +23,6 @@ cases::Rockfall small_rockfall() {
   return r;
 }
 
-/// A row that reports a figure: it fails only where there is no figure.
-Row reported(const std::string& label, double value, double against) {
-  return {label, value, against, 0, 0, std::isfinite(value)};
-}
-
 std::vector<Row> run(const Context& context) {
   const auto go_on = [](double) { return true; };
   cases::Rockfall paper = context.quick ? small_rockfall() : cases::Rockfall{};
@@ -46,10 +39,10 @@ std::vector<Row> run(const Context& context) {
   for (Row& row : rows_of(cases::rockfall_sanity(tied, fast), "rings tied: ")) rows.push_back(std::move(row));
   rows.push_back(at_least_row("curtain effect: ball stopped later than with rings tied by, s",
                               slides.lowest_time - tied.lowest_time, 0.001));
-  rows.push_back(reported("depth, m, against rings tied", slides.depth, tied.depth));
-  rows.push_back(reported("largest cable tension, kN, against rings tied", 1e-3 * slides.largest_tension,
+  rows.push_back(note_row("depth, m, against rings tied", slides.depth, tied.depth));
+  rows.push_back(note_row("largest cable tension, kN, against rings tied", 1e-3 * slides.largest_tension,
                           1e-3 * tied.largest_tension));
-  rows.push_back(reported("mean travel of edge rings, m, against rings tied", slides.mean_travel, tied.mean_travel));
+  rows.push_back(note_row("mean travel of edge rings, m, against rings tied", slides.mean_travel, tied.mean_travel));
   return rows;
 }
 

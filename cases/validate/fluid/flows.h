@@ -1,9 +1,11 @@
 #pragma once
 // What the entries without a surface share: boxes in lattice units (cell size, time step and density 1), errors,
 // orders.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,6 +50,27 @@ double kinetic_energy(const lbm::Fluid<Real>& fluid, const Vec3& frame = Vec3::Z
   fluid.for_each_wet_cell([&](const lbm::WetCell& c) { sum += 0.5 * (c.velocity - frame).squaredNorm(); });
   return sum;
 }
+
+/// Kinetic energy and that of compression, c_s^2 (rho - 1)^2 / 2: sound takes the one for the other.
+template <class Real>
+double flow_energy(const lbm::Fluid<Real>& fluid) {
+  double sum = 0;
+  fluid.for_each_wet_cell([&](const lbm::WetCell& c) { sum += 1.5 * c.pressure * c.pressure; });
+  return kinetic_energy(fluid) + sum;
+}
+
+/// How far an energy that nothing feeds has risen above the lowest that it had before.
+class EnergyRise {
+ public:
+  void note(double energy) {
+    lowest_ = std::min(lowest_, energy);
+    largest_ = std::max(largest_, energy - lowest_);
+  }
+  [[nodiscard]] double largest() const { return largest_; }
+
+ private:
+  double lowest_ = std::numeric_limits<double>::infinity(), largest_ = 0;
+};
 
 /// The lowest order of accuracy between neighbours of a series of grids: log(e_k / e_k+1) / log(n_k+1 / n_k).
 double lowest_order(std::span<const int> cells, std::span<const double> errors);

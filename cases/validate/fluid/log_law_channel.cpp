@@ -24,8 +24,13 @@ struct Mean {
 /// Lilly 1967: what an inertial range asks of Smagorinsky's model.
 constexpr double kLilly = 0.17;
 
-/// Lattice units; mean over the second half of the run.
-Mean run_channel(int depth, double friction, double roughness, double turnovers) {
+/// u_tau / kappa [ln(h/z0) - 1]
+double bulk_by_law(int depth, double friction, double roughness) {
+  return friction / kKarman * (std::log(30 * depth / roughness) - 1);
+}
+
+/// Lattice units; starts with the given share of the law's bulk velocity; mean over the second half of the run.
+Mean run_channel(int depth, double friction, double roughness, double share, double turnovers) {
   const double viscosity = 1e-5 / 3;  // tau - 1/2 = 1e-5
   lbm::FluidOptions o;
   o.domain.upper = Vec3(4 * depth, 2 * depth, 2 * depth);
@@ -44,7 +49,7 @@ Mean run_channel(int depth, double friction, double roughness, double turnovers)
   fluid.measure_walls();
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
-  const double start = friction / kKarman * (std::log(30 * depth / std::max(roughness, 0.01)) - 1);
+  const double start = share * bulk_by_law(depth, friction, roughness);
   // Rolls along the stream as deep as the channel, and noise: noise alone decays before turbulence is there.
   fluid.fill_everything(
       [&](const Vec3& p) {
@@ -82,11 +87,15 @@ Mean run_channel(int depth, double friction, double roughness, double turnovers)
 std::vector<Row> run(const Context& context) {
   const int depth = context.quick ? 8 : 16;
   const double friction = 0.006, roughness = 0.5;
-  const double expected = friction / kKarman * (std::log(30 * depth / roughness) - 1);
-  const double turnovers = context.quick ? 10 : 20;
-  const Mean model = run_channel(depth, friction, roughness, turnovers);
+  const double expected = bulk_by_law(depth, friction, roughness);
+  // What it starts with decays within U / (2 u_tau) = 7 turnovers: only a long run may start elsewhere.
+  const Mean model = context.quick ? run_channel(depth, friction, roughness, 1, 10)
+                                   : run_channel(depth, friction, roughness, 0.85, 36);
   const std::string cells = std::to_string(depth) + " cells deep: ";
-  return {relative_row(cells + "bulk velocity / u_tau, wall model", model.bulk / friction, expected / friction, 0.15),
+  return {relative_row(cells + "bulk velocity / u_tau, wall model", model.bulk / friction, expected / friction,
+                       context.quick ? 0.12 : 0.05),
+          note_row(cells + "the law for half the roughness", bulk_by_law(depth, friction, roughness / 2) / friction),
+          note_row(cells + "the law for twice the roughness", bulk_by_law(depth, friction, 2 * roughness) / friction),
           relative_row(cells + "stress at the bed / (g h)", model.stress / (friction * friction), 1, 0.1),
           relative_row(cells + "stress and momentum gained / (g h)",
                        (model.stress + model.gained) / (friction * friction), 1, 1e-3)};

@@ -34,17 +34,21 @@ Stability run(const StabilityCase& c) {
   lbm::Fluid<Real> fluid(o);
   fluid.fill_everything(start_of(c, speed), no_pressure);
   const double duration = vortex ? 10 * c.cells / (2 * std::numbers::pi) / speed : 2 * c.cells / speed;
-  const double start = kinetic_energy(fluid);
+  const double start = flow_energy(fluid), kinetic = kinetic_energy(fluid);
+  EnergyRise energy;
+  energy.note(start);
   Stability result;
   try {
     for (int sample = 1; sample <= kSamples; ++sample) {
       advance(fluid, static_cast<int>(duration / kSamples));
       fluid.watch();
-      result.energy = std::max(result.energy, kinetic_energy(fluid) / start);
+      result.largest = std::max(result.largest, kinetic_energy(fluid) / kinetic);
+      energy.note(flow_energy(fluid));
+      result.rise = energy.largest() / start;
       result.finished = static_cast<double>(sample) / kSamples;
     }
   } catch (const NumericalFailure&) {
-    result.energy = std::numeric_limits<double>::infinity();
+    result.largest = result.rise = std::numeric_limits<double>::infinity();
   }
   return result;
 }

@@ -22,8 +22,8 @@ struct StabilityCase {
 
 struct Stability {
   double finished = 0;  ///< share of the time that was run before the watchdog stopped it, 1 if it did not
-  double energy = 0;    ///< largest kinetic energy, as a share of that of the start; infinite if it was stopped
-  [[nodiscard]] bool stable() const { return finished >= 1 && energy <= 1.001; }
+  double largest = 0;   ///< of kinetic energy, as a share of that of the start; infinite if it was stopped
+  double rise = 0;      ///< largest of energy above its lowest until then, of the start's; infinite if stopped
 };
 
 /// Runs the flow in the given precision. Nothing feeds it: its energy must not rise.

@@ -8,16 +8,17 @@ namespace lahar::validate {
 
 namespace {
 
-/// The default without LES and every operator with Cs = 0.16 must not gain energy. BGK and TRT without LES have no bar:
-/// how far they get is shown.
+/// The default without LES and every operator with Cs = 0.16 must not gain energy. How far energy rises above the
+/// lowest that it had has no bar: at Ma 0.2 compression is more than its kinetic and pressure parts. BGK and TRT
+/// without LES have no bar: how far they get is shown.
 void add_row(std::vector<Row>& rows, const StabilityCase& c) {
   const Stability s = run_periodic(c, Precision::float32);
   const std::string label = fmt::format("{} Cs {}, {}, nu {:g}, Ma {}", name(c.collision), c.smagorinsky,
                                         c.flow == PeriodicFlow::vortex ? "vortex" : "layer", c.viscosity, c.mach);
-  if (stable_without_eddies(c.collision) || c.smagorinsky > 0)
-    rows.push_back(at_most_row(label + ": energy", s.energy, 1.001));
-  else
-    rows.push_back(note_row(label + ": time run", s.finished));
+  if (!stable_without_eddies(c.collision) && c.smagorinsky == 0)
+    return rows.push_back(note_row(label + ": time run", s.finished));
+  rows.push_back(at_most_row(label + ": kinetic energy", s.largest, 1.001));
+  rows.push_back(note_row(label + ": rise above the lowest before", s.rise));
 }
 
 std::vector<Row> run(const Context& context) {

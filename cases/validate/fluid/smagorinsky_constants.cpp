@@ -68,7 +68,7 @@ std::vector<Row> run(const Context& context) {
                                         .cells = vortex || context.quick ? 32 : 64},
                                        Precision::float32);
       rows.push_back(
-          at_most_row(fmt::format("Cs {}: energy of the {}", cs, vortex ? "vortex" : "layer"), s.energy, 1.001));
+          at_most_row(fmt::format("Cs {}: energy of the {}", cs, vortex ? "vortex" : "layer"), s.largest, 1.001));
     }
     const Rest rest = rest_of(cs, context.quick ? 1000 : 20000);
     rows.push_back(at_most_row(fmt::format("Cs {}: pressure at rest less rho g h", cs), rest.pressure, 0.01));

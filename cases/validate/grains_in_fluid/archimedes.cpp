@@ -54,10 +54,11 @@ void lower(std::vector<Row>& rows, double diameter, double speed, bool lift, con
   move_to(step, 1.2 * diameter, speed);
   const Rest under = rest(step, settle, settle);
   const std::string what = fmt::format("D {:g} cells at {:g} lu", diameter, speed);
-  rows.push_back(
-      relative_row(what + ": level rise over the tank's area / volume", under.volume - before.volume, volume, 0.01));
+  rows.push_back(relative_row(what + ": level rise times the tank's area, over the volume",
+                              (under.volume - before.volume) / volume, 1, 0.01));
   if (!context.quick)
-    rows.push_back(relative_row(what + ": lift / weight of the water displaced", under.lift, volume * t.gravity, 0.05));
+    rows.push_back(
+        relative_row(what + ": lift / weight of the water displaced", under.lift / (volume * t.gravity), 1, 0.05));
   if (lift) {
     move_to(step, t.depth + 1.5 * diameter, speed);
     // The sphere keeps a film of interface cells; how much liquid that is.

@@ -14,7 +14,7 @@ namespace {
 struct Bounces {
   int contacts = 0;
   double impulse = 0;  ///< on the floor, lu
-  double peak = 0;     ///< largest force on the floor over that of Hertz at the speed of the first impact
+  double peak = 0;  ///< largest mean force on the floor over a fluid step, of Hertz' peak at the first impact's speed
   double audit = 0;
 };
 
@@ -29,7 +29,8 @@ double hertz_peak(double speed) {
   return 4.0 / 3.0 * modulus * std::sqrt(kRadius) * std::pow(depth, 1.5);
 }
 
-/// The particle steps are made here, one by one, so that each contact force is seen.
+/// Forces are means over a fluid step. The contact takes 19 of them; a spike of one of 10 sub-steps adds a tenth of
+/// itself.
 template <class Real>
 Bounces bounce(int substeps, int steps) {
   SphereTank t;
@@ -77,9 +78,10 @@ std::vector<Row> run(const Context& context) {
       rows.push_back(
           relative_row(fmt::format("contacts, {} sub-steps", substeps), b.contacts, reference.contacts, 0.05));
       rows.push_back(relative_row(fmt::format("impulse on the floor, {} sub-steps", substeps), b.impulse,
-                                  reference.impulse, 0.05));
-      // H17 asks for 10; twice what is found.
-      rows.push_back(at_most_row(fmt::format("largest force over that of Hertz, {} sub-steps", substeps), b.peak, 1.3));
+                                  reference.impulse, 1e-3));
+      // Twice what is found: the 10 of H17 for one of 10 sub-steps is seen, not for one of 100.
+      rows.push_back(at_most_row(
+          fmt::format("largest mean force of a fluid step over Hertz' peak, {} sub-steps", substeps), b.peak, 1.3));
       rows.push_back(at_most_row(fmt::format("momentum audit, {} sub-steps", substeps), b.audit,
                                  sizeof(Real) == 8 ? 1e-10 : 1e-4));
     }

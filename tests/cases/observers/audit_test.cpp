@@ -24,6 +24,10 @@ TEST(Audit, TellsWhatTheCoupledStepBooked) {
   coupling::MomentumAudit broken;
   broken.book({Vec3::Constant(kUnknown), Vec3::Constant(kUnknown)});
   EXPECT_FALSE(check(broken.relative()).pass);
+  coupling::MomentumAudit of_nothing;
+  EXPECT_EQ(of_nothing.relative(), 0);
+  of_nothing.book({Vec3(5, 0, 0), Vec3::Zero()});  // the solids got what no cell gave
+  EXPECT_FALSE(check(of_nothing.relative()).pass);
 }
 
 TEST(Audit, NeedsBothSides) {

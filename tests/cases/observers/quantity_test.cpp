@@ -23,7 +23,8 @@ TEST(Quantity, PeakInAnotherUnitAndItsTime) {
   Quantity q{"force_N", "N", "", {}, true, {}};
   q.peak("peak_kN", "kN", "", 1000).peak_time("when_s");
   EXPECT_EQ(after(q, {1000, 4000, 4000, 2000}), (Metrics{{"peak_kN", 4}, {"when_s", 1}}));
-  EXPECT_EQ(after(q, {-1000}), (Metrics{{"peak_kN", 0}, {"when_s", 0}}));
+  EXPECT_EQ(after(q, {-3000, -1000, -2000}), (Metrics{{"peak_kN", -1}, {"when_s", 1}}));
+  EXPECT_EQ(after(q, {}), Metrics{});
   EXPECT_TRUE(after(q, {}).empty());
 }
 

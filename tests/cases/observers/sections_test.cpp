@@ -276,6 +276,27 @@ normal = [-1, 0, 0]
   EXPECT_GT(largest, 0.9 * M_PI * radius * radius);
 }
 
+TEST(Sections, DiscsEndAtTheEdgesOfTheRectangle) {
+  constexpr double r = 0.05, disc = std::numbers::pi * r * r, far = 1e9;
+  EXPECT_NEAR(disc_in_rectangle(r, {-far, far}, {-far, far}), disc, 1e-15);
+  EXPECT_NEAR(disc_in_rectangle(r, {-far, far}, {0, far}), disc / 2, 1e-15);
+  EXPECT_NEAR(disc_in_rectangle(r, {-far, 0}, {0, far}), disc / 4, 1e-15);
+  EXPECT_NEAR(disc_in_rectangle(r, {-0.01, 0.01}, {-0.02, 0.005}), 0.02 * 0.025, 1e-15);
+  EXPECT_EQ(disc_in_rectangle(r, {0.06, 0.08}, {-far, far}), 0);
+  EXPECT_NEAR(disc_in_rectangle(r, {0.03, 0.08}, {0.04, 0.08}), 0, 1e-15);  // its corner lies on the edge
+  const double segment = r * r * std::acos(0.6) - 0.03 * 0.04;              // beyond 3 of 5 parts of the radius
+  EXPECT_NEAR(disc_in_rectangle(r, {0.03, far}, {-far, far}), segment, 1e-15);
+  EXPECT_NEAR(disc_in_rectangle(r, {-far, far}, {-far, -0.03}), segment, 1e-15);
+  EXPECT_NEAR(disc_in_rectangle(r, {-far, 0.03}, {-far, far}), disc - segment, 1e-15);
+  const double half = disc_in_rectangle(r, {-0.02, 0.03}, {-0.045, 0.01});
+  double sum = 0;  // column by column
+  for (int k = 0; k < 100000; ++k) {
+    const double x = -0.02 + 0.05 * (k + 0.5) / 100000, edge = std::sqrt(r * r - x * x);
+    sum += 0.05 / 100000 * (std::min(0.01, edge) - std::max(-0.045, -edge));
+  }
+  EXPECT_NEAR(half, sum, 1e-9);
+}
+
 /// A ball that passes and leaves the domain between two rows is counted with the speed that it passed with.
 TEST(Sections, AGrainThatLeavesBetweenRowsHasPassed) {
   Sampled run(scene::load_text(scene::small_scene + R"(velocity_m_s = [2, 0, 0]

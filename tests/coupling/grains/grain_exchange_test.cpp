@@ -8,6 +8,7 @@
 
 #include "coupling/coupled_step.h"
 #include "coupling/grains/sphere_rows.h"
+#include "lbm/step/cell_moments.h"
 #include "tests/coupling/tanks.h"
 
 namespace lahar::coupling {
@@ -29,7 +30,6 @@ class PointDrag final : public GrainExchange<double> {
                        [&](int row, const Row<double>& eps) { add_to_row(f.solid_fraction + row, eps); });
     }
   }
-  [[nodiscard]] bool samples_velocity() const override { return true; }
 
   ExchangedMomentum give_impulses(lbm::Fluid<double>& fluid, const GrainMap<double>& map,
                                   const DisplacedVolume<double>& /*displaced*/, dem::Particles& particles,
@@ -45,8 +45,8 @@ class PointDrag final : public GrainExchange<double> {
       lbm::Block<double>& block = fluid.grid().block(pair.block);
       if (!lbm::is_wet(block.type[static_cast<std::size_t>(n)])) continue;
       const dem::ParticleIndex i = particles.index(map.grains()[pair.grain].id);
-      const Vec3 slip = Vec3(block.body->velocity_x[n], block.body->velocity_y[n], block.body->velocity_z[n]) -
-                        Vec3(s.velocity[0], s.velocity[1], s.velocity[2]);
+      const auto liquid = lbm::outgoing_moments(fluid.grid(), {pair.block, n}, fluid.parity());
+      const Vec3 slip = Vec3(liquid.u[0], liquid.u[1], liquid.u[2]) - Vec3(s.velocity[0], s.velocity[1], s.velocity[2]);
       const Vec3 force = 6 * std::numbers::pi * viscosity * particles.radius[i] / units.cell_size * slip;
       particles.external_force.add(i, force * units.force_to_si(1.0));
       lbm::ImpulseFields<double>& impulse = fluid.grid().require_impulse(pair.block);

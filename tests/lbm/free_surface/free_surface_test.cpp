@@ -80,6 +80,60 @@ TEST(FreeSurface, StillWaterStaysStillWhateverItsLevel) {
     }
 }
 
+/// Least and largest force of the walls across a bed, over the liquid's weight there, in the steps from one time to
+/// another.
+std::pair<double, double> borne(Fluid<double>& fluid, double from, double to) {
+  const FluidOptions& o = fluid.options();
+  fluid.measure_walls();
+  const double weight = -o.gravity.z() * fluid.liquid_mass() * o.time_step;
+  const auto impulse = [&] {
+    double sum = 0;
+    for (const WallLoad& load : fluid.wall_loads()) sum -= load.impulse.z();
+    return sum;
+  };
+  double least = 1e9, largest = -1e9;
+  for (double before = 0; fluid.time() < to; before = impulse()) {
+    fluid.step();
+    if (fluid.time() < from) continue;
+    least = std::min(least, (impulse() - before) / weight), largest = std::max(largest, (impulse() - before) / weight);
+  }
+  return {least, largest};
+}
+
+/// A pressure at the surface that follows the sound between it and the bed feeds it: the bed of one cell of water and a
+/// bit bore -2 to 4 times its weight, of three cells a half to one and a half (docs/decisions/0089).
+TEST(FreeSurface, ThinLayersRestOnTheirBed) {
+  constexpr double dx = 0.02;
+  for (const int cells : {1, 2, 3, 4, 6})
+    for (const double level : {0.02, 0.1, 0.3, 0.5, 0.9}) {
+      FluidOptions o = tank_options(Vec3(8 * dx, 8 * dx, 12 * dx), dx, 2, 0.1);
+      o.domain.slip = WallSlip::free_slip;
+      Fluid<double> fluid(o);
+      fluid.fill({{Vec3::Zero(), Vec3(8 * dx, 8 * dx, (cells + level) * dx)}});
+      const auto [least, largest] = borne(fluid, 0.3, 0.5);
+      EXPECT_GT(least, 0.97) << cells + level;
+      EXPECT_LT(largest, 1.03) << cells + level;
+    }
+}
+
+/// The same of sheets that slide down a slope.
+TEST(FreeSurface, SlidingSheetsRestOnTheirBed) {
+  constexpr double dx = 0.02, angle = 35 * std::numbers::pi / 180;
+  for (const double depth : {1.5, 2.2, 3.05, 4.1}) {
+    FluidOptions o = tank_options(Vec3(8 * dx, 8 * dx, 12 * dx), dx, 7, 0.1);
+    o.domain.faces.fill(FaceKind::periodic);
+    o.domain.faces[4] = FaceKind::closed, o.domain.faces[5] = FaceKind::open;
+    o.domain.slip = WallSlip::free_slip;
+    o.smagorinsky = 0.16;
+    o.gravity = 9.81 * Vec3(std::sin(angle), 0, -std::cos(angle));
+    Fluid<double> fluid(o);
+    fluid.fill({{Vec3::Zero(), Vec3(8 * dx, 8 * dx, depth * dx)}});
+    const auto [least, largest] = borne(fluid, 0.3, 0.5);
+    EXPECT_GT(least, 0.95) << depth;
+    EXPECT_LT(largest, 1.05) << depth;
+  }
+}
+
 /// What weighs on a cell is no velocity along the walls beside it, where two of them meet either.
 TEST(FreeSurface, EdgesOfNoSlipTanksDriveNothing) {
   for (const double viscosity : {0.05, 0.1}) {

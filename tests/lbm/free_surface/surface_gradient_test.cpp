@@ -22,21 +22,26 @@ struct Filled {
   }
 };
 
+/// All of it at rest: what comes in is what goes out.
 template <class Field>
 void set_density(Fluid<double>& fluid, const Field& drho) {
   auto& grid = fluid.grid();
   for (const BlockIndex b : grid.owned())
     for (int n = 0; n < kBlockCells; ++n)
-      if (grid.block(b).surface) grid.block(b).surface->density[n] = drho(grid.centre(b, n));
+      if (grid.block(b).surface) grid.block(b).surface->density[n] = grid.block(b).f(0)[n] = drho(grid.centre(b, n));
 }
 
-void gradient_at(Fluid<double>& fluid, CellPlace place, double (&a)[3]) {
+/// As a cell by itself, or as one on a layer whose depth below a surface at rho - 1 = 0 is known.
+void gradient_at(Fluid<double>& fluid, CellPlace place, bool on_layer, double (&a)[3]) {
+  using V = Row<double>;
   Surroundings<double> near;
   LookAround<double>(fluid.grid(), place.block, fluid.parity()).run(~std::uint64_t{0}, near);
   const auto p = cell_position(place.cell);
-  Row<double> row[3];
-  pressure_gradient(Sight<Row<double>>(near, p[1], p[2]), row);
-  for (int k = 0; k < 3; ++k) a[k] = row[k][static_cast<std::size_t>(p[0])];
+  const PressureFit<V> fit =
+      pressure_gradient(Sight<V>(near, p[1], p[2]), KnownPressure<V>{V::mask_type::all(on_layer), V(0), {}});
+  const double depth = fluid.grid().block(place.block).surface->density[place.cell] / 3;
+  const auto x = static_cast<std::size_t>(p[0]);
+  for (int k = 0; k < 3; ++k) a[k] = fit.at_surface[k][x] - depth * fit.per_depth[k][x];
 }
 
 /// Exact for a linear pressure in every interface cell, at walls and in corners too.
@@ -49,11 +54,13 @@ TEST(SurfaceGradient, IsExactForLinearPressure) {
   for (const BlockIndex b : grid.owned())
     for (int n = 0; n < kBlockCells; ++n) {
       if (grid.block(b).type[static_cast<std::size_t>(n)] != CellType::interface) continue;
-      double a[3];
-      gradient_at(fluid, {b, n}, a);
-      EXPECT_NEAR(a[0], 1e-3, 1e-6);
-      EXPECT_NEAR(a[1], 2e-3, 1e-6);
-      EXPECT_NEAR(a[2], -5e-3, 1e-6);
+      for (const bool on_layer : {false, true}) {
+        double a[3];
+        gradient_at(fluid, {b, n}, on_layer, a);
+        EXPECT_NEAR(a[0], 1e-3, 1e-6);
+        EXPECT_NEAR(a[1], 2e-3, 1e-6);
+        EXPECT_NEAR(a[2], -5e-3, 1e-6);
+      }
       ++cells;
     }
   EXPECT_EQ(cells, 256);
@@ -69,7 +76,7 @@ TEST(SurfaceGradient, IsBlindForTheShortestWave) {
   const CellPlace place{grid.topology().find(block_of(cell)), cell_index(cell.x() & 7, cell.y() & 7, cell.z() & 7)};
   ASSERT_EQ(grid.type(place), CellType::interface);
   double a[3];
-  gradient_at(fluid, place, a);
+  gradient_at(fluid, place, false, a);
   EXPECT_NEAR(a[2], 0, 1e-12);
 }
 

@@ -101,7 +101,8 @@ void run_by_hand(Level& level, bool viscous) {
   for (std::size_t k = owned.size(); k-- > 0;) {
     if (!grid.has_surface(owned[k])) continue;
     exchange_over_mirrors(grid, owned[k], level.parity());
-    exchange_surface(grid, owned[k], level.parity(), {EquilibriumOrder::fourth, 0, 2 * weight, 0, weight},
+    exchange_surface(grid, owned[k], level.parity(),
+                     {.largest_gradient = 2 * weight, .gravity = {g[0], g[1], g[2]}, .weight = weight},
                      viscous ? shear[k].data() : nullptr);
   }
 }
