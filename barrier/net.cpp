@@ -89,7 +89,8 @@ Filling fill(const RingNetSpec& spec, double length, const std::string& what) {
   const double change = spare / std::max(1, steps);
   if (std::abs(change) <= 0.08 * spec.ring_pitch)
     return {count, steps > 0 ? spec.ring_pitch + change : spec.ring_pitch};
-  const int fewer = std::max(2, spare < 0 ? count - 1 : count);
+  constexpr int fewest = 2;  // of which one takes a cable on either side
+  const int fewer = std::max(fewest, spare < 0 ? count - 1 : count);
   throw InputError("whole rings at a pitch of " + std::to_string(spec.ring_pitch) + " m do not fill a " + what +
                    " of " + std::to_string(length) + " m; " + std::to_string(filled(spec, fewer, spec.ring_pitch)) +
                    " m and " + std::to_string(filled(spec, fewer + 1, spec.ring_pitch)) + " m would do");

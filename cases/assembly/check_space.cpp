@@ -118,8 +118,7 @@ void check_inflow(const Scene& scene, std::size_t i, Findings& findings) {
                       "times",
                       path, k + 2));
   if (!findings.sound({"fluid", "domain", "gravity", "run", "wall"})) return;
-  double largest = 0;
-  for (const TimeValue& entry : in.discharge) largest = std::max(largest, entry.value);
+  const double largest = cases::peak_discharge(in);
   const double cell_takes = lbm::kLargestDose * std::pow(scene.fluid.cell_size, 3) / cases::fluid_time_step(scene);
   const double needed = std::ceil(largest / cell_takes * (1 - 1e-9)), cells = free_cells(in, scene, needed);
   if (cells < needed)

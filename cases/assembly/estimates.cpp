@@ -30,10 +30,15 @@ double face_across(const Vec3& extent, const Vec3& direction) {
 
 }  // namespace
 
-double inflow_speed(const scene::Inflow& inflow) {
+double peak_discharge(const scene::Inflow& inflow) {
   double peak = 0;
   for (const scene::TimeValue& entry : inflow.discharge) peak = std::max(peak, entry.value);
-  return std::max(inflow.velocity.norm(), peak / face_across(inflow.upper - inflow.lower, inflow.velocity));
+  return peak;
+}
+
+double inflow_speed(const scene::Inflow& inflow) {
+  return std::max(inflow.velocity.norm(),
+                  peak_discharge(inflow) / face_across(inflow.upper - inflow.lower, inflow.velocity));
 }
 
 double drop_speed(const scene::Scene& scene) {

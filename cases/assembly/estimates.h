@@ -7,6 +7,9 @@
 
 namespace lahar::cases {
 
+/// m^3/s, the largest of its hydrograph.
+double peak_discharge(const scene::Inflow& inflow);
+
 /// m/s, with which liquid comes out of an inflow's box: its velocity, or the peak of its discharge over the box's face
 /// across that (its largest face where it comes without a velocity), whichever is more.
 double inflow_speed(const scene::Inflow& inflow);

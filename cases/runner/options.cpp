@@ -26,7 +26,7 @@ void add_common_options(CLI::App& app, CommonOptions& o, const Taken& taken) {
       ->type_name("KEY=VALUE");
   if (!taken.out.empty())
     app.add_option("--out", o.out, taken.out)->type_name("DIR")->check([](const std::string& folder) {
-      return folder.empty() ? "is empty, expected a folder" : "";
+      return folder.empty() ? "is empty" : "";
     });
   app.add_option("--threads", o.threads, "Number of threads (default: all)")
       ->check(CLI::Range(1, 4096))

@@ -66,8 +66,7 @@ void add_thin_inflows(const scene::Scene& s, Warnings& list) {
   constexpr double enough = 3;  // cells
   for (const scene::Inflow& i : s.fluid.inflows) {
     const Vec3 across = i.velocity.cross(s.gravity.vector());
-    double peak = 0;
-    for (const scene::TimeValue& entry : i.discharge) peak = std::max(peak, entry.value);
+    const double peak = peak_discharge(i);
     if (across.norm() <= 0 || peak <= 0) continue;
     const double width = (i.upper - i.lower).dot(across.normalized().cwiseAbs());
     const double cells = peak / (i.velocity.norm() * width) / s.fluid.cell_size;

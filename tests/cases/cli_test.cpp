@@ -135,6 +135,7 @@ TEST_F(Cli, WhatAProgramCannotTakeIsRefusedWithTheReason) {
       {"benchmark", "--precision float --out out", "--precision: each entry has its own"},
       {"speed_error", "--precision float --out out", "--precision: the study turns this knob itself"},
       {"compare_cfd_dem", "--precision double --records r --out out", "--records with --set or --precision"},
+      {"lahar", "run scene.toml --out ''", "--out: is empty"},
       {"validate", "fluid.tow --out out", "no entry or group is called 'fluid.tow'"},
       {"hard_cases", "H21 --out out", "no hard case is called 'H21'"},
       {"speed_error", "dambreak --out out", "dambreak"},
