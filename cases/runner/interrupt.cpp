@@ -65,6 +65,7 @@ void say_at_interrupt(const char* more) { more_to_say.store(more); }
 void end_at_interrupt() {
   watching = false;
   set_handler(end);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void watch_for_interrupt() {

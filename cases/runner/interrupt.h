@@ -5,7 +5,8 @@
 namespace lahar::cases {
 
 /// From now on SIGINT, SIGTERM and SIGHUP end the process at once, with exit_interrupted: there is nothing to finish
-/// yet.
+/// yet. SIGXFSZ is ignored: a file that gets larger than the shell allows (ulimit -f) is a write that fails and says
+/// so.
 void end_at_interrupt();
 
 /// What the end at such a signal says beside that there was one; null: no more. A text that stays.

@@ -207,6 +207,14 @@ int run(const std::string& command) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+TEST(ProcedureExecutable, AFileThatMayNotGetSoLargeIsAnError) {
+  const ScratchFolder folder;
+  const std::string quick = " --set loading.speed_m_s=4 --set loading.stroke_m=0.05 --quiet --threads 1";
+  const std::string files = " --out '" + (folder.path() / "out").string() + "' 2> '" + (folder.path() / "err").string();
+  ASSERT_EQ(run("ulimit -f 40; '" LAHAR_RING_PULL "'" + quick + files + "'"), 1);  // blocks of 512 or 1024 bytes
+  EXPECT_TRUE(file_text(folder.path() / "err").ends_with("File too large\n")) << file_text(folder.path() / "err");
+}
+
 TEST(ProcedureExecutable, WritesItsFilesAndRefusesBadInput) {
   const ScratchFolder folder;
   const std::string out = (folder.path() / "out").string(), exe = "'" LAHAR_RING_PULL "'";
