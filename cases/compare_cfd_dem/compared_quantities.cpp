@@ -385,7 +385,7 @@ const std::vector<ShownColumn>& shown_columns() {
       {"barrier_fluid_force_x_N", "force of water on the net", "kN", 1e-3},
       {"barrier_contact_force_x_N", "force of grains on the net", "kN", 1e-3},
       {"grains_fluid_force_x_N", "force of water on the grains", "kN", 1e-3},
-      {"fluid_momentum_gap_x_Ns", "momentum that walls gave the water or its surface made", "kNs", 1e-3},
+      {"fluid_momentum_gap_x_Ns", "water's momentum from walls and surface", "kNs", 1e-3},
       {"net_discharge_m3_s", "discharge of water through the net", "m^3/s"},
       {"net_grains_area_m2", "area of grains in the plane of the net", "m^2"},
       {"grains_passed_kg", "grains that have passed", "kg"},
