@@ -61,20 +61,21 @@ void add_rapid_inflows(const scene::Scene& s, Warnings& list) {
   }
 }
 
-/// Sheets of a cell or two win momentum at their surface.
+/// Sheets of a few cells whose weight counts beside their velocity.
 void add_thin_inflows(const scene::Scene& s, Warnings& list) {
-  constexpr double enough = 3;  // cells
+  constexpr double enough = 5, rapid = 2;  // cells; Froude number
   for (const scene::Inflow& i : s.fluid.inflows) {
     const Vec3 across = i.velocity.cross(s.gravity.vector());
     const double peak = peak_discharge(i);
     if (across.norm() <= 0 || peak <= 0) continue;
     const double width = (i.upper - i.lower).dot(across.normalized().cwiseAbs());
-    const double cells = peak / (i.velocity.norm() * width) / s.fluid.cell_size;
-    if (cells < enough)
+    const double depth = peak / (i.velocity.norm() * width), cells = depth / s.fluid.cell_size;
+    const double froude = i.velocity.norm() / std::sqrt(s.gravity.vector().norm() * depth);
+    if (cells < enough && froude < rapid)
       list.push_back(fmt::format(
-          "fluid.inflow \"{}\": at its velocity its liquid is {:.2g} cells deep, and sheets of less than {:g} "
-          "make momentum of their own, a third of it and more at 1.5 cells",
-          i.name, cells, enough));
+          "fluid.inflow \"{}\": at its velocity its liquid is {:.2g} cells deep, with a Froude number of {:.2g}; "
+          "sheets of less than {:g} cells make or lose up to a fifth of their momentum where that is less than {:g}",
+          i.name, cells, froude, enough, rapid));
   }
 }
 

@@ -13,6 +13,8 @@ namespace lahar::lbm {
 namespace {
 
 constexpr double kNothingDue = 1e-12;  // cells
+constexpr int kReachOfWalls = 2;       // cells: beside liquid cells there are interface cells, which walls hold
+constexpr double kLeastHeld = 1e-3;    // cells: of what little a column holds
 
 }  // namespace
 
@@ -27,6 +29,26 @@ Inflow<Real>::Inflow(InflowOptions options, const Domain& domain) : options_(std
     last_[a] = cell(options_.upper[a]) - 1;
     require(first_[a] <= last_[a], "Inflow: the box holds the centre of no cell");
   }
+  for (int x = first_.x(); x <= last_.x(); ++x)
+    for (int y = first_.y(); y <= last_.y(); ++y) (has_wall_behind(domain, x, y) ? at_wall_ : free_).emplace_back(x, y);
+}
+
+/// Whether all cells of a column that can take liquid have a wall close by on the side that the liquid comes from, by
+/// the larger horizontal component of its velocity.
+template <class Real>
+bool Inflow<Real>::has_wall_behind(const Domain& domain, int x, int y) const {
+  const Vec3& u = options_.velocity;
+  const int axis = std::abs(u.x()) >= std::abs(u.y()) ? 0 : 1;
+  if (u[axis] == 0) return false;
+  const Vec3i behind = Vec3i::Unit(axis) * (u[axis] > 0 ? -1 : 1);
+  for (int z = first_.z(); z <= last_.z(); ++z) {
+    const Vec3i cell(x, y, z);
+    if (domain.classify(cell) != CellType::gas) continue;
+    bool wall = false;
+    for (int n = 1; n <= kReachOfWalls; ++n) wall = wall || domain.classify(cell + n * behind) == CellType::wall;
+    if (!wall) return false;
+  }
+  return true;
 }
 
 /// Cells, with what is left of the steps before.
@@ -52,17 +74,40 @@ void Inflow<Real>::feed(FluidLevel<Real>& level, CellConversion<Real>& conversio
                         std::int64_t step, LiquidAccount& account) {
   owed_ = volume_due(level.grid, time, duration);
   if (std::abs(owed_) < kNothingDue) return;
-  collect(level, conversion);
-  const double cells = (last_ - first_ + Vec3i::Ones()).cast<double>().prod();
-  if (owed_ > std::max(cells, kLargestDose) || wet_.empty())
+  cells_.clear();
+  columns_.clear();
+  collect(level, conversion, free_);
+  if (owed_ > kLargestDose * static_cast<double>(cells_.size())) collect(level, conversion, at_wall_);
+  const double all = (last_ - first_ + Vec3i::Ones()).cast<double>().prod();
+  if (owed_ > std::max(all, kLargestDose) || columns_.empty())
     throw NumericalFailure(
         "inflow " + options_.name, step,
-        wet_.empty() ? "no free cell in its box" : "its box cannot take the discharge; make it larger");
-  const double mass = std::min(kLargestDose, owed_ / static_cast<double>(wet_.size()));
+        columns_.empty() ? "no free cell in its box" : "its box cannot take the discharge; make it larger");
+  const double share = share_of_column();
   double arrived = 0;
-  for (const CellPlace& place : wet_) arrived += dose(level, place, mass);
+  for (const Column& column : columns_) arrived += dose(level, column, std::min(share, largest_dose(column)));
   owed_ -= arrived;
   account.inflow += arrived;
+}
+
+/// What a column gets of what is due; those that cannot take as much get their largest dose.
+template <class Real>
+double Inflow<Real>::share_of_column() const {
+  std::vector<double> largest;
+  for (const Column& column : columns_) largest.push_back(largest_dose(column));
+  std::sort(largest.begin(), largest.end());
+  double rest = owed_;
+  for (std::size_t c = 0; c < largest.size(); ++c) {
+    const double even = rest / static_cast<double>(largest.size() - c);
+    if (even <= largest[c]) return even;
+    rest -= largest[c];
+  }
+  return largest.back();
+}
+
+template <class Real>
+double Inflow<Real>::largest_dose(const Column& column) {
+  return kLargestDose * static_cast<double>(column.end - column.begin);
 }
 
 namespace {
@@ -80,50 +125,94 @@ CellMoments<Real> before_it_comes(const FluidGrid<Real>& grid, CellPlace place, 
 
 }  // namespace
 
-/// Lists the wet cells of the box after wetting the lowest free cell of each column that is dry there.
+/// Adds columns with their wet cells, upwards, after wetting the lowest free cell of those that are dry there.
 template <class Real>
-void Inflow<Real>::collect(FluidLevel<Real>& level, CellConversion<Real>& conversion) {
+void Inflow<Real>::collect(FluidLevel<Real>& level, CellConversion<Real>& conversion,
+                           const std::vector<Eigen::Vector2i>& places) {
   FluidGrid<Real>& grid = level.grid;
-  wet_.clear();
   CellMoments<Real> entering;
   for (int a = 0; a < 3; ++a) entering.u[a] = static_cast<Real>(level.units.velocity_to_lu(options_.velocity[a]));
-  for (int x = first_.x(); x <= last_.x(); ++x)
-    for (int y = first_.y(); y <= last_.y(); ++y) {
-      bool lowest = true;
-      for (int z = first_.z(); z <= last_.z(); ++z) {
-        const Vec3i cell(x, y, z);
-        const CellPlace place{grid.require_block(block_of(cell)), cell_index(x & 7, y & 7, z & 7)};
-        const CellType type = grid.type(place);
-        if (type == CellType::wall || type == CellType::sink) continue;
-        if (type == CellType::gas && lowest) conversion.wet(level, place, before_it_comes(grid, place, entering));
-        if (is_wet(grid.type(place))) wet_.push_back(place);
-        lowest = false;
-      }
+  for (const Eigen::Vector2i& at : places) {
+    const std::size_t begin = cells_.size();
+    bool lowest = true;
+    for (int z = first_.z(); z <= last_.z(); ++z) {
+      const Vec3i cell(at.x(), at.y(), z);
+      const CellPlace place{grid.require_block(block_of(cell)), cell_index(at.x() & 7, at.y() & 7, z & 7)};
+      const CellType type = grid.type(place);
+      if (type == CellType::wall || type == CellType::sink) continue;
+      if (type == CellType::gas && lowest) conversion.wet(level, place, before_it_comes(grid, place, entering));
+      if (is_wet(grid.type(place))) cells_.push_back({place, {}, 0, 0, false});
+      lowest = false;
     }
+    if (cells_.size() > begin) columns_.push_back({begin, cells_.size()});
+  }
 }
 
-/// Mass and momentum into one cell; returns the mass as it was stored.
+/// Mass and momentum into one column; returns the mass as it was stored.
 template <class Real>
-double Inflow<Real>::dose(FluidLevel<Real>& level, CellPlace place, double mass) const {
+double Inflow<Real>::dose(FluidLevel<Real>& level, const Column& column, double mass) {
+  const std::span<Taker> takers(cells_.data() + column.begin, column.end - column.begin);
   FluidGrid<Real>& grid = level.grid;
-  Block<Real>& block = grid.block(place.block);
-  const bool liquid = block.type[static_cast<std::size_t>(place.cell)] == CellType::liquid;
-  const auto m = outgoing_moments(grid, place, level.parity());
-  Real& store = liquid ? block.f(0)[place.cell] : block.surface->mass[place.cell];
-  const Real before = store;
-  store += static_cast<Real>(mass);
-  if (liquid && block.surface) block.surface->density[place.cell] += static_cast<Real>(mass);
-  // In a liquid cell the added density is at rest and wants its own momentum; in an interface cell the populations
-  // stand for the mass there was, and take the velocity of the mixture.
-  const double density = 1 + static_cast<double>(m.drho), held = std::max(1e-3, static_cast<double>(before));
-  const double weight = liquid ? mass : density * mass / (held + mass);
-  ImpulseFields<Real>& impulses = grid.require_impulse(place.block);
-  Real* const impulse[3] = {impulses.x, impulses.y, impulses.z};
-  for (int a = 0; a < 3; ++a) {
-    const double entering = level.units.velocity_to_lu(options_.velocity[a]);
-    const double change = liquid ? entering : entering - static_cast<double>(m.u[a]);
-    impulse[a][place.cell] += static_cast<Real>(weight * change);
+  for (Taker& t : takers) {
+    const Block<Real>& block = grid.block(t.place.block);
+    t.moments = outgoing_moments(grid, t.place, level.parity());
+    t.liquid = block.type[static_cast<std::size_t>(t.place.cell)] == CellType::liquid;
+    t.held =
+        t.liquid ? 1 + static_cast<double>(t.moments.drho) : static_cast<double>(block.surface->mass[t.place.cell]);
   }
+  share_out(takers, mass);
+
+  // What comes in takes the velocity of the cell that it gets into; what it brings beside that goes to all cells of the
+  // column, as one change of velocity.
+  Vec3 change = Vec3::Zero();
+  double moved = 0;
+  for (const Taker& t : takers) {
+    const Vec3 own(t.moments.u[0], t.moments.u[1], t.moments.u[2]);
+    change += t.dose * (options_.velocity * level.units.velocity_to_lu(1) - own);
+    moved += std::max(0.0, t.held) + t.dose;
+  }
+  change /= std::max(kLeastHeld, moved);
+  double arrived = 0;
+  for (const Taker& t : takers) arrived += put_in(grid, t, change);
+  return arrived;
+}
+
+/// Surfaces first: there liquid comes without pressure. Cells that owe some get that before others, those below before
+/// those above; what the surfaces cannot take goes to liquid cells in equal parts.
+template <class Real>
+void Inflow<Real>::share_out(std::span<Taker> takers, double mass) {
+  double liquid_cells = 0;
+  for (Taker& t : takers) {
+    t.dose = 0;
+    liquid_cells += t.liquid;
+  }
+  const auto fill_up_to = [&](Taker& t, double most) {
+    if (t.liquid) return;
+    const double share = std::clamp(most, 0.0, std::min(mass, kLargestDose - t.dose));
+    t.dose += share;
+    mass -= share;
+  };
+  for (Taker& t : takers) fill_up_to(t, -t.held);
+  for (Taker& t : takers) fill_up_to(t, mass);
+  for (Taker& t : takers)
+    if (t.liquid) t.dose = mass / liquid_cells;
+}
+
+/// The dose of one cell, and a change of velocity.
+template <class Real>
+double Inflow<Real>::put_in(FluidGrid<Real>& grid, const Taker& t, const Vec3& change) {
+  Block<Real>& block = grid.block(t.place.block);
+  Real& store = t.liquid ? block.f(0)[t.place.cell] : block.surface->mass[t.place.cell];
+  const Real before = store;
+  store += static_cast<Real>(t.dose);
+  if (t.liquid && block.surface) block.surface->density[t.place.cell] += static_cast<Real>(t.dose);
+  // In a liquid cell the added density is at rest and wants its momentum; in an interface cell the populations stand
+  // for the liquid that it holds, whatever its level.
+  const double added = t.liquid ? t.dose : 0, density = 1 + static_cast<double>(t.moments.drho) + added;
+  ImpulseFields<Real>& impulses = grid.require_impulse(t.place.block);
+  Real* const impulse[3] = {impulses.x, impulses.y, impulses.z};
+  for (int a = 0; a < 3; ++a)
+    impulse[a][t.place.cell] += static_cast<Real>(added * static_cast<double>(t.moments.u[a]) + density * change[a]);
   return static_cast<double>(store) - static_cast<double>(before);
 }
 

@@ -1,16 +1,20 @@
 #pragma once
 // Liquid that enters through a box of cells with a prescribed discharge.
 //
-// Each step the volume of the hydrograph over that step is put into the wet cells of the box in equal parts, with the
-// momentum of the entering velocity: liquid cells get it as density (their rest population) and push the rest out,
-// interface cells as mass. Where the box is dry the lowest free cell of each column (along z) is wetted first, so that
-// the box fills from below and works on a dry bed, under water and in between. What the cells cannot take in a step
-// (kLargestDose each) waits for the next. All that entered is booked in LiquidAccount::inflow, from the numbers as they
-// were stored.
+// Each step the volume of the hydrograph over that step is put into the columns (along z) of the box in equal parts,
+// with the momentum of the entering velocity. It goes to the surface as far as there is one in the box: interface cells
+// get it as mass, which makes no pressure, so that a stream that comes from a dry box leaves it as a wedge, at its
+// velocity (docs/decisions/0091). Liquid cells get the rest as density (their rest population) and push it out. Where a
+// column is dry its lowest free cell is wetted, so that the box fills from below and works on a dry bed, under water
+// and in between. Columns with a wall behind them (upstream) take only what the others cannot: the wall would hold what
+// comes there. What the cells cannot take in a step (kLargestDose each) waits for the next. All that entered is booked
+// in LiquidAccount::inflow, from the numbers as they were stored.
+#include <span>
 #include <string>
 
 #include "lbm/free_surface/conversion.h"
 #include "lbm/free_surface/hydrograph.h"
+#include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
 
@@ -38,14 +42,33 @@ class Inflow {
   void transfer(Archive& archive) { archive.value("owed", owed_); }
 
  private:
+  /// A wet cell of the box; masses in those of a full cell.
+  struct Taker {
+    CellPlace place;
+    CellMoments<Real> moments;
+    double held, dose;
+    bool liquid;
+  };
+  /// The takers above each other.
+  struct Column {
+    std::size_t begin, end;
+  };
+
+  [[nodiscard]] bool has_wall_behind(const Domain& domain, int x, int y) const;
   [[nodiscard]] double volume_due(const FluidGrid<Real>& grid, double time, double duration) const;
-  void collect(FluidLevel<Real>& level, CellConversion<Real>& conversion);
-  double dose(FluidLevel<Real>& level, CellPlace place, double mass) const;
+  void collect(FluidLevel<Real>& level, CellConversion<Real>& conversion, const std::vector<Eigen::Vector2i>& places);
+  [[nodiscard]] double share_of_column() const;
+  static double largest_dose(const Column& column);
+  double dose(FluidLevel<Real>& level, const Column& column, double mass);
+  static void share_out(std::span<Taker> takers, double mass);
+  static double put_in(FluidGrid<Real>& grid, const Taker& t, const Vec3& change);
 
   InflowOptions options_;
-  Vec3i first_, last_;  ///< cells of the box
-  double owed_ = 0;     ///< volume due and not yet in, cells
-  std::vector<CellPlace> wet_;
+  Vec3i first_, last_;                           ///< cells of the box
+  std::vector<Eigen::Vector2i> free_, at_wall_;  ///< columns, without and with a wall behind them
+  double owed_ = 0;                              ///< volume due and not yet in, cells
+  std::vector<Taker> cells_;
+  std::vector<Column> columns_;
 };
 
 extern template class Inflow<float>;

@@ -218,7 +218,8 @@ TEST(Warnings, ADischargeThatItsBoxDoesNotCarry) {
   EXPECT_TRUE(warns(report("2", "0"), "asks for 12.5 m/s"));
   // 0.3 m wide: 0.05 m^3/s at 1 m/s are 0.167 m deep
   EXPECT_FALSE(warns(report("0.05", "1"), "cells deep"));
-  EXPECT_TRUE(warns(report("0.005", "1"), "cells deep, and sheets of less than 3"));
+  EXPECT_TRUE(warns(report("0.015", "1"), "cells deep, with a Froude number of 1.4"));
+  EXPECT_FALSE(warns(report("0.06", "4"), "cells deep"));
 }
 
 /// The dam is 0.054 m^3 in a tank of 0.384 m^3, of which a sill takes 0.024 m^3.
