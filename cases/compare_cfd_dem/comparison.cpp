@@ -75,13 +75,13 @@ CaseResult read_case(const StudyCase& study_case, const std::filesystem::path& f
 
 namespace {
 
-/// Half the range of a quantity over the cases of the same flow and coupling that count, over their mean; NaN for a
-/// single one, and for one that does not count.
+/// Half the range of a quantity over the cases of the same flow, coupling and commit that count, over their mean; NaN
+/// for a single one, and for one that does not count.
 double spread(const Compared& quantity, const CaseResult& of, const std::vector<CaseResult>& results) {
   double low = INFINITY, high = -INFINITY, sum = 0, count = 0;
   for (const CaseResult& c : results) {
     const StudyCase &a = c.study_case, &b = of.study_case;
-    if (a.sweep != b.sweep || a.coupling != b.coupling || a.release != b.release) continue;
+    if (a.sweep != b.sweep || a.coupling != b.coupling || a.release != b.release || c.commit != of.commit) continue;
     if (!counts_in_spread(a) || !counts_in_spread(b)) continue;
     const double x = c.value(quantity.name);
     if (!std::isfinite(x)) continue;
@@ -97,7 +97,7 @@ std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.6g}", x
 std::string comparison_csv(const std::vector<CaseResult>& results) {
   std::string text =
       "# Theirs: Li, Zhao & Kwan 2020. difference: (ours - theirs) / theirs. spread: half the range over seeds, "
-      "presets, time steps and stiffnesses of the same flow and coupling, over the mean.\n" +
+      "presets, time steps and stiffnesses of the same flow, coupling and commit, over the mean.\n" +
       std::string(kComparisonColumns) + "\n";
   for (const Compared& q : compared_quantities())
     for (const CaseResult& c : results) {

@@ -40,7 +40,7 @@ inline constexpr const char* kComparisonTable = "comparison.csv";
 inline constexpr const char* kComparisonColumns = "quantity,unit,case,theirs,ours,difference,spread";
 
 /// A comment, the columns, the rows. The difference is over theirs; the spread is half the range of ours over the
-/// seeds, presets, time steps and stiffnesses that the study has of the same flow and coupling, over their mean
+/// seeds, presets, time steps and stiffnesses that the study has of the same flow, coupling and commit, over their mean
 /// (`counts_in_spread`).
 std::string comparison_csv(const std::vector<CaseResult>& results);
 

@@ -148,16 +148,17 @@ std::vector<JobResult> run_all(const std::vector<StudyCase>& study_cases, const 
   using Clock = std::chrono::steady_clock;
   std::filesystem::create_directories(options.folder);
   std::vector<JobResult> results;
-  std::vector<std::vector<std::string>> commands;  // all before the first is started: a folder may be refused
-  for (const StudyCase& c : study_cases)
-    commands.push_back(command_of(c, options.lahar, options.folder / c.name(), options.threads));
+  const auto command_for = [&](const StudyCase& c) {
+    return command_of(c, options.lahar, options.folder / c.name(), options.threads);
+  };
+  for (const StudyCase& c : study_cases) (void)command_for(c);  // before the first is started: a folder may be refused
   Runs running;
   std::size_t next = 0;
   bool stopping = false;
   while (!running.empty() || (next < study_cases.size() && !stopping)) {
     while (!stopping && next < study_cases.size() && running.size() < static_cast<std::size_t>(options.at_once)) {
-      const std::vector<std::string>& command = commands[next];
       const StudyCase& c = study_cases[next++];
+      const std::vector<std::string> command = command_for(c);  // another study may have done it meanwhile
       results.push_back({c, 0});
       if (command.empty()) continue;
       tell(fmt::format("{}: {}", c.name(), command[1] == "resume" ? "goes on" : "begins"));

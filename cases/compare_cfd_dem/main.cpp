@@ -27,37 +27,50 @@ struct Arguments {
 
 std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
-void list(const std::vector<StudyCase>& study_cases, const Arguments& a) {
-  for (const StudyCase& c : study_cases) {
-    const Standing s = standing_of(c, std::filesystem::path(a.common.out) / c.name());
-    fmt::print("{}: {}\n", c.name(),
-               s == Standing::done      ? "done"
-               : s == Standing::begun   ? "begun"
-               : s == Standing::foreign ? "in its folder is something else"
-                                        : "to do");
+std::string standing_text(const StudyCase& c, const std::filesystem::path& folder) {
+  try {
+    const Standing s = standing_of(c, folder);
+    return s == Standing::done      ? "done"
+           : s == Standing::begun   ? "begun"
+           : s == Standing::foreign ? "in its folder is something else"
+                                    : "to do";
+  } catch (const cases::FileError& error) {
+    return error.what();
   }
 }
 
-/// Whether a case that nobody asked for is done, with these values. Its folder may be of other values or programs.
-bool is_done(const StudyCase& there, const std::filesystem::path& folder) {
+void list(const std::vector<StudyCase>& study_cases, const Arguments& a) {
+  for (const StudyCase& c : study_cases)
+    fmt::print("{}: {}\n", c.name(), standing_text(c, std::filesystem::path(a.common.out) / c.name()));
+}
+
+/// Whether a case that nobody asked for is done, with these values, or has files that its reader will complain of. Its
+/// folder may be of other values or programs.
+bool may_be_done(const StudyCase& there, const std::filesystem::path& folder) {
   try {
     return standing_of(there, folder) == Standing::done;
   } catch (const InputError&) {
     return false;
+  } catch (const cases::FileError&) {
+    return true;
   }
 }
 
-/// What is done of the cases asked for and of those that are in the folder besides.
+/// What is done of the cases asked for and of those that are in the folder besides. Those whose files cannot be read
+/// are left out, and said to be: they do not cost the others their page.
 std::vector<CaseResult> results_in(const std::filesystem::path& folder, std::vector<StudyCase> asked,
                                    const std::vector<std::string>& further) {
   for (const auto& entry : std::filesystem::directory_iterator(folder))
     if (const auto there = case_named(entry.path().filename().string(), further);
         there && entry.is_directory() && std::find(asked.begin(), asked.end(), *there) == asked.end() &&
-        is_done(*there, entry.path()))
+        may_be_done(*there, entry.path()))
       asked.push_back(*there);
   std::vector<CaseResult> results;
-  for (const StudyCase& c : asked)
-    if (standing_of(c, folder / c.name()) == Standing::done) results.push_back(read_case(c, folder / c.name()));
+  for (const StudyCase& c : asked) try {
+      if (standing_of(c, folder / c.name()) == Standing::done) results.push_back(read_case(c, folder / c.name()));
+    } catch (const cases::FileError& error) {
+      fmt::print(stderr, "warning: {} is left out: {}\n", c.name(), error.what());
+    }
   return results;
 }
 
@@ -67,8 +80,15 @@ bool holds(const std::vector<CaseResult>& results, const StudyCase& study_case) 
 
 /// Writes records of what is done here and adds those of other cases.
 void share(std::vector<CaseResult>& results, const std::filesystem::path& records) {
-  for (const CaseResult& c : results) write_record(c, records);
-  for (CaseResult& c : read_records(records))
+  std::vector<CaseResult> kept = read_records(records);
+  for (const CaseResult& c : results) {
+    for (const CaseResult& former : kept)
+      if (former.study_case == c.study_case && former.commit != c.commit)
+        fmt::print(stderr, "warning: the record of {} was of commit {}, is now of {}\n", c.study_case.name(),
+                   former.commit, c.commit);
+    write_record(c, records);
+  }
+  for (CaseResult& c : kept)
     if (!holds(results, c.study_case)) results.push_back(std::move(c));
 }
 

@@ -8,8 +8,8 @@
 
 #include "cases/compare_cfd_dem/published_flows.h"
 #include "cases/compare_cfd_dem/trends.h"
+#include "cases/files/html_image.h"
 #include "cases/files/output_file.h"
-#include "cases/files/text_file.h"
 
 namespace lahar::study {
 
@@ -188,19 +188,6 @@ std::vector<Figure> figures_of(const std::vector<CaseResult>& results) {
   return figures;
 }
 
-std::string base64(const std::string& bytes) {
-  static constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    std::uint32_t three = 0;
-    const std::size_t there = std::min<std::size_t>(3, bytes.size() - k);
-    for (std::size_t n = 0; n < 3; ++n)
-      three = three << 8 | (n < there ? static_cast<unsigned char>(bytes[k + n]) : 0U);
-    for (std::size_t n = 0; n < 4; ++n) text += n <= there ? kLetters[three >> (18 - 6 * n) & 63] : '=';
-  }
-  return text;
-}
-
 namespace {
 
 std::string shown(double x) { return std::isfinite(x) ? fmt::format("{:.4g}", x) : std::string("-"); }
@@ -244,8 +231,7 @@ std::string pictures_of(const CaseResult& c, const char* stem) {
   constexpr std::size_t kShown = 4;
   for (std::size_t k = 1; k <= std::min(kShown, files.size()); ++k) {
     const auto& file = files[(files.size() - 1) * k / std::min(kShown, files.size())];
-    html += fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">", file.filename().string(),
-                        base64(cases::read_text_file(file)));
+    html += cases::html_image(file);
   }
   return html + "</div>\n";
 }
@@ -295,9 +281,7 @@ void write_report(const std::vector<CaseResult>& results, const Sitting& sitting
   for (const Figure& figure : figures_of(results)) {
     const std::filesystem::path file = folder / (figure.file + ".svg");
     figure.chart.write_all(file);
-    const std::string svg = cases::read_text_file(file);
-    html += "<figure>" + svg.substr(std::min(svg.find("<svg"), svg.size())) + "<figcaption>" + figure.caption +
-            "</figcaption></figure>\n";
+    html += "<figure>" + cases::html_image(file) + "<figcaption>" + figure.caption + "</figcaption></figure>\n";
   }
   html += "<h2>Flow by flow</h2>\n";
   for (const Choice& sweep : sweeps()) {

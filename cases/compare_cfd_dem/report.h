@@ -29,7 +29,4 @@ struct Sitting {
 /// needs no other file. Throws cases::FileError.
 void write_report(const std::vector<CaseResult>& results, const Sitting& sitting, const std::filesystem::path& folder);
 
-/// RFC 4648.
-std::string base64(const std::string& bytes);
-
 }  // namespace lahar::study

@@ -91,7 +91,8 @@ std::string text_markup(const std::string& text, float size) {
   std::string markup;
   bool open = false;
   for (std::size_t at = 0; at < text.size(); ++at) {
-    if (!open && (text[at] == '^' || text[at] == '_') && at + 1 < text.size() && text[at + 1] == '{') {
+    if (!open && (text[at] == '^' || text[at] == '_') && at + 1 < text.size() && text[at + 1] == '{' &&
+        text.find('}', at) != std::string::npos) {
       markup += moved_span(text[at] == '^' ? kRaise : kLower, size);
       open = true, ++at;
     } else if (open && text[at] == '}') {
@@ -101,7 +102,6 @@ std::string text_markup(const std::string& text, float size) {
       append_escaped(markup, text, at);
     }
   }
-  require(!open, "text_markup: a brace is not closed");
   return markup;
 }
 

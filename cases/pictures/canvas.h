@@ -28,8 +28,8 @@ inline constexpr float kCapHeight = 0.72F;
 enum class Hold { start, middle, end };
 
 /// Pango markup for text in which ^{...} is raised and _{...} is lowered, as in "kg m^{-3}". A hyphen before a digit
-/// that follows neither a letter nor a digit becomes a minus sign. `size` is that of the
-/// font. Throws std::logic_error for an open brace.
+/// that follows neither a letter nor a digit becomes a minus sign. A brace that is not closed stays as it is. `size` is
+/// that of the font.
 [[nodiscard]] std::string text_markup(const std::string& text, float size);
 
 class Canvas {

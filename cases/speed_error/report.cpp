@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/files/html_image.h"
 #include "cases/files/output_file.h"
-#include "cases/files/text_file.h"
 #include "cases/pictures/chart.h"
 #include "cases/speed_error/pareto.h"
 #include "cases/validate/entry.h"
@@ -179,12 +179,11 @@ void write_results(const std::vector<ProblemResult>& results, const Sitting& sit
   for (const ProblemResult& result : results) {
     const std::filesystem::path picture = folder / (result.problem.name + ".svg");
     chart_of(result).write_all(picture);
-    const std::string svg = cases::read_text_file(picture);
     html += fmt::format(
         "<h2>{}</h2>\n<p>Error: {}, against {} values. Defaults: {}; {}.</p>\n", result.problem.name,
         result.problem.error, result.problem.against, result.problem.defaults,
         defaults_beaten_by(result) <= 1 ? "on the front" : fmt::format("beaten by {:.2f}", defaults_beaten_by(result)));
-    html += svg.substr(std::min(svg.find("<svg"), svg.size())) + table_of(result);
+    html += cases::html_image(picture) + table_of(result);
   }
   cases::replace_text_file(folder / "report.html", html + "</body></html>\n");
 }

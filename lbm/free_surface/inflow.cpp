@@ -6,15 +6,24 @@
 
 #include "core/check.h"
 #include "lbm/free_surface/covered_cells.h"
+#include "lbm/free_surface/touching.h"
+#include "lbm/grid/block_geometry.h"
 #include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
 
 namespace {
 
-constexpr double kNothingDue = 1e-12;  // cells
-constexpr int kReachOfWalls = 2;       // cells: beside liquid cells there are interface cells, which walls hold
-constexpr double kLeastHeld = 1e-3;    // cells: of what little a column holds
+constexpr double kNothingDue = 1e-6;  // cells: more than stored masses are rounded by, even in float
+constexpr int kReachOfWalls = 2;      // cells: beside liquid cells there are interface cells, which walls hold
+constexpr double kLeastHeld = 1e-3;   // cells: of what little a column holds
+
+/// The horizontal axis that liquid comes along, by the larger component of its velocity; -1 if it comes vertically.
+int stream_axis(const Vec3& velocity) {
+  const int axis = std::abs(velocity.x()) >= std::abs(velocity.y()) ? 0 : 1;
+  constexpr double rounding = 1e-6;
+  return std::abs(velocity[axis]) > rounding * velocity.norm() ? axis : -1;
+}
 
 }  // namespace
 
@@ -29,24 +38,35 @@ Inflow<Real>::Inflow(InflowOptions options, const Domain& domain) : options_(std
     last_[a] = cell(options_.upper[a]) - 1;
     require(first_[a] <= last_[a], "Inflow: the box holds the centre of no cell");
   }
-  for (int x = first_.x(); x <= last_.x(); ++x)
-    for (int y = first_.y(); y <= last_.y(); ++y) (has_wall_behind(domain, x, y) ? at_wall_ : free_).emplace_back(x, y);
+  // Row by row along the stream: one that lies wholly at a wall is fed as any other.
+  const int along = std::max(0, stream_axis(options_.velocity)), across = 1 - along;
+  for (int c = first_[across]; c <= last_[across]; ++c) {
+    std::vector<Eigen::Vector2i> free, at_wall;
+    for (int a = first_[along]; a <= last_[along]; ++a) {
+      Eigen::Vector2i at;
+      at[along] = a, at[across] = c;
+      (has_wall_behind(domain, at.x(), at.y()) ? at_wall : free).push_back(at);
+    }
+    if (free.empty()) free.swap(at_wall);
+    free_.insert(free_.end(), free.begin(), free.end());
+    at_wall_.insert(at_wall_.end(), at_wall.begin(), at_wall.end());
+  }
 }
 
-/// Whether all cells of a column that can take liquid have a wall close by on the side that the liquid comes from, by
-/// the larger horizontal component of its velocity.
+/// Whether all cells of a column that can take liquid have a wall close by on the side that the liquid comes from, or
+/// an open face beside them, through which it would leave.
 template <class Real>
 bool Inflow<Real>::has_wall_behind(const Domain& domain, int x, int y) const {
-  const Vec3& u = options_.velocity;
-  const int axis = std::abs(u.x()) >= std::abs(u.y()) ? 0 : 1;
-  if (u[axis] == 0) return false;
-  const Vec3i behind = Vec3i::Unit(axis) * (u[axis] > 0 ? -1 : 1);
+  const int axis = stream_axis(options_.velocity);
+  if (axis < 0) return false;
+  const Vec3i behind = Vec3i::Unit(axis) * (options_.velocity[axis] > 0 ? -1 : 1);
+  const auto type = [&](const Vec3i& cell) { return domain.classify(image_of(domain, cell)); };
   for (int z = first_.z(); z <= last_.z(); ++z) {
     const Vec3i cell(x, y, z);
-    if (domain.classify(cell) != CellType::gas) continue;
-    bool wall = false;
-    for (int n = 1; n <= kReachOfWalls; ++n) wall = wall || domain.classify(cell + n * behind) == CellType::wall;
-    if (!wall) return false;
+    if (type(cell) != CellType::gas) continue;
+    bool held = type(cell + behind) == CellType::sink;
+    for (int n = 1; n <= kReachOfWalls; ++n) held = held || type(cell + n * behind) == CellType::wall;
+    if (!held) return false;
   }
   return true;
 }
@@ -60,7 +80,7 @@ double Inflow<Real>::volume_due(const FluidGrid<Real>& grid, double time, double
 
 template <class Real>
 void Inflow<Real>::make_room(FluidGrid<Real>& grid, double time, double duration) const {
-  if (std::abs(volume_due(grid, time, duration)) < kNothingDue) return;
+  if (volume_due(grid, time, duration) < kNothingDue) return;
   const Vec3i first = block_of(first_), last = block_of(last_);
   std::vector<Vec3i> blocks;
   for (int x = first.x(); x <= last.x(); ++x)
@@ -73,7 +93,7 @@ template <class Real>
 void Inflow<Real>::feed(FluidLevel<Real>& level, CellConversion<Real>& conversion, double time, double duration,
                         std::int64_t step, LiquidAccount& account) {
   owed_ = volume_due(level.grid, time, duration);
-  if (std::abs(owed_) < kNothingDue) return;
+  if (owed_ < kNothingDue) return;
   cells_.clear();
   columns_.clear();
   collect(level, conversion, free_);
@@ -157,8 +177,9 @@ double Inflow<Real>::dose(FluidLevel<Real>& level, const Column& column, double 
     const Block<Real>& block = grid.block(t.place.block);
     t.moments = outgoing_moments(grid, t.place, level.parity());
     t.liquid = block.type[static_cast<std::size_t>(t.place.cell)] == CellType::liquid;
-    t.held =
+    const double mass_of_cell =
         t.liquid ? 1 + static_cast<double>(t.moments.drho) : static_cast<double>(block.surface->mass[t.place.cell]);
+    t.held = mass_of_cell - static_cast<double>(body_share(block, t.place.cell));
   }
   share_out(takers, mass);
 

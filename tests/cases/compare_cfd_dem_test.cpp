@@ -397,13 +397,6 @@ TEST(Report, FiguresHoldWhatCasesHave) {
   EXPECT_FALSE(curves.contains("flows_net_impulse_grains"));
 }
 
-TEST(Report, Base64) {  // RFC 4648, section 10
-  EXPECT_EQ(base64(""), "");
-  EXPECT_EQ(base64("f"), "Zg==");
-  EXPECT_EQ(base64("fo"), "Zm8=");
-  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
-}
-
 TEST(Report, IsWholeAndNeedsNoOtherFile) {
   const cases::TestFolder folder;
   const std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(3, 40, 10), made_up(4.1, 50, 10)};
@@ -414,7 +407,7 @@ TEST(Report, IsWholeAndNeedsNoOtherFile) {
   std::ostringstream html;
   html << std::ifstream(folder.path() / "report.html").rdbuf();
   EXPECT_NE(html.str().find("</html>"), std::string::npos);
-  EXPECT_NE(html.str().find("<svg"), std::string::npos);
+  EXPECT_NE(html.str().find("src=\"data:image/svg+xml;base64,"), std::string::npos);
   EXPECT_NE(html.str().find("a-case"), std::string::npos);
   for (const char* of_the_case : {"<td>aaa</td>", "<td>bbb</td>"})
     EXPECT_NE(html.str().find(of_the_case), std::string::npos) << of_the_case;
@@ -444,12 +437,13 @@ TEST(Report, OpensInABrowser) {
   write_report(results, {"commit", "today", {}}, folder.path());
   std::ofstream(folder.path() / "probe.html") << R"(<!DOCTYPE html><p id="found"></p><iframe src="report.html"
     width="1200" height="900" onload="
-    const d = this.contentDocument, all = s => [...d.querySelectorAll(s)];
+    const d = this.contentDocument, all = s => [...d.querySelectorAll(s)], drawings = all('figure > img');
     const asked = this.contentWindow.performance.getEntriesByType('resource').filter(r => !r.name.startsWith('data:'));
     document.getElementById('found').textContent = [
-      'tables', all('table').length, 'drawings', all('svg').length,
-      'flat', all('svg').filter(s => s.getBoundingClientRect().width < 100).length, 'pictures', d.images.length,
-      'broken', [...d.images].filter(i => i.naturalWidth != 40).length, 'asked', asked.length].join(' ');
+      'tables', all('table').length, 'drawings', drawings.length,
+      'flat', drawings.filter(s => s.naturalWidth < 100).length, 'pictures', all('.pictures > img').length,
+      'broken', all('.pictures > img').filter(i => i.naturalWidth != 40).length,
+      'shared names', all('[id]').length, 'asked', asked.length].join(' ');
     "></iframe>)";
   const std::string dom = printed_by(
       "chromium-headless-shell --no-sandbox --disable-gpu --allow-file-access-from-files "
@@ -457,8 +451,9 @@ TEST(Report, OpensInABrowser) {
       (std::filesystem::absolute(folder.path()) / "probe.html").string() + "' 2>/dev/null");
   const std::size_t drawings = figures_of(results).size();
   EXPECT_GT(drawings, 5u);
-  EXPECT_NE(dom.find("tables 2 drawings " + std::to_string(drawings) + " flat 0 pictures 4 broken 0 asked 0<"),
-            std::string::npos)
+  EXPECT_NE(
+      dom.find("tables 2 drawings " + std::to_string(drawings) + " flat 0 pictures 4 broken 0 shared names 0 asked 0<"),
+      std::string::npos)
       << dom;
 }
 
@@ -574,6 +569,24 @@ TEST(StudyFolder, CasesThatCannotBeLoadedAreLeftOut) {
             0)
       << content_of(folder / "messages");
   EXPECT_TRUE(std::filesystem::exists(folder / "out" / "report.html"));
+}
+
+/// One damaged case costs the others neither their page nor their list.
+TEST(StudyFolder, DamagedCasesAreLeftOutAndNamed) {
+  const cases::TestFolder folder;
+  Selection selection{.sweeps = {"matched"}, .couplings = {"resolved"}, .releases = {4.1}};
+  const StudyCase damaged = cases_of(selection).at(0);
+  const auto left = folder / "out" / damaged.name();
+  std::filesystem::create_directories(left);
+  std::ofstream(left / "scene.resolved.toml") << scene::to_toml(scene::load(damaged.scene_file(), damaged.changes()));
+  std::ofstream(left / "summary.json") << "{\"simulated_seconds\": 4";
+  const std::string asked = " --sweep matched --release 4.1 --out '" + (folder / "out").string() + "'";
+  for (const std::string coupling : {"averaged", "resolved"})
+    EXPECT_EQ(run_study("--report --coupling " + coupling + asked, folder / "messages"), 0);
+  EXPECT_NE(content_of(folder / "messages").find(damaged.name() + " is left out: "), std::string::npos)
+      << content_of(folder / "messages");
+  EXPECT_TRUE(std::filesystem::exists(folder / "out" / "report.html"));
+  EXPECT_EQ(run_study("--list" + asked, folder / "messages"), 0) << content_of(folder / "messages");
 }
 
 TEST(Jobs, ARunThatFailsIsNamedWithItsLog) {

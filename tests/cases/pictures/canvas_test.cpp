@@ -114,7 +114,7 @@ TEST(TextMarkup, RaisesLowersAndEscapes) {
   EXPECT_EQ(text_markup("-5 to -3, CFD-DEM, 2-3", 10), "\u22125 to \u22123, CFD-DEM, 2-3");
   EXPECT_NE(text_markup("m^{2}", 10).find("<span "), std::string::npos);
   EXPECT_EQ(text_markup("a^b_c", 10), "a^b_c");
-  EXPECT_THROW((void)text_markup("m^{2", 10), std::logic_error);
+  EXPECT_EQ(text_markup("m^{2", 10), "m^{2");
 }
 
 TEST(TextMarkup, RaisedLettersAreSmallAndHigh) {
