@@ -178,13 +178,16 @@ void check_cells(const Scene& scene, Findings& findings) {
     return findings.mistake(path, fmt::format("{} is {:g}: {:.3g} cells along the domain, expected at most {:.0f}",
                                               path, dx, extent.maxCoeff() / dx, most_along_axis));
   if (!findings.sound({"fluid.region"})) return;
-  const double need = liquid_cells(scene) * static_cast<double>(fluid_bytes_per_cell(scene.run.precision));
+  const double nodes = findings.sound({"coupling"}) ? averaging_nodes(scene) * kBytesPerNode : 0;
+  const double need = liquid_cells(scene) * static_cast<double>(fluid_bytes_per_cell(scene.run.precision)) + nodes;
   const auto have = static_cast<double>(physical_memory());
   if (need > have)
-    findings.mistake(path,
-                     fmt::format("{} is {:g}: the liquid alone takes {:.3g} cells and {:.1f} GB, expected at most "
-                                 "the {:.1f} GB of this machine",
-                                 path, dx, liquid_cells(scene), need * 1e-9, have * 1e-9));
+    findings.mistake(
+        path, fmt::format("{} is {:g}: the liquid alone takes {:.3g} cells{} and {:.1f} GB, expected at most "
+                          "the {:.1f} GB of this machine",
+                          path, dx, liquid_cells(scene),
+                          nodes > 0 ? fmt::format(", averages {:.3g} nodes", averaging_nodes(scene)) : "", need * 1e-9,
+                          have * 1e-9));
 }
 
 void check_periodic(const Scene& scene, Findings& findings) {

@@ -2,10 +2,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <variant>
 
 #include "cases/assembly/geometry.h"
+#include "coupling/grains/averaging_grid.h"
 
 namespace lahar::scene {
 
@@ -30,6 +32,15 @@ double share_of_box(const FluidRegion& region) {
 std::size_t fluid_bytes_per_cell(Precision precision) {
   constexpr std::size_t numbers = 19 + 3 + 7, flags = 6;
   return numbers * (precision == Precision::float32 ? sizeof(float) : sizeof(double)) + flags;
+}
+
+double averaging_nodes(const Scene& scene) {
+  if (!scene.coupling.enabled || !scene.fluid.enabled || scene.coupling.grains != GrainFluid::averaged) return 0;
+  const double dx = scene.fluid.cell_size, length = std::max(scene.coupling.averaging_length, dx);
+  double nodes = 1;
+  for (const double extent : scene.domain.upper - scene.domain.lower)
+    nodes *= coupling::AveragingGrid::divisions(dx * std::ceil(extent / dx - 1e-9), length);
+  return nodes;
 }
 
 double liquid_cells(const Scene& scene) {

@@ -12,6 +12,12 @@ std::size_t fluid_bytes_per_cell(Precision precision);
 /// Bytes that a grain or a bead takes, with its neighbours, contacts and bonds.
 inline constexpr double kBytesPerParticle = 1000;
 
+/// Nodes of the averaged coupling, which stand in the whole domain; 0 without it.
+double averaging_nodes(const Scene& scene);
+
+/// Bytes that a node of the averaged coupling takes in memory (AveragedExchange::Node) and in a checkpoint.
+inline constexpr double kBytesPerNode = 104, kStoredBytesPerNode = 40;
+
 /// Cells of the liquid at the start (the sum over regions; overlaps count twice).
 double liquid_cells(const Scene& scene);
 

@@ -91,8 +91,9 @@ FluidFigures fluid_figures(const scene::Scene& scene) {
   f.start_blocks = blocks_at_start(scene);
   const double all_blocks = cells.unaryExpr([](double n) { return std::ceil((n + 2) / 8); }).prod();
   f.expected_blocks = std::min(all_blocks, spreading * (f.start_blocks + f.inflow_cells / 512));
-  f.start_bytes = f.start_blocks * bytes_per_block;
-  f.expected_bytes = f.expected_blocks * bytes_per_block;
+  const double node_bytes = scene::averaging_nodes(scene) * scene::kBytesPerNode;
+  f.start_bytes = f.start_blocks * bytes_per_block + node_bytes;
+  f.expected_bytes = f.expected_blocks * bytes_per_block + node_bytes;
   f.max_speed = expected_max_speed(scene);
   f.time_step = fluid_time_step(scene);
   f.steps = std::ceil(scene.run.duration / f.time_step);
@@ -143,7 +144,7 @@ SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<Flui
 
 /// Bytes of a checkpoint: 19 populations and the type of every cell, three numbers of the surface, twelve of the
 /// bodies; what is known of a particle with its neighbours and contacts, of a bond, and of a grain's mapping into the
-/// fluid.
+/// fluid or of the nodes that it is averaged at.
 double checkpoint_bytes(const scene::Scene& scene, const CheckReport& report, double blocks) {
   constexpr double small_parts = 1e5, particle = 500, bond = 150, mapping = 250;
   double bytes = small_parts;
@@ -155,6 +156,7 @@ double checkpoint_bytes(const scene::Scene& scene, const CheckReport& report, do
     bytes += particle * static_cast<double>(report.solids->grains + report.solids->beads);
     bytes += bond * static_cast<double>(report.solids->beads);
     if (report.fluid) bytes += mapping * static_cast<double>(report.solids->grains);
+    bytes += scene::averaging_nodes(scene) * scene::kStoredBytesPerNode;
   }
   return bytes;
 }

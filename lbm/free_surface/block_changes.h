@@ -91,7 +91,7 @@ struct BlockChanges {
 
 /// What a block noted for its neighbours, as bits: asked before its changes are looked at, which are seldom in the
 /// cache.
-enum Noted : std::uint8_t { kFilled = 1, kEmptied = 2, kGifts = 4, kClaims = 8, kSpills = 16 };
+enum Noted : std::uint8_t { kFilled = 1, kEmptied = 2, kGifts = 4, kClaims = 8, kSpills = 16, kOwing = 32 };
 
 /// The changes of all blocks, and which blocks a change reaches.
 template <class Real>
@@ -113,7 +113,8 @@ class LevelChanges {
     const BlockChanges<Real>& c = of(b);
     noted_[static_cast<std::size_t>(b)] = static_cast<std::uint8_t>(
         (c.flagged.filled.empty() ? 0 : kFilled) | (c.flagged.emptied.empty() ? 0 : kEmptied) |
-        (c.gifts.empty() ? 0 : kGifts) | (c.claims.empty() ? 0 : kClaims) | (c.spills.empty() ? 0 : kSpills));
+        (c.flagged.owing.empty() ? 0 : kOwing) | (c.gifts.empty() ? 0 : kGifts) | (c.claims.empty() ? 0 : kClaims) |
+        (c.spills.empty() ? 0 : kSpills));
   }
 
   /// Marks the blocks that cells of a block are next to; one thread.

@@ -17,6 +17,8 @@ constexpr double kThreshold = 0.01;  ///< beyond full or empty before a cell con
 /// More where a body moves: its share of a cell changes by up to its speed in a step, and the mixture follows a step or
 /// two later. In lu by its speed; and the most that is added (docs/decisions/0052).
 constexpr double kThresholdBySpeed = 2, kLargestAtBodies = 0.1;
+/// Liquid that a cell may owe while it waits for a filled neighbour: above the thresholds.
+constexpr double kLargestDebt = 0.2;
 constexpr double kThinFill = 0.1;  ///< liquid share under which a draining cell with no liquid neighbour is given up
 
 constexpr int kSharpBend = 7;  ///< of 18 neighbours: more gas than liquid around a spike, less in a pit
@@ -149,7 +151,11 @@ class BlockJudge {
                           ? judge_covered(grid_, place, block_.at_rim[cell])
                           : judge(grid_, place, surface_.mass[cell], rho, block_.at_rim[cell], draining);
     if (v == Verdict::fill) flagged_.filled.add(cell);
-    if (v == Verdict::empty) flagged_.emptied.add(cell);
+    if (v == Verdict::empty) {
+      flagged_.emptied.add(cell);
+      const Real liquid = surface_.mass[cell] - body_share(block_, cell);
+      if (liquid < static_cast<Real>(-kLargestDebt)) flagged_.owing.add(cell);
+    }
     if (moving_ && v == Verdict::stay && surface_.alone[cell]) flag_drop(grid_, place, parity_, round_, flagged_.drops);
   }
 

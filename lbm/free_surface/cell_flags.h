@@ -13,9 +13,10 @@ namespace lahar::lbm {
 template <class Real>
 struct Flagged {
   CellSet filled, emptied;
+  CellSet owing;  ///< of the emptied, those that owe so much that they cannot wait (conversion.h)
   std::vector<Drop<Real>> drops;
   [[nodiscard]] bool empty() const { return filled.empty() && emptied.empty() && drops.empty(); }
-  void clear() { filled.clear(), emptied.clear(), drops.clear(); }
+  void clear() { filled.clear(), emptied.clear(), owing.clear(), drops.clear(); }
 };
 
 /// Flags one block's interface cells and sets their fill levels from their new mass; returns what left at the rim.

@@ -25,8 +25,21 @@ const CellSet& filled_in(const BlockChanges<Real>& changes) {
 }
 
 template <class Real>
+const CellSet& owing_in(const BlockChanges<Real>& changes) {
+  return changes.flagged.owing;
+}
+
+template <class Real>
 const CellSet& emptied_in(const BlockChanges<Real>& changes) {
   return changes.flagged.emptied;
+}
+
+/// But a cell beside one that owes much does not fill in this step: among bodies cells fill and open by turns, and what
+/// lies beside them would owe more in every step that it waits (docs/decisions/0093).
+template <class Real>
+void wait_beside_owing(const FluidGrid<Real>& grid, LevelChanges<Real>& changes, BlockIndex b) {
+  CellSet& filled = changes.of(b).flagged.filled;
+  if (!filled.empty()) changes.for_each_beside(grid, b, kOwing, owing_in<Real>, [&](int cell) { filled.remove(cell); });
 }
 
 }  // namespace
@@ -68,6 +81,7 @@ template <class Real>
 void CellConversion<Real>::run(FluidLevel<Real>& level, LiquidAccount& account) {
   FluidGrid<Real>& grid = level.grid;
   find_reached(grid);
+  for_reached([&](BlockIndex b) { wait_beside_owing(grid, *changes_, b); });
   for_reached([&](BlockIndex b) { keep_beside_filled(grid, b); });
   for_reached([&](BlockIndex b) { change_types(grid, b); });
   if (drops_) {

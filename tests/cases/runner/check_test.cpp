@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cases/assembly/estimates.h"
+#include "cases/assembly/memory.h"
 #include "coupling/coupling_options.h"
 #include "tests/cases/scene/scene_files.h"
 
@@ -158,6 +159,21 @@ enabled = true
   bearable.push_back("fluid.max_speed_m_s=6");
   EXPECT_FALSE(warns(check_scene(scene::load_text(text, bearable)), key));
   EXPECT_FALSE(warns(check_scene(scene::load_text(text, {"grains.sphere[0].position_m=[0.5, 0.5, 0.06]"})), key));
+}
+
+/// Nodes of the averaged coupling stand in the whole domain, wet or not.
+TEST(Check, CountsTheNodesOfAverages) {
+  const auto averaged = [](const char* length) {
+    return check_scene(load(case_file("compare_cfd_dem/as_printed.toml"),
+                            {"coupling.grains=averaged", std::string("coupling.averaging_length_m=") + length}));
+  };
+  const CheckReport coarse = averaged("0.16"), fine = averaged("0.08");
+  const Vec3 lengths = coarse.solids->averaging_lengths->cwiseInverse(),
+             halves = fine.solids->averaging_lengths->cwiseInverse();
+  const scene::Scene s = load(case_file("compare_cfd_dem/as_printed.toml"));
+  const double more = (halves.prod() - lengths.prod()) * (s.domain.upper - s.domain.lower).prod();
+  EXPECT_NEAR((fine.fluid->start_bytes - coarse.fluid->start_bytes) / (more * scene::kBytesPerNode), 1, 0.05);
+  EXPECT_NEAR((fine.checkpoint_bytes - coarse.checkpoint_bytes) / (more * scene::kStoredBytesPerNode), 1, 0.05);
 }
 
 TEST(Check, DoubleTakesTwiceTheMemory) {

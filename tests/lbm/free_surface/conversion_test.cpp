@@ -45,6 +45,30 @@ TEST(CellConversion, ListsAgreeWithTypes) {
   }
 }
 
+/// A cell that owes liquid beside one that is to fill: one that owes little waits for another step, one that owes much
+/// empties, and its neighbours pay (docs/decisions/0093).
+TEST(CellConversion, DebtsDoNotWaitForCellsThatFill) {
+  for (const double debt : {0.1, 0.6}) {
+    Fluid<double> fluid(tank_options(Vec3(0.32, 0.32, 0.4), 0.02, 3.0, 0.1));
+    fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.21)}});
+    FluidGrid<double>& grid = fluid.grid();
+    const auto place = [&](const Vec3i& cell) {
+      return CellPlace{grid.topology().find(block_of(cell)), cell_index(cell.x() & 7, cell.y() & 7, cell.z() & 7)};
+    };
+    // The one that owes and the one that fills lie in two blocks.
+    const CellPlace owing = place(Vec3i(8, 9, 11)), filling = place(Vec3i(7, 9, 11));
+    ASSERT_EQ(grid.type(owing), CellType::interface);
+    ASSERT_EQ(grid.type(filling), CellType::interface);
+    grid.block(owing.block).surface->mass[owing.cell] = -debt;
+    grid.block(filling.block).surface->mass[filling.cell] = 1.3;
+    const double before = fluid.liquid_mass();
+    fluid.step();
+    EXPECT_EQ(grid.type(owing), debt > 0.2 ? CellType::gas : CellType::interface) << debt;
+    EXPECT_EQ(grid.type(filling), debt > 0.2 ? CellType::interface : CellType::liquid) << debt;
+    EXPECT_NEAR(fluid.liquid_mass() / before, 1, 1e-13);
+  }
+}
+
 /// A single cell of liquid in the air has no neighbour to give its mass to: nothing is lost.
 TEST(CellConversion, LonelyDropKeepsItsMass) {
   FluidOptions o = tank_options(Vec3(0.4, 0.4, 0.4), 0.02, 3.0);
