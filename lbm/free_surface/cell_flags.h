@@ -13,7 +13,7 @@ namespace lahar::lbm {
 template <class Real>
 struct Flagged {
   CellSet filled, emptied;
-  CellSet owing;  ///< of the emptied, those that owe so much that they cannot wait (conversion.h)
+  CellSet owing;  ///< of the emptied, those that owe so much that they cannot wait (conversion.cpp)
   std::vector<Drop<Real>> drops;
   [[nodiscard]] bool empty() const { return filled.empty() && emptied.empty() && drops.empty(); }
   void clear() { filled.clear(), emptied.clear(), owing.clear(), drops.clear(); }

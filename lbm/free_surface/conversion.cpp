@@ -34,7 +34,7 @@ const CellSet& emptied_in(const BlockChanges<Real>& changes) {
   return changes.flagged.emptied;
 }
 
-/// But a cell beside one that owes much does not fill in this step: among bodies cells fill and open by turns, and what
+/// A cell beside one that owes much does not fill in this step: among bodies cells fill and open by turns, and what
 /// lies beside them would owe more in every step that it waits (docs/decisions/0093).
 template <class Real>
 void wait_beside_owing(const FluidGrid<Real>& grid, LevelChanges<Real>& changes, BlockIndex b) {
@@ -119,7 +119,7 @@ void CellConversion<Real>::find_reached(const FluidGrid<Real>& grid) {
   changes_->list_reached(grid);
 }
 
-/// Filling wins: a cell beside a filled one does not empty.
+/// Else filling wins: a cell beside a filled one does not empty.
 template <class Real>
 void CellConversion<Real>::keep_beside_filled(const FluidGrid<Real>& grid, BlockIndex b) {
   CellSet& emptied = changes_->of(b).flagged.emptied;

@@ -4,9 +4,9 @@
 // (isolated_liquid.h).
 //
 // Koerner et al. 2005, section 2.3, with: thresholds 1.01 and -0.01, wider at moving bodies (cell_flags.cpp); filling
-// wins over emptying; refilling by equilibrium (refilling.h). Where a body covers part of a cell the mass of the cell
-// includes the body's share: empty means that only the body is left (docs/coupling.md). Spray moves on as a whole
-// (drop_moves.h). Voids are closed (voids.h).
+// wins over emptying, but for cells that owe much (conversion.cpp); refilling by equilibrium (refilling.h). Where a
+// body covers part of a cell the mass of the cell includes the body's share: empty means that only the body is left
+// (docs/coupling.md). Spray moves on as a whole (drop_moves.h). Voids are closed (voids.h).
 #include <memory>
 #include <vector>
 

@@ -6,9 +6,10 @@
 // get it as mass, which makes no pressure, so that a stream that comes from a dry box leaves it as a wedge, at its
 // velocity (docs/decisions/0091). Liquid cells get the rest as density (their rest population) and push it out. Where a
 // column is dry its lowest free cell is wetted, so that the box fills from below and works on a dry bed, under water
-// and in between. Columns with a wall behind them (upstream) take only what the others cannot: the wall would hold what
-// comes there. What the cells cannot take in a step (kLargestDose each) waits for the next. All that entered is booked
-// in LiquidAccount::inflow, from the numbers as they were stored.
+// and in between. Columns with a wall close behind them (upstream) take only what the others cannot: the wall would
+// hold what comes there, as do those beside an open face, through which it would leave. What the cells cannot take in a
+// step (kLargestDose each) waits for the next. All that entered is booked in LiquidAccount::inflow, from the numbers as
+// they were stored.
 #include <span>
 #include <string>
 

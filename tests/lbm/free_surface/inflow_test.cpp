@@ -102,7 +102,7 @@ TEST(Inflow, BringsItsMomentum) {
 
 struct Sheet {
   double momentum = 0;  ///< over that of what came in
-  double volume = 0;    ///< of what the cells show, over that of what came in: below 1 nowhere hides less than nothing
+  double volume = 0;    ///< of what the cells show, over that of what came in: above 1 where some owe
   double depth = 0;     ///< cells, mean behind the front
 };
 
