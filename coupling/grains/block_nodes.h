@@ -7,6 +7,7 @@
 
 #include "coupling/grains/averaging_grid.h"
 #include "coupling/rows.h"
+#include "lbm/grid/row_types.h"
 #include "lbm/step/row_moments.h"
 
 namespace lahar::coupling {
@@ -53,21 +54,36 @@ struct WaterSum {
   double sum[4] = {};  ///< volume, momentum along x, y, z
 };
 
+/// Velocity of the water in a row of cells, between what a step's pressure and forces do to it; of interface cells,
+/// where what comes in is not known yet, after the last step's.
+template <class Real>
+std::array<Row<Real>, 3> water_velocity(const lbm::FluidGrid<Real>& grid, lbm::BlockIndex b, int row,
+                                        lbm::Parity parity) {
+  const std::uint64_t types = lbm::types_of_row(grid.block(b), row);
+  const unsigned liquid = lbm::liquid_cells(types), interface = lbm::interface_cells(types);
+  const int first = lbm::kBlockWidth * row;
+  std::array<Row<Real>, 3> u{Row<Real>(0), Row<Real>(0), Row<Real>(0)};
+  const auto take = [&](unsigned cells, const lbm::RowMoments<Real>& m) {
+    const auto some = Row<Real>::mask_type::from_bits(cells);
+    for (std::size_t a = 0; a < 3; ++a) u[a] = select(some, m.u[a], u[a]);
+  };
+  if (liquid != 0) take(liquid, lbm::moments_half_a_step_on(grid.around(b), first, parity));
+  if (interface != 0) take(interface, lbm::outgoing_moments_of_row(grid.around(b), first, parity));
+  return u;
+}
+
 /// What the cells of a block have, by node, lu. `parity` is that of the coming step.
 template <class Real>
 std::vector<WaterSum> sum_water(const lbm::FluidGrid<Real>& grid, lbm::BlockIndex b, lbm::Parity parity,
                                 const BlockNodes<Real>& nodes) {
   const lbm::Block<Real>& block = grid.block(b);
-  lbm::BlockMoments<Real> moments;
-  lbm::find_moments(grid, b, parity, moments);
   std::vector<std::array<Row<Real>, 4>> rows(static_cast<std::size_t>(nodes.count.y() * nodes.count.z()),
                                              {Row<Real>(0), Row<Real>(0), Row<Real>(0), Row<Real>(0)});
   for (std::uint64_t left = block.wet_rows; left != 0; left &= left - 1) {
-    const int row = std::countr_zero(left), n = lbm::kBlockWidth * row;
+    const int row = std::countr_zero(left);
     const Row<Real> water = water_in(block, row);
-    Row<Real> carried[4] = {water, water, water, water};
-    for (int a = 0; a < 3; ++a)
-      carried[a + 1] = select(water > Row<Real>(0), water * load_aligned<Row<Real>>(moments.u[a] + n), Row<Real>(0));
+    const auto u = water_velocity(grid, b, row, parity);
+    const Row<Real> carried[4] = {water, water * u[0], water * u[1], water * u[2]};
     nodes.around_row(row & 7, row >> 3, [&](int j, int k, Real weight) {
       auto& sums = rows[static_cast<std::size_t>(j * nodes.count.z() + k)];
       for (std::size_t q = 0; q < 4; ++q) sums[q] += weight * carried[q];

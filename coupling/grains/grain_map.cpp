@@ -28,7 +28,7 @@ void GrainMap<Real>::update(const lbm::Fluid<Real>& fluid, const dem::Particles&
                             const ShapeSphere<Real>& shape) {
   collect(fluid, particles, shape);
   by_block_.sort(pairs_, fluid.grid().topology().capacity());
-  normalize();
+  normalize(fluid);
   forgotten_ = false;
 }
 

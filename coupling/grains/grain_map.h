@@ -88,7 +88,7 @@ class GrainMap {
   void for_blocks(const lbm::Fluid<Real>& fluid, const Reach& reach, const Visit& visit) const;
   [[nodiscard]] GrainChange compare(const lbm::Fluid<Real>& fluid, std::size_t k, std::size_t former) const;
   void write_pairs(const lbm::Fluid<Real>& fluid, std::size_t k);
-  void normalize();
+  void normalize(const lbm::Fluid<Real>& fluid);
 
   std::vector<MappedGrain> grains_, former_;
   std::vector<GridSphere<Real>> spheres_, former_spheres_;

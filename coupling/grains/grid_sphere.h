@@ -10,7 +10,7 @@ struct GridSphere {
   Real radius;       ///< mapping radius
   Real surface;      ///< radius at which the fluid comes to rest (wall_drag.h); below 0: none, weighting by eps
   Real reach;        ///< how far from the centre the exchange of momentum looks at cells
-  Real factor = 1;   ///< scales eps to the exact volume
+  Real factor = 1;   ///< scales eps to the exact volume outside of walls
   Real velocity[3];  ///< lu
   Real spin[3];      ///< rad per step
 };

@@ -48,7 +48,7 @@ struct BodyFields {
   alignas(64) Real lacking_y[kBlockCells];
   alignas(64) Real lacking_z[kBlockCells];
   alignas(64) Real coverage_weight[kBlockCells];  ///< B of the last step; 0 in dry cells
-  /// Velocity after the last collision, lu, in wet cells (SweepParameters::keep_velocity).
+  /// Velocity half-way through the last collision and its forces, lu, in wet cells (SweepParameters::keep_velocity).
   alignas(64) Real velocity_x[kBlockCells];
   alignas(64) Real velocity_y[kBlockCells];
   alignas(64) Real velocity_z[kBlockCells];

@@ -35,6 +35,12 @@ inline unsigned interface_cells(std::uint64_t types) {
   return gather_bytes(types & ~(types >> 1));
 }
 
+/// Liquid (2): wet and no interface.
+inline unsigned liquid_cells(std::uint64_t types) { return wet_cells(types) & ~interface_cells(types); }
+
+/// Walls: the type (3) with both of the lowest bits.
+inline unsigned wall_cells(std::uint64_t types) { return gather_bytes(types & (types >> 1)); }
+
 /// Gas (0) and sinks (4): the types with neither of the lowest two bits.
 inline unsigned empty_cells(std::uint64_t types) { return gather_bytes(~(types | types >> 1)); }
 

@@ -1,6 +1,8 @@
 // How liquid gets into the fluid before the first step.
 #include <algorithm>
+#include <array>
 #include <set>
+#include <span>
 
 #include "lbm/collision/equilibrium.h"
 #include "lbm/free_surface/surface_exchange.h"
@@ -61,14 +63,36 @@ double resting_density(double z, double top, double gravity_z, const LatticeUnit
   return std::max(0.0, std::expm1(-3 * units.acceleration_to_lu(gravity_z) * depth_lu));
 }
 
-/// Volume of the part of a cell that lies in a box, as a fraction of the cell.
-double overlap_fraction(const Vec3& centre, double dx, const LiquidRegion& r) {
-  double fraction = 1;
+/// Of a cell, the volume that lies in a region that is a box and in none of the boxes before it, as a fraction.
+double fraction_in_box(const Vec3& centre, double dx, std::span<const LiquidRegion> before, const LiquidRegion& own) {
+  const Vec3 low = (centre.array() - dx / 2).max(own.lower.array()),
+             high = (centre.array() + dx / 2).min(own.upper.array());
+  if ((high - low).minCoeff() <= 0) return 0;
+  std::vector<const LiquidRegion*> others;
+  for (const LiquidRegion& r : before)
+    if (!r.body && (high.cwiseMin(r.upper) - low.cwiseMax(r.lower)).minCoeff() > 0) others.push_back(&r);
+  if (others.empty()) return (high - low).prod() / (dx * dx * dx);
+  std::array<std::vector<double>, 3> cuts;  // by the faces of all boxes
   for (int a = 0; a < 3; ++a) {
-    const double low = std::max(centre[a] - dx / 2, r.lower[a]), high = std::min(centre[a] + dx / 2, r.upper[a]);
-    fraction *= std::clamp((high - low) / dx, 0.0, 1.0);
+    auto& c = cuts[static_cast<std::size_t>(a)];
+    c = {low[a], high[a]};
+    for (const LiquidRegion* r : others)
+      for (const double face : {r->lower[a], r->upper[a]})
+        if (face > low[a] && face < high[a]) c.push_back(face);
+    std::sort(c.begin(), c.end());
   }
-  return fraction;
+  double volume = 0;
+  for (std::size_t x = 1; x < cuts[0].size(); ++x)
+    for (std::size_t y = 1; y < cuts[1].size(); ++y)
+      for (std::size_t z = 1; z < cuts[2].size(); ++z) {
+        const Vec3 from(cuts[0][x - 1], cuts[1][y - 1], cuts[2][z - 1]), to(cuts[0][x], cuts[1][y], cuts[2][z]);
+        const Vec3 middle = (from + to) / 2;
+        const bool counted = std::any_of(others.begin(), others.end(), [&](const LiquidRegion* r) {
+          return ((middle - r->lower).array() > 0).all() && ((r->upper - middle).array() > 0).all();
+        });
+        if (!counted) volume += (to - from).prod();
+      }
+  return volume / (dx * dx * dx);
 }
 
 /// The same of a body, from its signed distance in eight parts of the cell: exact where the surface is flat and lies
@@ -116,6 +140,7 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
     return resting_density(p.z(), top_over(p, region, regions, dx), options_.gravity.z(), level_.units);
   };
   for (const auto& region : regions) {
+    const std::span<const LiquidRegion> before(regions.data(), &region);
     std::set<BlockIndex> filled;  // along a periodic axis the block beyond the end is the first one again
     const Vec3i low = block_of(level_.grid.domain().cell_at(region.lower)),
                 high = block_of(level_.grid.domain().cell_at(region.upper));
@@ -130,7 +155,7 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
             Block<Real>& block = level_.grid.block(b);
             CellType& type = block.type[static_cast<std::size_t>(n)];
             const double fraction = region.body ? body_fraction(level_.grid.centre(b, n), dx, *region.body)
-                                                : overlap_fraction(level_.grid.centre(b, n), dx, region);
+                                                : fraction_in_box(level_.grid.centre(b, n), dx, before, region);
             if (type == CellType::wall || type == CellType::sink || fraction < 1e-6) continue;
             SurfaceFields<Real>& surface = level_.grid.require_surface(b);
             if (type == CellType::gas) wet.push_back({b, n}), regions_of_wet.push_back(&region);

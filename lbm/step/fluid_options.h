@@ -35,7 +35,8 @@ enum class Start {
   with_stress,  ///< with the viscous stress of the velocity's gradient; for smooth velocities
 };
 
-/// Liquid at the start: a box, or a body within it.
+/// Liquid at the start: a box, or a body within it. What boxes share is filled once; a cell that a body and another
+/// region fill in part holds the sum.
 struct LiquidRegion {
   Vec3 lower, upper;                         ///< m
   Vec3 velocity = Vec3::Zero();              ///< m/s

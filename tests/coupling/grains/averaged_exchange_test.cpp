@@ -175,6 +175,51 @@ TEST(AveragedExchange, BuoyancyOfWaterAtRest) {
   EXPECT_NEAR(p.velocity[1].z(), -0.6 * 9.81 * step.time(), 0.03 * 9.81 * step.time());
 }
 
+/// In thick liquid at rest, too, which leaves its collisions with half a step of gravity: a grain as heavy as it does
+/// not sink at that (docs/decisions/0092).
+TEST(AveragedExchange, NeutralGrainStaysInThickLiquidAtRest) {
+  lbm::FluidOptions fluid = tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4);
+  fluid.kinematic_viscosity = 3e-3;
+  dem::Particles particles;
+  particles.add(grain(Vec3(0.15, 0.13, 0.1), kRadius, kRho));
+  dem::SolidsOptions options;
+  options.gravity = fluid.gravity;
+  options.time_step = 1;
+  CoupledStep<double> step(fluid, dem::Solids(particles, {}, rock(), {}, options), averaged(0.08));
+  step.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.24)}});
+  for (int n = 0; n < 600; ++n) step.advance();
+  EXPECT_NEAR(step.solids()->particles().velocity[0].z(), 0, 0.05 * 0.5 * 9.81 * fluid.time_step);
+}
+
+/// Grains of one cell and of half a cell that lie on a slope in steps are lifted by the weight of the water in their
+/// place, though they are spread over cells of the wall.
+TEST(AveragedExchange, BuoyancyOnAWall) {
+  lbm::FluidOptions fluid = tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4);
+  fluid.kinematic_viscosity = 1e-3;
+  const HalfSpace slope{Vec3(0.16, 0.16, 0.07), Vec3(-0.5, 0, std::sqrt(0.75))};
+  fluid.domain.walls.add({"slope", slope});
+  const Vec3 along(slope.normal.z(), 0, -slope.normal.x());
+  dem::Particles particles;
+  for (int k = 0; k < 8; ++k)
+    for (const double radius : {0.01, 0.005}) {
+      dem::ParticleSpec spec = grain(Vec3(slope.point + (0.0153 * k - 0.06) * along + radius * slope.normal +
+                                          (radius > 0.006 ? 0.05 : -0.05) * Vec3::UnitY()),
+                                     radius, 2500);
+      spec.state = dem::ParticleState::fixed;
+      particles.add(spec);
+    }
+  dem::SolidsOptions options;
+  options.time_step = 1;
+  CoupledStep<double> step(fluid, dem::Solids(particles, {}, rock(), {}, options), averaged(0.08));
+  step.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.28)}});
+  for (int n = 0; n < 400; ++n) step.advance();
+  const dem::Particles& p = step.solids()->particles();
+  for (dem::ParticleIndex i = 0; i < p.size(); ++i) {
+    const double weight = kRho * 4.0 / 3 * std::numbers::pi * std::pow(p.radius[i], 3) * 9.81;  // of the water
+    EXPECT_NEAR(p.external_force[i].z(), weight, 2e-3 * weight) << p.radius[i];
+  }
+}
+
 /// Grains that fall in raise the level; no liquid is lost.
 TEST(AveragedExchange, LiquidIsKeptWhereGrainsFallIn) {
   lbm::FluidOptions fluid = tank(Vec3(0.32, 0.32, 0.48), 0.02, 2e-4);

@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "core/memory_archive.h"
-#include "coupling/grains/sphere_fraction.h"
+#include "coupling/grains/sphere_rows.h"
 #include "tests/coupling/tanks.h"
 
 namespace lahar::coupling {
@@ -55,6 +56,42 @@ TEST(GrainMap, VolumesDoNotDependOnWhichBlocksExist) {
     return map.pairs()[map.grains()[0].first_pair].volume;
   };
   EXPECT_EQ(volume_below(5), volume_below(15));
+}
+
+/// Volume of the first grain in cells that are no wall, of a box of 16 cells with a wall, full but for a layer.
+double volume_outside_of_walls(double radius, const Vec3& place, const HalfSpace& wall) {
+  lbm::FluidOptions options = tank(Vec3(16, 16, 16), 1, 1);
+  options.domain.walls.add({"wall", wall});
+  lbm::Fluid<double> fluid(options);
+  fluid.fill({{Vec3::Zero(), Vec3(16, 16, 14)}});
+  dem::Particles particles;
+  particles.add(grain(place, radius, 2500));
+  GrainMap<double> map;
+  map.update(fluid, particles, near);
+  double sum = 0;
+  for (const GrainInBlock& pair : map.pairs()) {
+    const auto& block = fluid.grid().block(pair.block);
+    for_covered_rows(map.sphere(0), pair.lowest, [&](int row, const Row<double>& eps) {
+      for (std::size_t c = 0; c < 8; ++c)
+        if (block.type[static_cast<std::size_t>(row) + c] != lbm::CellType::wall) sum += eps[c];
+    });
+  }
+  return sum;
+}
+
+/// What is spread beyond the surface of a grain stays out of the walls that it lies on; a grain that stands in a wall
+/// has what is left of it outside.
+TEST(GrainMap, GrainsAtWallsKeepTheirVolume) {
+  const auto volume = [](double r) { return 4.0 / 3 * std::numbers::pi * r * r * r; };
+  const HalfSpace bed{Vec3(0, 0, 2), Vec3::UnitZ()}, slope{Vec3(8, 8, 3), Vec3(-0.5, 0, std::sqrt(0.75))};
+  for (const double r : {0.25, 0.5, 1.0, 2.3}) {
+    EXPECT_NEAR(volume_outside_of_walls(r, Vec3(8.3, 7.9, 2 + r), bed), volume(r), 1e-9) << r;
+    EXPECT_NEAR(volume_outside_of_walls(r, Vec3(r, r, 2 + r), bed), volume(r), 1e-9) << r;  // in a corner
+    EXPECT_NEAR(volume_outside_of_walls(r, slope.point + Vec3(0.2, 0.4, 0.2 / std::sqrt(3)) + r * slope.normal, slope),
+                volume(r), 1e-9)
+        << r;
+    EXPECT_NEAR(volume_outside_of_walls(r, Vec3(8.3, 7.9, 2), bed), volume(r) / 2, 1e-9) << r;  // half in the bed
+  }
 }
 
 TEST_F(GrainMapTest, TellsWhatChanged) {

@@ -52,6 +52,27 @@ TEST(WireDrag, FollowsTheLaw) {
   }
 }
 
+/// Thick liquid at rest leaves its collisions with half a step of gravity, which drags at no wire: it is lifted by the
+/// weight of the liquid in its place alone.
+TEST(WireDrag, LiquidAtRestLiftsAlone) {
+  const double d = 0.006;
+  lbm::FluidOptions options = tank(Vec3(0.32, 0.32, 0.32), 0.02, 2e-4);
+  options.kinematic_viscosity = 1e-3;
+  lbm::Fluid<double> fluid(options);
+  fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.3)}});
+  StraightWire wire(11, d, Vec3(0.13, 0.161, 0.15), Vec3::UnitX());
+  WireDrag<double> drag(wire.particles, wire.bonds);
+  SolidFields<double> fields;
+  for (int n = 0; n < 2; ++n) {  // the velocity fields of new blocks are filled by one step
+    if (n > 0) fluid.step();
+    fields.open(fluid.grid());
+    wire.particles.external_force.fill(Vec3::Zero());
+    drag.apply(fluid, wire.particles, fields);
+  }
+  const double weight = 1000 * 9.81 * std::numbers::pi / 4 * d * d * d;
+  EXPECT_NEAR(wire.particles.external_force[5].z(), weight, 2e-3 * weight);
+}
+
 /// Where a wire has torn, its ends lie as the piece that they are on: the rest may be anywhere.
 TEST(WireDrag, TornEndsLieAlongTheirOwnPiece) {
   const double d = 0.006;

@@ -29,5 +29,20 @@ TEST(FluidFilling, StackedBoxesAreOneBody) {
   }
 }
 
+/// What boxes share is filled once, in cells that they fill in part, too.
+TEST(FluidFilling, WhatBoxesShareIsFilledOnce) {
+  const LiquidRegion low{Vec3::Zero(), Vec3(0.41, 0.16, 0.205)}, across{Vec3(0.2, 0, 0), Vec3(0.6, 0.16, 0.213)},
+      inside{Vec3(0.1, 0.01, 0.1), Vec3(0.3, 0.155, 0.207)};
+  const double volume = 0.16 * (0.2 * 0.205 + 0.4 * 0.213) + 0.1 * 0.145 * 0.002;
+  for (const auto& boxes : std::vector<std::vector<LiquidRegion>>{
+           {low, across, inside}, {inside, low, across, low}, {across, inside, low}}) {
+    auto options = tank_options(Vec3(0.8, 0.16, 0.5), 0.02, 3.0, 0.1);
+    options.gravity = Vec3::Zero();  // no pressure that adds mass
+    Fluid<double> fluid(options);
+    fluid.fill(boxes);
+    EXPECT_NEAR(fluid.liquid_mass() / options.density, volume, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace lahar::lbm

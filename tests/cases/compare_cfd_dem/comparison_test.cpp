@@ -1,0 +1,200 @@
+// What is compared of a case, the table and the trends.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "cases/assembly/load.h"
+#include "cases/compare_cfd_dem/published_flows.h"
+#include "cases/compare_cfd_dem/trends.h"
+#include "tests/cases/compare_cfd_dem/made_up_case.h"
+
+namespace lahar::study {
+namespace {
+
+/// The paper's table is consistent in itself, to a hundredth of a kJ.
+TEST(PublishedFlows, AreWhole) {
+  for (const Flow& f : published_flows()) {
+    EXPECT_NEAR(f.e_d, f.e_in - f.e_out, 0.01);
+    EXPECT_NEAR(f.eta, f.e_d / f.e_in, 0.0006);
+    EXPECT_NEAR(f.zeta, f.e_b / f.e_d, 0.0006);
+  }
+  EXPECT_EQ(published(4.1)->froude, 3.111);
+  EXPECT_EQ(published(4.2), nullptr);
+}
+
+/// Of 100 J that the flow wins until the water is at the net the grains rub off 20 J; the water wins 40 J of them,
+/// keeps 15 J, gives 5 J to the grains and loses the rest.
+TEST(Comparison, SaysWhoLosesTheEnergyOfTheWay) {
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", 4.1, 1};
+  run.metrics = {{"front_arrival_s", 0.2}};
+  run.series.time_s = {0, 0.1, 0.2, 0.3};
+  run.series.columns = {
+      {"grains_potential_J", "J", "", {70, 40, 10, 0}}, {"fluid_potential_J", "J", "", {5, -9, -35, -50}},
+      {"solids_friction_J", "J", "", {1, 4, 13, 14}},   {"solids_damping_J", "J", "", {0, 3, 8, 9}},
+      {"fluid_kinetic_J", "J", "", {0, 8, 15, 16}},     {"solids_work_J", "J", "", {0, 1, 5, 6}}};
+  const CaseResult result = result_of(run);
+  EXPECT_NEAR(result.value("grains_loss"), 0.20, 1e-12);
+  EXPECT_NEAR(result.value("water_loss"), 0.20, 1e-12);
+  run.metrics["front_arrival_s"] = 0.4;
+  EXPECT_TRUE(std::isnan(result_of(run).value("water_loss"))) << "the run ends before";
+}
+
+/// A force that grows as 2 kN/s x t and one that is steady. One grain runs ahead of the others: 0.2 of 1000 kg.
+TEST(Comparison, IntegratesForcesOverTheSecondAfterGrainsArrive) {
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", 4.1, 1};
+  run.metrics = {{"particle_arrival_s", 0.5}};
+  run.grain_mass = 1000;
+  run.series.time_s = {0, 0.5, 0.75, 1.25, 1.75, 2};
+  run.series.columns = {{"barrier_contact_force_x_N", "N", "", {0, 1000, 1500, 2500, 3500, 4000}},
+                        {"grains_fluid_force_x_N", "N", "", {300, 300, 300, 300, 300, 300}},
+                        {"fluid_momentum_gap_x_Ns", "Ns", "", {0, 10, 20, 60, 150, 170}},
+                        {"fluid_momentum_x_Ns", "Ns", "", {0, 900, 1000, 800, 500, 400}},
+                        {"liquid_mass_kg", "kg", "", {400, 400, 400, 400, 400, 400}},
+                        {"net_grains_kg_s", "kg/s", "", {0, 0.4, 40, 60, 0, 0}}};
+  EXPECT_EQ(result_of(run).value("grains_arrival"), 0.75);
+  EXPECT_EQ(result_of(run).value("first_grain"), 0.5);
+  EXPECT_NEAR(result_of(run).value("net_impulse_grains"), 2.5, 1e-12);
+  EXPECT_NEAR(result_of(run).value("water_momentum_made"), 0.13, 1e-12);
+  EXPECT_NEAR(result_of(run).value("grains_impulse_water"), 0.3, 1e-12);
+  EXPECT_NEAR(result_of(run).value("water_momentum"), 1, 1e-12);
+  EXPECT_NEAR(result_of(run).value("water_momentum_kept"), 0.5, 1e-12);
+  const double weight = 400 * 9.81 * std::sin(35 * M_PI / 180) / 1000;
+  EXPECT_NEAR(result_of(run).value("water_momentum_weight"), weight, 1e-5);
+  EXPECT_TRUE(std::isnan(result_of(run).value("net_impulse_water"))) << "no such column";
+  EXPECT_TRUE(std::isnan(result_of(run).value("water_momentum_out"))) << "of all that it is made of";
+  run.series.columns.insert(run.series.columns.begin(), {"barrier_fluid_force_x_N", "N", "", {0, 0, 100, 100, 100, 0}});
+  EXPECT_NEAR(result_of(run).value("water_momentum_out"), 1 + weight + 0.13 - 0.5 - 0.3 - 0.1, 1e-5);
+  std::vector<double>& crossing = run.series.columns.back().values;
+  crossing = {0, 40, 0, 0, 0, 0};
+  EXPECT_NEAR(result_of(run).value("net_impulse_grains"), 2, 1e-12) << "it ends between two rows";
+  crossing = {0, 0, 0, 40, 0, 0};
+  EXPECT_TRUE(std::isnan(result_of(run).value("grains_impulse_water"))) << "the run ends before";
+}
+
+/// A peak that lasts 0.1 s among steady forces, in rows that are not even: the best window of 0.2 s holds all of it.
+TEST(Comparison, LargestMeanHoldsTheWholePeak) {
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", 4.1, 1};
+  run.series.time_s = {0, 0.5, 0.6, 0.65, 0.7, 0.8, 1.0, 1.2};
+  run.series.columns = {{"barrier_force_sum_N", "N", "", {1000, 1000, 1000, 9000, 1000, 1000, 1000, 1000}}};
+  EXPECT_NEAR(result_of(run).value("barrier_sum_mean"), (1 * 0.2 + 8 * 0.05) / 0.2, 1e-9);
+  run.series.time_s = {0, 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07};
+  EXPECT_TRUE(std::isnan(result_of(run).value("barrier_sum_mean"))) << "shorter than the mean";
+}
+
+/// The constants of the comparison are those of the scene.
+TEST(Comparison, CountsInTheScenesGravity) {
+  const StudyCase study_case{"as_printed", "coarse", "resolved", "study", 4.1, 1};
+  const scene::Scene s = scene::load(study_case.scene_file(), {});
+  EXPECT_EQ(s.gravity.magnitude, 9.81);
+  EXPECT_EQ(s.gravity.slope_deg, 35);
+  EXPECT_EQ(s.fluid.density, 1000);
+}
+
+TEST(Comparison, HoldsTheirsAndOurs) {
+  std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10), made_up(8.6, 100, 10)};
+  const std::string csv = comparison_csv(results);
+  EXPECT_NE(csv.find("e_in,kJ,matched-L4.10-coarse-resolved-seed1,54.361,50,-0.0802"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("eta,1,matched-L4.10-coarse-resolved-seed1,0.784,0.8,"), std::string::npos);
+  EXPECT_NE(csv.find("zeta,1,matched-L4.10-coarse-resolved-seed1,0.067,0.025,"), std::string::npos);
+  results.push_back(made_up(4.1, 60, 10, 2));
+  EXPECT_NE(comparison_csv(results).find("seed1,54.361,50,-0.080223,0.0909091"), std::string::npos);
+  results.push_back(made_up(4.1, 90, 10, 1));  // another reading of the net is no spread
+  results.back().study_case.variant = "rockfall_dissipators";
+  EXPECT_NE(comparison_csv(results).find("seed1,54.361,50,-0.080223,0.0909091"), std::string::npos);
+  EXPECT_NE(comparison_csv(results).find("seed1-rockfall_dissipators,54.361,90,0.655599,\n"), std::string::npos)
+      << comparison_csv(results);
+  results.pop_back();
+  std::size_t agree = 0;
+  const std::vector<Trend> found = trends(results);
+  for (const Trend& t : found) agree += t.agrees == Agreement::yes;
+  EXPECT_EQ(found.size(), 13u);
+  EXPECT_EQ(agree, 3u);  // retained mass and zeta fall, eta rises; of forces and of what passed nothing is known
+  EXPECT_NE(
+      trends_csv(found).find("\"eta rises (4.4), about the bed at the net\",matched,resolved,coarse,3,1.00,yes\n"),
+      std::string::npos)
+      << trends_csv(found);
+  EXPECT_NE(trends_csv(found).find("whole barrier rises (4.3)\",matched,resolved,coarse,0,nan,-\n"), std::string::npos);
+}
+
+/// Three flows of which two are alike, then one that turns back: only what goes on from flow to flow agrees.
+TEST(Comparison, TrendsThatTurnAgreeMostly) {
+  std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10), made_up(8.6, 100, 10)};
+  const auto agreement = [&](std::vector<double> sums) {
+    for (std::size_t k = 0; k < 3; ++k) results[k].values["barrier_sum"] = sums[k];
+    for (const Trend& t : trends(results))
+      if (t.statement.find("whole barrier") != std::string::npos) return std::pair(t.agrees, t.measure);
+    return std::pair(Agreement::unknown, 0.0);
+  };
+  EXPECT_EQ(agreement({1, 2, 3}), std::pair(Agreement::yes, 1.0));
+  EXPECT_EQ(agreement({1, 1, 3}), std::pair(Agreement::mostly, 2.0 / 3));
+  EXPECT_EQ(agreement({2, 1, 3}), std::pair(Agreement::mostly, 1.0 / 3));
+  EXPECT_EQ(agreement({1, 1, 1}), std::pair(Agreement::no, 0.0));
+}
+
+/// The paper's own numbers by our measures: they rise, level off and are mainly fluid as it says.
+TEST(Comparison, TrendsOfThePaperAgreeWithIt) {
+  std::vector<CaseResult> results;
+  for (const Flow& f : published_flows()) {
+    results.push_back(made_up(f.release, f.e_in, f.e_out));
+    results.back().values = {
+        {"eta_lower", f.eta}, {"zeta_lower", f.zeta}, {"e_b", f.e_b}, {"outflow_liquid_share", 0.9 - 0.01 * f.release}};
+  }
+  const auto agreement = [&](const char* part) {
+    for (const Trend& t : trends(results))
+      if (t.statement.find(part) != std::string::npos && t.flows > 0) return t.agrees;
+    return Agreement::unknown;
+  };
+  EXPECT_EQ(agreement("E_b rises"), Agreement::yes);
+  EXPECT_EQ(agreement("eta rises"), Agreement::mostly);  // it levels off
+  EXPECT_EQ(agreement("eta levels off"), Agreement::yes);
+  EXPECT_EQ(agreement("zeta falls"), Agreement::yes);
+  EXPECT_EQ(agreement("mainly fluid"), Agreement::yes);
+  for (CaseResult& c : results) c.values["eta_lower"] = 0.7 + 0.01 * c.study_case.release;
+  EXPECT_EQ(agreement("eta levels off"), Agreement::no);
+  for (CaseResult& c : results) c.values["eta_lower"] = 0.9 - 0.01 * std::min(c.study_case.release, 6.35);
+  EXPECT_EQ(agreement("eta levels off"), Agreement::no) << "it falls before";
+  for (CaseResult& c : results) c.values["outflow_liquid_share"] = 0.9 - 0.06 * c.study_case.release;
+  EXPECT_EQ(agreement("mainly fluid"), Agreement::mostly);  // below a half from L = 7.10 m on
+  std::erase_if(results, [](const CaseResult& c) { return c.study_case.release > 6.4; });
+  EXPECT_EQ(agreement("eta levels off"), Agreement::unknown) << "one flow beyond the bend";
+}
+
+/// 2 t of grains of 2 t/m^3 in 1 t of liquid: liquid in their place would have half of their energy.
+TEST(Comparison, PartsOfWhatLeavesAreThoseOfTheWhole) {
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", 4.1, 1};
+  run.grain_mass = 2000, run.grain_volume = 1;
+  run.metrics = {{"e_in_kJ", 50},
+                 {"e_out_kJ", 4},
+                 {"e_out_liquid_kinetic_kJ", 3},
+                 {"e_out_liquid_potential_kJ", -1},
+                 {"e_out_grains_kinetic_kJ", 2.5},
+                 {"e_out_grains_potential_kJ", -0.5},
+                 {"liquid_mass_start_kg", 1000},
+                 {"liquid_passed_kg", 900}};
+  run.series.time_s = {0, 1, 2};
+  run.series.columns = {{"grains_passed_kg", "kg", "", {0, 100, 300}},
+                        {"front_x_m", "m", "", {1, 3.95, 4.2}},
+                        {"grains_kinetic_J", "J", "", {0, 9000, 20000}},
+                        {"grains_potential_J", "J", "", {20000, 11000, 0}}};
+  const CaseResult result = result_of(run);
+  const auto value = [&](const char* name) { return result.value(name); };
+  const double lower = 9.81 * 0.746 / 1000;  // kJ/kg between the two beds
+  EXPECT_NEAR(value("e_in_lower"), 50 + 3000 * lower, 1e-9);
+  EXPECT_NEAR(value("e_out_lower"), 4 + 1200 * lower, 1e-9);
+  EXPECT_NEAR(value("out_liquid_kinetic"), 3 / value("e_in_lower"), 1e-12);
+  EXPECT_NEAR(value("out_grains_potential"), (-0.5 + 300 * lower) / value("e_in_lower"), 1e-12);
+  EXPECT_NEAR(value("out_liquid_kinetic") + value("out_liquid_potential") + value("out_grains_kinetic") +
+                  value("out_grains_potential"),
+              1 - value("eta_lower"), 1e-12);
+  EXPECT_NEAR(value("e_in_full_cells"), 50 + 10, 1e-9);
+  EXPECT_NEAR(value("e_out_full_cells"), 4 + 1, 1e-9);
+  run.series.columns.erase(run.series.columns.begin());
+  EXPECT_TRUE(std::isnan(result_of(run).value("eta_lower"))) << "what passed is not known";
+}
+
+}  // namespace
+}  // namespace lahar::study

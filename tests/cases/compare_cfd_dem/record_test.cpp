@@ -1,0 +1,77 @@
+// The small records of cases.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "cases/compare_cfd_dem/record.h"
+#include "cases/files/output_file.h"
+#include "tests/cases/compare_cfd_dem/made_up_case.h"
+#include "tests/cases/files/test_folder.h"
+
+namespace lahar::study {
+namespace {
+
+/// A record gives back what is shown of a case; other files beside it are left alone.
+TEST(Record, HoldsWhatIsShown) {
+  const cases::TestFolder folder;
+  CaseResult c = made_up(4.1, 50, 10, 3);
+  take_summary(c, R"({"wall_seconds": 90, "commit": "abc", "metrics": {}, "checks": [{"name": "a", "pass": false}]})",
+               "a.json");
+  const std::string name = shown_columns().at(1).name;
+  c.curves.time_s = {0, 0.004, 0.0099999999, 0.012, 0.0301, 0.033};
+  c.curves.columns = {{name, "N", "a force", {1, 2, std::nan(""), 4, 1.23456789e6, 6}}};
+  write_record(c, folder.path());
+  std::ofstream(folder.path() / "comparison.csv") << "quantity";
+  std::ofstream(folder.path() / "notes.json") << "{}";
+  const std::vector<CaseResult> found = read_records(folder.path());
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].study_case, c.study_case);
+  EXPECT_EQ(found[0].values, c.values);
+  EXPECT_EQ(found[0].wall_seconds, 90);
+  EXPECT_EQ(found[0].failed_checks, std::vector<std::string>{"a"});
+  EXPECT_EQ(found[0].curves.time_s, (std::vector<double>{0, 0.01, 0.0301, 0.033}));
+  const auto* column = found[0].curves.find(name);
+  ASSERT_NE(column, nullptr);
+  EXPECT_TRUE(std::isnan(column->values.at(1)));
+  EXPECT_EQ(column->values.at(2), 1.2346e6);
+  write_record(found[0], folder.path() / "again");
+  EXPECT_EQ(read_records(folder.path() / "again").at(0).curves.time_s, found[0].curves.time_s);
+  EXPECT_EQ(comparison_csv(found), comparison_csv({c}));
+}
+
+/// What is asked for since a record was made is taken of its curves and metrics; what it holds stays.
+TEST(Record, GivesWhatIsAskedForSince) {
+  const cases::TestFolder folder;
+  CaseResult c = made_up(4.1, 50, 10);
+  take_summary(c, R"({"wall_seconds": 90, "metrics": {"e_in_kJ": 60, "liquid_left_kg": 3}, "checks": []})", "a.json");
+  c.curves.time_s = {0, 0.1, 0.2, 0.3};
+  c.curves.columns = {{"barrier_force_sum_N", "N", "", {0, 1000, 2000, 3000}}};
+  write_record(c, folder.path());
+  const CaseResult found = read_records(folder.path()).at(0);
+  EXPECT_EQ(found.value("water_left"), 3);
+  EXPECT_NEAR(found.value("barrier_sum_mean"), 2, 1e-12);
+  EXPECT_EQ(found.value("e_in"), 50);
+  EXPECT_TRUE(std::isnan(found.value("grains_arrival"))) << "the mass of the grains is not kept";
+}
+
+TEST(Record, FilesThatAreNoneAreNamed) {
+  const cases::TestFolder folder;
+  EXPECT_TRUE(read_records(folder.path() / "none").empty());
+  const std::filesystem::path file = folder.path() / (made_up(4.1, 50, 10).study_case.name() + ".json");
+  for (const char* text :
+       {"", "{}", R"({"summary": {"wall_seconds": 1, "checks": []}, "values": {}, "curves": {"time_s": [0],
+           "barrier_elongation_m": [1, 2]}})"}) {
+    std::ofstream(file) << text;
+    try {
+      (void)read_records(folder.path());
+      FAIL() << text;
+    } catch (const cases::FileError& e) {
+      EXPECT_EQ(e.path(), file);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lahar::study

@@ -1,0 +1,91 @@
+// The page of a study.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "cases/compare_cfd_dem/report.h"
+#include "cases/files/png_file.h"
+#include "tests/cases/compare_cfd_dem/made_up_case.h"
+#include "tests/cases/files/test_folder.h"
+
+namespace lahar::study {
+namespace {
+
+/// A record of before a quantity was asked for is no curve in its figure.
+TEST(Report, FiguresHoldWhatCasesHave) {
+  CaseResult with = made_up(4.1, 50, 10), without = made_up(8.6, 100, 10);
+  without.study_case.coupling = "averaged";
+  with.values["grains_impulse_water"] = 4;
+  std::map<std::string, std::size_t> curves;
+  for (const Figure& f : figures_of({with, without})) curves[f.file] = f.chart.series.size();
+  EXPECT_EQ(curves.at("flows_grains_impulse_water"), 1u);
+  EXPECT_EQ(curves.at("flows_e_in"), 3u);  // theirs, resolved, averaged
+  EXPECT_FALSE(curves.contains("flows_net_impulse_grains"));
+}
+
+TEST(Report, IsWholeAndNeedsNoOtherFile) {
+  const cases::TestFolder folder;
+  const std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(3, 40, 10), made_up(4.1, 50, 10)};
+  std::vector<CaseResult> with_folder = results;
+  take_summary(with_folder[1], R"({"wall_seconds": 90, "commit": "aaa", "machine": "bbb", "checks": []})", "summary");
+  for (CaseResult& c : with_folder) c.folder = folder.path();
+  write_report(with_folder, {"commit", "today", {"a-case"}}, folder.path());
+  std::ostringstream html;
+  html << std::ifstream(folder.path() / "report.html").rdbuf();
+  EXPECT_NE(html.str().find("</html>"), std::string::npos);
+  EXPECT_NE(html.str().find("src=\"data:image/svg+xml;base64,"), std::string::npos);
+  EXPECT_NE(html.str().find("a-case"), std::string::npos);
+  for (const char* of_the_case : {"<td>aaa</td>", "<td>bbb</td>"})
+    EXPECT_NE(html.str().find(of_the_case), std::string::npos) << of_the_case;
+  for (const char* flow : {"L = 1.85 m", "L = 3.00 m", "L = 4.10 m"})
+    EXPECT_NE(html.str().find(flow), std::string::npos) << flow;
+  EXPECT_EQ(html.str().find("src=\"image"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "flows_eta.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "comparison.csv"));
+}
+
+/// What a command prints.
+std::string printed_by(const std::string& command) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  std::string text;
+  for (int c = 0; pipe && (c = std::fgetc(pipe.get())) != EOF;) text += static_cast<char>(c);
+  return text;
+}
+
+/// Opened from a file in a browser the page shows every drawing, picture and table, and asks for nothing else.
+TEST(Report, OpensInABrowser) {
+  if (printed_by("command -v chromium-headless-shell").empty()) GTEST_SKIP() << "no headless Chromium";
+  const cases::TestFolder folder;
+  std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10)};
+  for (CaseResult& c : results) c.folder = folder.path();
+  for (const char* name : {"image_000000.png", "image_000001.png", "forces_000000.png", "forces_000001.png"})
+    cases::write_png(folder.path() / name, cases::Image(40, 30, cases::Colour(0.2F, 0.5F, 0.7F)));
+  write_report(results, {"commit", "today", {}}, folder.path());
+  std::ofstream(folder.path() / "probe.html") << R"(<!DOCTYPE html><p id="found"></p><iframe src="report.html"
+    width="1200" height="900" onload="
+    const d = this.contentDocument, all = s => [...d.querySelectorAll(s)], drawings = all('figure > img');
+    const asked = this.contentWindow.performance.getEntriesByType('resource').filter(r => !r.name.startsWith('data:'));
+    document.getElementById('found').textContent = [
+      'tables', all('table').length, 'drawings', drawings.length,
+      'flat', drawings.filter(s => s.naturalWidth < 100).length, 'pictures', all('.pictures > img').length,
+      'broken', all('.pictures > img').filter(i => i.naturalWidth != 40).length,
+      'shared names', all('[id]').length, 'asked', asked.length].join(' ');
+    "></iframe>)";
+  const std::string dom = printed_by(
+      "chromium-headless-shell --no-sandbox --disable-gpu --allow-file-access-from-files "
+      "--virtual-time-budget=10000 --dump-dom 'file://" +
+      (std::filesystem::absolute(folder.path()) / "probe.html").string() + "' 2>/dev/null");
+  const std::size_t drawings = figures_of(results).size();
+  EXPECT_GT(drawings, 5u);
+  EXPECT_NE(
+      dom.find("tables 2 drawings " + std::to_string(drawings) + " flat 0 pictures 4 broken 0 shared names 0 asked 0<"),
+      std::string::npos)
+      << dom;
+}
+
+}  // namespace
+}  // namespace lahar::study

@@ -1,0 +1,133 @@
+// Which runs a study consists of.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "cases/assembly/estimates.h"
+#include "cases/assembly/load.h"
+#include "cases/compare_cfd_dem/study_case.h"
+#include "core/check.h"
+#include "tests/cases/compare_cfd_dem/study_program.h"
+#include "tests/cases/files/test_folder.h"
+
+namespace lahar::study {
+namespace {
+
+TEST(StudyCases, AreBothSweepsOfTenFlowsByDefault) {
+  const std::vector<StudyCase> all = cases_of({});
+  EXPECT_EQ(all.size(), 40u);
+  std::set<std::string> names;
+  for (const StudyCase& c : all) EXPECT_TRUE(names.insert(c.name()).second) << c.name();
+  EXPECT_TRUE(names.contains("matched-L4.10-coarse-averaged-seed1"));
+}
+
+TEST(StudyCases, NamesThatAreNoneAreRefused) {
+  try {
+    (void)cases_of({.couplings = {"resolve"}});
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(e.mistakes().at(0).message.find("resolved, averaged"), std::string::npos);
+  }
+  EXPECT_THROW(cases_of({.releases = {0.5}}), InputError);
+  EXPECT_EQ(cases_of({.sweeps = {"matched"}, .couplings = {"resolved"}, .releases = {4.1, 4.1}}).size(), 1u);
+  EXPECT_THROW(cases_of({.releases = {4.123}}), InputError);  // names and scenes hold centimetres
+  EXPECT_THROW(cases_of({.seeds = {1, -1}}), InputError);     // as scenes do
+  EXPECT_NO_THROW(cases_of({.seeds = {0}}));
+}
+
+TEST(StudyCases, LeaveOutVariantsThatSayNothing) {
+  const auto couplings_of = [](const Selection& selection) {
+    std::set<std::string> names;
+    for (const StudyCase& c : cases_of(selection)) names.insert(c.coupling);
+    return names;
+  };
+  EXPECT_EQ(couplings_of({.variants = {"short_averages"}}), std::set<std::string>{"averaged"});
+  EXPECT_EQ(couplings_of({.variants = {"rigid_grains"}}), std::set<std::string>{"resolved"});
+  EXPECT_EQ(couplings_of({.variants = {"half_speed"}}), (std::set<std::string>{"averaged", "resolved"}));
+  try {
+    (void)cases_of({.couplings = {"averaged", "averaged_ergun"}, .variants = {"study", "rigid_grains"}});
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(e.mistakes().at(0).message.find("--variant rigid_grains"), std::string::npos);
+  }
+}
+
+/// Also where the step adapts: what it aims at is half as fast.
+TEST(StudyCases, HalfSpeedHalvesTheTimeStep) {
+  for (const char* preset : {"coarse", "standard"}) {
+    const StudyCase study{"matched", preset, "resolved", "study", 4.1, 1, {}};
+    StudyCase half = study;
+    half.variant = "half_speed";
+    const scene::Scene a = scene::load(study.scene_file(), study.changes()),
+                       b = scene::load(half.scene_file(), half.changes());
+    EXPECT_NEAR(cases::fluid_time_step(b) / cases::fluid_time_step(a), 0.5, 1e-12) << preset;
+    EXPECT_EQ(b.fluid.lattice_velocity, 0.5 * a.fluid.lattice_velocity) << preset;
+  }
+}
+
+/// Each choice of each axis makes a scene that can be run, and that holds what was chosen.
+TEST(StudyCases, MakeScenes) {
+  const auto load = [](const StudyCase& c) { return scene::load(c.scene_file(), c.changes()); };
+  const StudyCase plain{"as_printed", "standard", "resolved", "study", 4.1, 1};
+  const scene::Scene printed = load(plain);
+  EXPECT_EQ(printed.barrier.anchors.bottom_cable, scene::BottomCable::along_bed);
+  EXPECT_GT(printed.barrier.settle_time, 0);
+  EXPECT_EQ(printed.contacts.at(1).friction, 0.7);
+  StudyCase c = plain;
+  c.sweep = "matched", c.release = 8.6, c.seed = 3;
+  const scene::Scene matched = load(c);
+  EXPECT_EQ(matched.contacts.at(1).friction, 0);
+  EXPECT_EQ(matched.contacts.at(0).friction, 0.7);
+  EXPECT_EQ(matched.barrier.net.origin.x(), 8.6);
+  EXPECT_EQ(matched.sections.at(0).point.x(), 8.6);
+  EXPECT_NEAR(matched.domain.upper.x(), 10.1, 1e-12);
+  EXPECT_EQ(matched.run.seed, 3);
+  for (const Choice& preset : presets()) {
+    c = plain, c.preset = preset.name;
+    EXPECT_NO_THROW(load(c)) << preset.name;
+  }
+  for (const Choice& variant : variants()) {
+    c = plain, c.variant = variant.name;
+    if (!variant.coupling.empty()) c.coupling = variant.coupling;
+    EXPECT_NO_THROW(load(c)) << variant.name;
+  }
+  for (const Choice& coupling : couplings()) {
+    c = plain, c.coupling = coupling.name;
+    EXPECT_EQ(load(c).coupling.grains == scene::GrainFluid::averaged, coupling.name != "resolved");
+  }
+}
+
+TEST(StudyCases, AreKnownByTheirNames) {
+  for (const StudyCase& c : cases_of({.seeds = {1, 12}})) EXPECT_EQ(case_named(c.name(), {}), c);
+  StudyCase c{"matched", "standard", "averaged_ergun", "half_speed", 7.1, 2, {"run.duration_s=1"}};
+  EXPECT_EQ(case_named(c.name(), c.further), c);
+  for (const char* name : {"", "report.html", "matched-L4.10-coarse-averaged", "matched-L4.1-coarse-averaged-seed1",
+                           "matched-L4.10-coarse-averaged-seed01", "matched-L4.10-coarse-average-seed1",
+                           "matched-L4.10-coarse-averaged-seed1-study", "matched-L4.10-coarse-averaged-seed1.log"})
+    EXPECT_FALSE(case_named(name, {}).has_value()) << name;
+}
+
+TEST(StudyCases, StandInTablesByFlow) {
+  const StudyCase first{"as_printed", "coarse", "averaged", "study", 1.85, 2},
+      second{"as_printed", "standard", "resolved", "study", 1.85, 1},
+      third{"as_printed", "coarse", "resolved", "study", 4.1, 1};
+  EXPECT_TRUE(comes_before(first, second) && comes_before(second, third) && !comes_before(third, first));
+}
+
+/// Before anything is begun or listed, with the message of the scene.
+TEST(StudyCases, RefuseChangesThatNoSceneTakes) {
+  const cases::TestFolder folder;
+  const std::string arguments = "--set foo.bar=5 --release 4.1 --out '" + (folder / "out").string() + "'";
+  for (const char* option : {"", " --list", " --report"}) {
+    EXPECT_EQ(run_study(arguments + option, folder / "messages"), 2) << option;
+    EXPECT_NE(content_of(folder / "messages").find("foo"), std::string::npos) << option;
+    EXPECT_FALSE(std::filesystem::exists(folder / "out")) << option;
+  }
+  Selection selection{.sweeps = {"matched"}, .couplings = {"resolved"}, .releases = {4.1}};
+  selection.further = {"run.duration_s=1"};
+  EXPECT_NO_THROW(check_changes(cases_of(selection)));
+}
+
+}  // namespace
+}  // namespace lahar::study
