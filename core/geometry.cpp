@@ -65,7 +65,22 @@ Vec3 SolidCylinder::gradient(const Vec3& p) const {
 
 Vec3 SolidSphere::gradient(const Vec3& p) const { return normalized_or_up(p - centre); }
 
+bool Walls::open_by(double time) {
+  bool some = false;
+  for (Wall& wall : walls_)
+    if (!wall.open && wall.opens_at <= time) some = wall.open = true;
+  return some;
+}
+
+void Walls::transfer(Archive& archive) {
+  std::vector<std::uint8_t> open;
+  for (const Wall& wall : walls_) open.push_back(wall.open ? 1 : 0);
+  archive.list_of("open", open, walls_.size());
+  for (std::size_t w = 0; w < walls_.size(); ++w) walls_[w].open = open[w] != 0;
+}
+
 double Walls::distance(std::size_t wall, const Vec3& p) const {
+  if (walls_[wall].open) return std::numeric_limits<double>::infinity();
   return std::visit([&](const auto& s) { return s.distance(p); }, walls_[wall].shape);
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/archive.h"
 #include "core/distance_grid.h"
 #include "core/vector.h"
 
@@ -70,6 +71,9 @@ struct Wall {
   /// rad/s, rotation of the surface about an axis through `centre`, in addition to `velocity`; felt by the fluid alone.
   Vec3 angular_velocity = Vec3::Zero();
   Vec3 centre = Vec3::Zero();  ///< m
+  /// s, when the wall is taken away, as a gate.
+  double opens_at = std::numeric_limits<double>::infinity();
+  bool open = false;  ///< taken away: nothing is near it any more
 
   /// Velocity of the surface at a point, m/s.
   [[nodiscard]] Vec3 surface_velocity(const Vec3& p) const { return velocity + angular_velocity.cross(p - centre); }
@@ -87,7 +91,11 @@ class Walls {
   void add(Wall wall) { walls_.push_back(std::move(wall)); }
   [[nodiscard]] const std::vector<Wall>& all() const { return walls_; }
   [[nodiscard]] bool empty() const { return walls_.empty(); }
-  /// Signed distance to one wall.
+  /// Takes away the walls that open by `time` (s), and says whether there were some. Indices stay as they are.
+  bool open_by(double time);
+  /// State of a checkpoint: which are open.
+  void transfer(Archive& archive);
+  /// Signed distance to one wall; infinite where it is open.
   [[nodiscard]] double distance(std::size_t wall, const Vec3& p) const;
   [[nodiscard]] Vec3 gradient(std::size_t wall, const Vec3& p) const;
   /// The nearest (deepest) wall.

@@ -113,6 +113,15 @@ void CoupledStep<Real>::advance() {
   if (coupled) gather_forces();   // of the fluid, held over the sub-steps that follow
   if (solids_) advance_solids();  // by as many sub-steps as the fluid's step takes
   clock_.advance();
+  open_walls();
+}
+
+template <class Real>
+void CoupledStep<Real>::open_walls() {
+  const double now = time();
+  if (fluid_ && fluid_->open_walls_by(now) && grains_)
+    grains_->forget();  // what they are spread over stays out of walls
+  if (solids_) solids_->open_walls_by(now);
 }
 
 /// m/s, of the fastest body that the fluid feels in its cells, or will: a grain, or a bead of a mapped wire.

@@ -37,7 +37,7 @@ class CoupledStep {
   /// remembers of grains and wires it keeps by id, and it sums in the order of ids: no number changes.
   void renumber(const dem::Renumbering& change);
 
-  /// Advances by one fluid step (or `substeps` DEM steps without fluid).
+  /// Advances by one fluid step (or `substeps` DEM steps without fluid), then takes away the walls that open by then.
   void advance();
 
   /// s, of the last step: by so much the solids advanced.
@@ -73,6 +73,7 @@ class CoupledStep {
   void find_films();
   void advance_solids();
   void advance_in_films();
+  void open_walls();
 
   std::optional<lbm::Fluid<Real>> fluid_;
   std::optional<dem::Solids> solids_;

@@ -20,7 +20,7 @@ struct EnergyLedger {
   BondEnergy bonds;  ///< stored: axial, shear, bending, torsion; lost: the rest
   // lost since the start
   double contact_damping = 0, friction = 0, rolling = 0;  ///< of contacts: dampers, sliding, rolling
-  double removed = 0;                                     ///< carried away by removed particles
+  double removed = 0;  ///< carried away by removed particles, or held by springs at a wall that opened
   // gained since the start
   double external_work = 0;  ///< of external forces (fluid) and moving walls
 

@@ -271,6 +271,16 @@ void Solids::remove(ParticleIndex i) {
   particles_.remove(i);
 }
 
+bool Solids::open_walls_by(double time) {
+  const double held = prepared_ ? ledger().elastic_normal : 0.0;
+  if (!walls_.open_by(time)) return false;
+  if (!prepared_) return true;
+  contact_forces_.book_lost(contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast)));
+  if (two_rates()) slow_forces_.book_lost(slow_contacts_.rebuild(particles_, walls_, bonded_, share(Rate::slow)));
+  removed_energy_ += held - ledger().elastic_normal;
+  return true;
+}
+
 void Solids::renumber(const Renumbering& change) {
   require(change.size() == particles_.size(), "an order of other particles");
   particles_.renumber(change);

@@ -59,6 +59,10 @@ class Solids {
   /// indices that others keep must be found again from ids.
   void renumber(const Renumbering& change);
 
+  /// Takes away the walls that open by `time` (s), between steps; says whether there were some. What the springs of
+  /// contacts with them hold goes the way it does in `remove`.
+  bool open_walls_by(double time);
+
   /// Sub-steps from now on have another length, s.
   void set_time_step(double time_step);
 

@@ -188,6 +188,7 @@ void Solids::transfer(Archive& archive) {
 }
 
 void Solids::transfer_by_id(Archive& archive) {
+  archive.part("walls", walls_);
   archive.value("time", time_);
   archive.value("steps", step_count_);
   archive.value("time_step", options_.time_step);

@@ -49,7 +49,9 @@ lbm::Hydrograph hydrograph_of(const Inflow& inflow) {
 }
 
 Wall make_wall(const WallSettings& settings, int material) {
-  return {settings.name, make_shape(settings), settings.slip, material, settings.velocity, settings.roughness};
+  Wall wall{settings.name, make_shape(settings), settings.slip, material, settings.velocity, settings.roughness};
+  if (settings.opens_at > 0) wall.opens_at = settings.opens_at;
+  return wall;
 }
 
 Walls make_walls(const Scene& scene) {

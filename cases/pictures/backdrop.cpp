@@ -24,6 +24,7 @@ ViewBox bounds_of(const SolidCylinder& c) {
 Backdrop::Backdrop(const Walls& walls, const ViewBox& box, const Vec3& eye)
     : walls_(walls), lower_(box.lower.cast<float>()), upper_(box.upper.cast<float>()) {
   for (std::size_t w = 0; w < walls.all().size(); ++w) {
+    if (walls.all()[w].open) continue;
     const int index = static_cast<int>(w);
     const Shape& shape = walls.all()[w].shape;
     if (const auto* plane = std::get_if<HalfSpace>(&shape)) {

@@ -65,6 +65,7 @@ void Outputs::write_picture(Simulation& run) {
     fluid = run.fluid()->snapshot();
     view.fluid = &fluid;
   }
+  walls_.open_by(run.time());
   view.walls = &walls_;
   view.box = {scene_.domain.lower, scene_.domain.upper};
   view.gravity = scene_.gravity.vector();

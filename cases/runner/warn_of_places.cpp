@@ -171,6 +171,13 @@ void add_rounded_walls(const scene::Scene& s, Warnings& list) {
   }
 }
 
+void add_late_gates(const scene::Scene& s, Warnings& list) {
+  for (const scene::WallSettings& w : s.walls)
+    if (w.opens_at > 0 && w.opens_at >= s.run.duration)
+      list.push_back(fmt::format("wall \"{}\" opens at {:g} s: not within run.duration_s = {:g}", w.name, w.opens_at,
+                                 s.run.duration));
+}
+
 /// Coordinates of a map's own grid, say: far from the origin files hold them too coarsely.
 void add_far_places(const scene::Scene& s, Warnings& list) {
   const double far = std::max(s.domain.lower.cwiseAbs().maxCoeff(), s.domain.upper.cwiseAbs().maxCoeff());
@@ -189,6 +196,7 @@ void warn_of_places(const scene::Scene& scene, bool has_fluid, Warnings& list) {
   add_places(scene, list);
   add_heightmaps(scene, list);
   add_lost_walls(scene, list);
+  add_late_gates(scene, list);
   add_far_places(scene, list);
   if (has_fluid) add_thin_walls(scene, list);
   if (has_fluid) add_rounded_walls(scene, list);

@@ -116,6 +116,7 @@ struct WallSettings {
   double roughness = 0;  ///< m, of the wall model
   std::string material;  ///< empty where nothing solid can touch it
   Vec3 velocity = Vec3::Zero();
+  double opens_at = 0;  ///< s, 0 = never
   bool operator==(const WallSettings&) const = default;
 };
 

@@ -134,6 +134,9 @@ void describe(V& v, WallSettings& s) {
   only_with(v, "shape", s.shape, {WallShape::plane, WallShape::box}, [&] {
     v.value("velocity_m_s", s.velocity, {}, "Tangential velocity of the surface (the wall itself stays in place).");
   });
+  v.value("opens_at_s", s.opens_at, {non_negative()},
+          "When the wall is taken away at once, as a gate; 0 = never. One that is lifted is a stack of walls that open "
+          "one after the other.");
 }
 
 template <class V>
@@ -547,7 +550,8 @@ void describe(V& v, Scene& s) {
   v.table("run", s.run, Presence::needed, "How long and what to write.");
   v.table("gravity", s.gravity, Presence::optional, "Gravity and slope.");
   v.table("domain", s.domain, Presence::needed, "The space that is simulated.");
-  v.array("wall", s.walls, "Solid walls, for fluid and particles alike. They never move.");
+  v.array("wall", s.walls,
+          "Solid walls, for fluid and particles alike. They never move, but may be taken away (opens_at_s).");
   v.table("fluid", s.fluid, Presence::optional, "Water or slurry: the lattice Boltzmann fluid. Off when left out.");
   v.named("materials", s.materials, "Elastic properties, each material under its own name.");
   v.array("contact", s.contacts, "Properties of a pair of materials. Pairs left out are smooth and elastic.");

@@ -45,9 +45,7 @@ template <class Real>
 double distance_to_walls(const lbm::Domain& domain, const GridSphere<Real>& sphere) {
   const Vec3 centre(static_cast<double>(sphere.centre[0]), static_cast<double>(sphere.centre[1]),
                     static_cast<double>(sphere.centre[2]));
-  const Vec3i cell = centre.array().floor().cast<int>();
-  const Vec3 within = centre + (lbm::image_of(domain, cell) - cell).cast<double>();
-  return domain.walls().nearest(domain.origin() + domain.cell_size() * within).distance / domain.cell_size();
+  return domain.wall_distance(domain.origin() + domain.cell_size() * centre) / domain.cell_size();
 }
 
 /// What of a sphere's volume lies outside a plane wall; `t`: distance of the centre over the radius, below 0 inside.

@@ -56,16 +56,6 @@ class NeighbourMeans {
   Real moments_[1000][4];  ///< rho - 1 and velocity, of the block's cells and one cell around it
 };
 
-/// A liquid cell beside a cell that has emptied becomes a full interface cell.
-template <class Real>
-void expose(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
-  const Real drho = outgoing_moments(grid, place, parity).drho;
-  SurfaceFields<Real>& surface = *grid.block(place.block).surface;
-  surface.mass[place.cell] = Real(1) + drho;
-  surface.density[place.cell] = drho;
-  surface.fill_level[place.cell] = Real(1);
-}
-
 /// What is of a body in a cell moves as it does: at another velocity it would bring the body momentum from nowhere. A
 /// covered cell without liquid has the body's velocity; of others the solid share has it, by the part B of the slip
 /// that the body takes over in a step, and by `inertial`, whose bodies take it over step by step, all of it. A drop in
@@ -123,6 +113,15 @@ void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, CellMome
 }
 
 template <class Real>
+void expose_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
+  const Real drho = outgoing_moments(grid, place, parity).drho;
+  SurfaceFields<Real>& surface = *grid.block(place.block).surface;
+  surface.mass[place.cell] = Real(1) + drho;
+  surface.density[place.cell] = drho;
+  surface.fill_level[place.cell] = Real(1);
+}
+
+template <class Real>
 void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex b, Parity parity,
             const RefillLaw& law) {
   const BlockChanges<Real>& own = changes.of(b);
@@ -134,11 +133,13 @@ void refill(FluidGrid<Real>& grid, const LevelChanges<Real>& changes, BlockIndex
   own.arrivals.for_each([&](int cell, const Arrival<Real>& a) {
     refill_cell(grid, {b, cell}, parity, a.moments, a.liquid, law);
   });
-  own.exposed.for_each([&](int cell) { expose(grid, {b, cell}, parity); });
+  own.exposed.for_each([&](int cell) { expose_cell(grid, {b, cell}, parity); });
 }
 
 template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity, const RefillLaw&);
 template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity, const RefillLaw&);
+template void expose_cell<float>(FluidGrid<float>&, CellPlace, Parity);
+template void expose_cell<double>(FluidGrid<double>&, CellPlace, Parity);
 template void refill_cell<float>(FluidGrid<float>&, CellPlace, Parity, CellMoments<float>, float, const RefillLaw&);
 template void refill_cell<double>(FluidGrid<double>&, CellPlace, Parity, CellMoments<double>, double, const RefillLaw&);
 

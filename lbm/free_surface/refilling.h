@@ -28,6 +28,12 @@ template <class Real>
 void refill_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity, CellMoments<Real> moments, Real liquid,
                  const RefillLaw& law);
 
+/// What was a liquid cell, beside gas from now on, holds as a full interface cell. Its block has surface fields.
+template <class Real>
+void expose_cell(FluidGrid<Real>& grid, CellPlace place, Parity parity);
+
+extern template void expose_cell<float>(FluidGrid<float>&, CellPlace, Parity);
+extern template void expose_cell<double>(FluidGrid<double>&, CellPlace, Parity);
 extern template void refill<float>(FluidGrid<float>&, const LevelChanges<float>&, BlockIndex, Parity, const RefillLaw&);
 extern template void refill<double>(FluidGrid<double>&, const LevelChanges<double>&, BlockIndex, Parity,
                                     const RefillLaw&);

@@ -54,12 +54,16 @@ class Domain {
   [[nodiscard]] const Vec3i& cells() const { return cells_; }
   /// Number of blocks after which an axis repeats, 0 for none.
   [[nodiscard]] const Vec3i& period() const { return period_; }
+  /// See Walls.
+  bool open_walls_by(double time) { return spec_.walls.open_by(time); }
+  /// State of a checkpoint: which walls are open.
+  void transfer(Archive& archive) { spec_.walls.transfer(archive); }
   /// gas (free), wall, or sink.
   [[nodiscard]] CellType classify(const Vec3i& cell) const;
-
- private:
   /// Signed distance of the nearest wall, m; of a point beyond a periodic face that of its image inside.
   [[nodiscard]] double wall_distance(const Vec3& p) const;
+
+ private:
   [[nodiscard]] bool outside_open_face(const Vec3i& cell) const;
 
   DomainSpec spec_;

@@ -59,6 +59,30 @@ void FluidGrid<Real>::make_blocks(const std::vector<BlockIndex>& made) {
 }
 
 template <class Real>
+std::vector<BlockIndex> FluidGrid<Real>::open_walls_by(double time) {
+  std::vector<BlockIndex> changed;
+  if (!domain_.open_walls_by(time)) return changed;
+  std::vector<std::uint8_t> differs(owned().size(), 0);
+  parallel_for(0, owned().size(), 1, [&](std::size_t k) {
+    const BlockIndex b = owned()[k];
+    Block<Real>& own = block(b);
+    const auto types = own.type;
+    if (!has_walls(b) && std::find(types.begin(), types.end(), CellType::wall) == types.end()) return;
+    WallLinks links;
+    std::swap(links, own.walls);
+    cut_geometry(own, domain_, lowest_cell(b), velocity_to_lu_);
+    for (std::size_t n = 0; n < types.size(); ++n)
+      if (is_wet(types[n])) own.type[n] = types[n];
+    differs[k] = own.type != types || own.walls.directions != links.directions;
+    if (differs[k] == 0) std::swap(links, own.walls);  // what the last reflection noted of them stays
+    has_walls_[static_cast<std::size_t>(b)] = !own.walls.cells.empty();
+  });
+  for (std::size_t k = 0; k < differs.size(); ++k)
+    if (differs[k] != 0) changed.push_back(owned()[k]);
+  return changed;
+}
+
+template <class Real>
 void FluidGrid<Real>::set_velocity_to_lu(double velocity_to_lu) {
   velocity_to_lu_ = velocity_to_lu;
   for (const BlockIndex b : owned())

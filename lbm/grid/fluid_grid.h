@@ -51,6 +51,9 @@ class FluidGrid {
   /// Appends the coordinates of a block's neighbours of these slots.
   void add_coordinates(BlockIndex b, std::uint32_t slots, std::vector<Vec3i>& coordinates) const;
   void release(BlockIndex b);
+  /// Takes away the walls that open by `time` (s): their cells are gas. Returns the blocks in which something changed;
+  /// liquid cells there may lie beside gas.
+  std::vector<BlockIndex> open_walls_by(double time);
   /// From now on the walls' velocities have these lattice units.
   void set_velocity_to_lu(double velocity_to_lu);
 

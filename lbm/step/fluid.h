@@ -53,6 +53,9 @@ class Fluid {
   /// Throws NumericalFailure if a cell is no longer finite or faster than the lattice can carry.
   void step();
 
+  /// Takes away the walls that open by `time` (s), between steps; says whether there were some (open_walls.cpp).
+  bool open_walls_by(double time);
+
   /// Makes the blocks in which inflows bring liquid in the coming step, so that bodies can be mapped into them before
   /// it.
   void make_room();

@@ -47,6 +47,7 @@ std::vector<BlockIndex> transfer_chosen(Archive& archive, const char* name, cons
 
 template <class Real>
 void FluidGrid<Real>::transfer(Archive& archive) {
+  archive.part("domain", domain_);
   archive.part("topology", topology_);
   if (archive.loading()) make_blocks(owned());
   archive.value("births", births_);

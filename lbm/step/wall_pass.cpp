@@ -4,7 +4,6 @@
 #include <string>
 
 #include "core/parallel.h"
-#include "lbm/boundary/wall_reflection.h"
 
 namespace lahar::lbm {
 
@@ -14,13 +13,15 @@ constexpr std::size_t kBlocksPerTask = 8;  // a group of the population layout
 
 }  // namespace
 
+WallPhysics wall_physics(const SweepParameters& p) {
+  return {(p.tau - 0.5) / 3, p.gravity, p.rheology.law == FlowLaw::newtonian, equilibrium_order(p.collision)};
+}
+
 template <class Real>
 void WallPass<Real>::run(FluidLevel<Real>& level, WallAccount& account) {
   FluidGrid<Real>& grid = level.grid;
   const auto& owned = grid.owned();
-  const SweepParameters& p = level.parameters;
-  const WallPhysics physics{(p.tau - 0.5) / 3, p.gravity, p.rheology.law == FlowLaw::newtonian,
-                            equilibrium_order(p.collision)};
+  const WallPhysics physics = wall_physics(level.parameters);
   const bool measured = !loads_.empty();
   if (measured) block_loads_.resize(std::max(block_loads_.size(), owned.size()));
   parallel_for(0, owned.size(), kBlocksPerTask, [&](std::size_t k) {

@@ -5,9 +5,13 @@
 
 #include "lbm/boundary/wall_balance.h"
 #include "lbm/boundary/wall_load.h"
+#include "lbm/boundary/wall_reflection.h"
 #include "lbm/step/fluid_level.h"
 
 namespace lahar::lbm {
+
+/// What reflection at walls needs to know of the collision.
+WallPhysics wall_physics(const SweepParameters& parameters);
 
 template <class Real>
 class WallPass {

@@ -202,6 +202,21 @@ TEST(Walls, NearestOfAKnownPoint) {
   EXPECT_NEAR((nearest.normal - Vec3(-1, 0, 0)).norm(), 0, 1e-15);
 }
 
+/// A wall that opens is nowhere from then on; the others keep their indices.
+TEST(Walls, OpenWhenTheirTimeHasCome) {
+  Walls walls = channel();
+  Wall gate{"gate", HalfSpace{{0.5, 0, 0}, -Vec3::UnitX()}};
+  gate.opens_at = 2;
+  walls.add(gate);
+  EXPECT_FALSE(walls.open_by(1.99));
+  EXPECT_LT(walls.distance(3, {0.6, 0, 0.1}), 0);
+  EXPECT_EQ(walls.nearest({0.6, 0, 0.1}).wall, 3);
+  EXPECT_TRUE(walls.open_by(2));
+  EXPECT_FALSE(walls.open_by(3)) << "it is open already";
+  EXPECT_EQ(walls.distance(3, {0.6, 0, 0.1}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(walls.nearest({0.6, 0, 0.1}).wall, 0);
+}
+
 TEST(Walls, WithoutWallsEverythingIsFree) {
   const Walls none;
   EXPECT_TRUE(none.empty());

@@ -59,6 +59,7 @@ std::vector<Arrival> arrivals() {
        {"wall[0].slip=no_slip"},
        "wall[0].velocity_m_s=[0.5, 0, 0]",
        [](const Scene& s) { return make_walls(s).all().at(0).velocity == Vec3(0.5, 0, 0); }},
+      {kDam, none, "wall[0].opens_at_s=0.3", [](const Scene& s) { return make_walls(s).all().at(0).opens_at == 0.3; }},
       {kDebris, none, "coupling.solid_operator=faded",
        fluid([](const auto& o) { return o.solid_operator == lbm::SolidOperator::damped_nonequilibrium; })},
       {kDebris, none, "coupling.body_weighting=noble_torczynski",

@@ -432,6 +432,15 @@ TEST(Warnings, ThingsInWallsOrOverEachOther) {
                     "grains.packing[0] and grains.packing[1] share space"));
 }
 
+TEST(Warnings, GatesThatStayClosed) {
+  const auto file = case_file("dam_break/scene.toml");
+  const double end = load(file).run.duration;
+  const auto gate = [&](double time) { return check_scene(load(file, {fmt::format("wall[1].opens_at_s={}", time)})); };
+  EXPECT_TRUE(warns(gate(end), "opens at"));
+  EXPECT_FALSE(warns(gate(0.5 * end), "opens at"));
+  EXPECT_FALSE(warns(gate(0), "opens at"));
+}
+
 /// The liquid feels a box by the cells whose centres lie in it.
 TEST(Warnings, WallsThinnerThanACell) {
   const auto file = case_file("dam_break/scene.toml");
