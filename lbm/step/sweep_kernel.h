@@ -210,8 +210,8 @@ class BlockKernel {
     for (int a = 0; a < 3; ++a) force.acceleration[a] = uniform.gravity[a];
   }
 
-  /// Momentum that the fluid gives to the bodies of the cell, B rho (u + a - u_s), and the velocity half-way through
-  /// collision and forces.
+  /// Momentum that the fluid gives to the bodies of the cell, B rho (u + a - u_s), and the velocity after collision but
+  /// for half a step of gravity.
   /// Bounce-back at the wall's velocity gives B rho (2 (u - u_s) + a).
   template <class Uniforms>
   [[gnu::always_inline]] static void record_exchange(Block<Real>& block, int n, const Moments<V>& m,
@@ -229,7 +229,7 @@ class BlockKernel {
         loss += slip, velocity_a -= force.coverage_weight * slip;
       }
       store_aligned(out[a] + n, weight * loss);
-      if (uniform.keep_velocity) store_aligned(velocity[a] + n, V(Real(0.5)) * (m.u[a] + velocity_a));
+      if (uniform.keep_velocity) store_aligned(velocity[a] + n, velocity_a - V(Real(0.5)) * force.acceleration[a]);
     }
     if constexpr (kMixed)
       if (body.lacks) add_lacking(block, n, m);

@@ -191,6 +191,19 @@ TEST(Check, MoreThreadsAreFaster) {
   EXPECT_GT(check_scene(hanging, 1).run_time, check_scene(as_built, 1).run_time);
 }
 
+/// By the contacts of grains, which then take longer steps.
+TEST(Check, TwoRatesAreFaster) {
+  const auto report = [](const char* two_rates) {
+    return check_scene(load(case_file("compare_cfd_dem/matched.toml"),
+                            {"materials.rock.youngs_modulus_Pa=3.5e9", fmt::format("solids.two_rates={}", two_rates)}));
+  };
+  const CheckReport one = report("false"), two = report("true");
+  EXPECT_EQ(one.solids->long_step, 1);
+  EXPECT_GT(two.solids->long_step, 2);
+  EXPECT_LT(two.run_time, 0.9 * one.run_time);
+  EXPECT_GT(two.run_time, 0.5 * one.run_time);
+}
+
 /// The net settles with its own mass: what that takes does not shrink with the steps of slow beads.
 TEST(Check, HangingTakesAsLongWithSlowBeads) {
   const auto hanging = [](double mass_scale) {
