@@ -272,8 +272,10 @@ void Solids::remove(ParticleIndex i) {
 }
 
 bool Solids::open_walls_by(double time) {
+  const auto& all = walls_.all();
+  if (std::none_of(all.begin(), all.end(), [&](const Wall& w) { return !w.open && w.opens_at <= time; })) return false;
   const double held = prepared_ ? ledger().elastic_normal : 0.0;
-  if (!walls_.open_by(time)) return false;
+  walls_.open_by(time);
   if (!prepared_) return true;
   contact_forces_.book_lost(contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast)));
   if (two_rates()) slow_forces_.book_lost(slow_contacts_.rebuild(particles_, walls_, bonded_, share(Rate::slow)));

@@ -20,8 +20,7 @@ bool is_beside_gas(const FluidGrid<Real>& grid, CellPlace place) {
 }  // namespace
 
 /// Where the wall stood is gas. Liquid cells beside it become full interface cells, which let nothing out that they did
-/// not hold: the ledger of the liquid stays. What is on its way to the wall is lost with it, what comes from there is
-/// that of gas from the coming step on.
+/// not hold: the ledger of the liquid stays. What the wall has sent back is set anew from gas before the coming step.
 template <class Real>
 bool Fluid<Real>::open_walls_by(double time) {
   FluidGrid<Real>& grid = level_.grid;
