@@ -48,7 +48,7 @@ struct BodyFields {
   alignas(64) Real lacking_y[kBlockCells];
   alignas(64) Real lacking_z[kBlockCells];
   alignas(64) Real coverage_weight[kBlockCells];  ///< B of the last step; 0 in dry cells
-  /// Velocity half-way through the last collision and its forces, lu, in wet cells (SweepParameters::keep_velocity).
+  /// Velocity after the last collision but for half a step of gravity, lu, in wet cells (keep_velocity of the sweep).
   alignas(64) Real velocity_x[kBlockCells];
   alignas(64) Real velocity_y[kBlockCells];
   alignas(64) Real velocity_z[kBlockCells];
