@@ -240,13 +240,16 @@ namespace {
 
 /// What the sweep would have left in fields that a block has just got.
 template <class Real>
-void note_velocities(lbm::FluidGrid<Real>& grid, BlockIndex b, lbm::Parity parity) {
+void note_velocities(lbm::Fluid<Real>& fluid, BlockIndex b) {
+  auto& grid = fluid.grid();
   Block<Real>& block = grid.block(b);
   lbm::BodyFields<Real>& fields = *block.body;
+  const Vec3 half = 0.5 * fluid.units().acceleration_to_lu(1.0) * fluid.options().gravity;
+  const Real x = static_cast<Real>(half.x()), y = static_cast<Real>(half.y()), z = static_cast<Real>(half.z());
   for (int n = 0; n < lbm::kBlockCells; ++n) {
     if (!lbm::is_wet(block.type[static_cast<std::size_t>(n)])) continue;
-    const auto m = lbm::outgoing_moments(grid, {b, n}, parity);
-    fields.velocity_x[n] = m.u[0], fields.velocity_y[n] = m.u[1], fields.velocity_z[n] = m.u[2];
+    const auto m = lbm::outgoing_moments(grid, {b, n}, fluid.parity());
+    fields.velocity_x[n] = m.u[0] - x, fields.velocity_y[n] = m.u[1] - y, fields.velocity_z[n] = m.u[2] - z;
   }
 }
 
@@ -260,7 +263,7 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, SolidFields<Real>&
     if (!by_block_.any_in(b)) continue;
     const auto block = static_cast<BlockIndex>(b);
     fields.reach(grid, block);
-    if (fields.is_fresh(block)) note_velocities(grid, block, fluid.parity());
+    if (fields.is_fresh(block)) note_velocities(fluid, block);
     grid.require_impulse(block);
   }
 }
