@@ -46,6 +46,8 @@ class DraggedSlip {
     dragged_ += taken;
     return taken;
   }
+  /// The step over which the forces of now act is `ratio` times the one for which they were worked out.
+  void stretch(double ratio) { driven_ *= ratio, dragged_ *= ratio; }
   /// The body is dry: what was is of no use.
   void forget() { known_ = false; }
 

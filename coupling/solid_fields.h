@@ -38,7 +38,7 @@ class SolidFields {
     for (const lbm::BlockIndex b : grid.owned()) {
       lbm::Block<Real>& block = grid.block(b);
       Entry& e = entry(b);
-      e.reached = e.fresh = false;
+      e.reached = false;
       if (!block.body || e.birth != block.birth) e.writer = Writer::none;
       e.birth = block.birth;
       if (!block.body || e.writer == Writer::grains || e.writer == Writer::wires) continue;
@@ -61,7 +61,7 @@ class SolidFields {
     return fields;
   }
 
-  /// Whether a block that was reached got its fields in this step: no sweep has left anything there yet.
+  /// Whether a block that was reached got its fields since the last step: no sweep has left anything there yet.
   [[nodiscard]] bool is_fresh(lbm::BlockIndex b) const { return entries_[static_cast<std::size_t>(b)].fresh; }
 
   /// Of a block with body fields, after open().
@@ -71,9 +71,10 @@ class SolidFields {
   }
   void set_writer(lbm::BlockIndex b, Writer writer) { entry(b).writer = writer; }
 
-  /// Releases the fields of blocks that nobody reached.
+  /// Releases the fields of blocks that nobody reached. The sweep follows.
   void close(lbm::FluidGrid<Real>& grid) {
     for (const lbm::BlockIndex b : grid.owned()) {
+      entry(b).fresh = false;
       if (!grid.block(b).body || entry(b).reached) continue;
       grid.release_body(b);
       set_writer(b, Writer::none);

@@ -277,8 +277,13 @@ bool Solids::open_walls_by(double time) {
   const double held = prepared_ ? ledger().elastic_normal : 0.0;
   walls_.open_by(time);
   if (!prepared_) return true;
-  contact_forces_.book_lost(contacts_.rebuild(particles_, walls_, bonded_, share(Rate::fast)));
-  if (two_rates()) slow_forces_.book_lost(slow_contacts_.rebuild(particles_, walls_, bonded_, share(Rate::slow)));
+  const auto list_again = [&](ContactDetection& contacts, ContactForces& forces, Rate rate) {
+    const ContactSlots before = contacts.wall_contacts();
+    forces.book_lost(contacts.rebuild(particles_, walls_, bonded_, share(rate)));
+    forces.keep_answers(before, contacts.wall_contacts());
+  };
+  list_again(contacts_, contact_forces_, Rate::fast);
+  if (two_rates()) list_again(slow_contacts_, slow_forces_, Rate::slow);
   removed_energy_ += held - ledger().elastic_normal;
   return true;
 }

@@ -208,6 +208,7 @@ void Solids::transfer_by_id(Archive& archive) {
           static_cast<std::size_t>(bonds_.sort[k]) >= bonds_.sorts.size())
         archive.refuse("bonds", "do not fit the particles");
     build_bonds();
+    bonded_.assign(particles_.size(), bonds_.i, bonds_.j, known_intact_);
     known_particles_ = particles_.size();
     known_bonds_ = bonds_.size();
     find_slow();

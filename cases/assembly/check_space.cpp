@@ -84,10 +84,18 @@ void check_region(const Scene& scene, std::size_t i, Findings& findings) {
       findings.mistake(path + key, fmt::format("{}{} lies outside the domain, expected it inside [domain]", path, key));
 }
 
-/// Cells of an inflow's box outside walls, both by their centres (lbm/free_surface/inflow.h), counted up to `enough`.
+/// s, when liquid begins to come.
+double start_of(const Inflow& in) {
+  const auto comes = std::find_if(in.discharge.begin(), in.discharge.end(), [](const auto& q) { return q.value > 0; });
+  return comes == in.discharge.begin() || comes == in.discharge.end() ? 0.0 : std::prev(comes)->time;
+}
+
+/// Cells of an inflow's box outside walls that stand when it begins, both by their centres
+/// (lbm/free_surface/inflow.h), counted up to `enough`.
 double free_cells(const Inflow& in, const Scene& scene, double enough) {
   const double dx = scene.fluid.cell_size;
-  const Walls walls = make_walls(scene);
+  Walls walls = make_walls(scene);
+  walls.open_by(start_of(in));
   const auto cell_from = [&](const Vec3& p) {
     return Vec3i(((p - scene.domain.lower) / dx - Vec3::Constant(0.5 + 1e-9)).array().ceil().cast<int>());
   };
@@ -177,7 +185,7 @@ void check_cells(const Scene& scene, Findings& findings) {
   if (extent.maxCoeff() / dx > most_along_axis)
     return findings.mistake(path, fmt::format("{} is {:g}: {:.3g} cells along the domain, expected at most {:.0f}",
                                               path, dx, extent.maxCoeff() / dx, most_along_axis));
-  if (!findings.sound({"fluid.region"})) return;
+  if (!findings.sound({"fluid.region", "wall"})) return;
   const double nodes = findings.sound({"coupling"}) ? averaging_nodes(scene) * kBytesPerNode : 0;
   const double need = liquid_cells(scene) * static_cast<double>(fluid_bytes_per_cell(scene.run.precision)) + nodes;
   const auto have = static_cast<double>(physical_memory());

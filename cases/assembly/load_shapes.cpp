@@ -114,6 +114,7 @@ std::string check_sum(const fs::path& path) {
 template <class Load>
 void load_file(ShapeFile& s, const std::string& key, Findings& findings, const Load& load) {
   if (!findings.sound({key})) return;
+  if (s.file.empty()) return findings.mistake(key, key + " is \"\", expected the name of a file");
   const fs::path path = file_of(s, findings.place(key));
   try {
     load(path);

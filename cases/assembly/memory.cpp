@@ -4,30 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <variant>
+#include <vector>
 
 #include "cases/assembly/geometry.h"
 #include "coupling/grains/averaging_grid.h"
 
 namespace lahar::scene {
-
-namespace {
-
-/// What a region has of the box around it, judged at the points of a lattice.
-double share_of_box(const FluidRegion& region) {
-  const auto body = make_body(region);
-  if (!body) return 1;
-  constexpr int n = 24;  // points along an edge
-  int inside = 0;
-  for (int i = 0; i < n * n * n; ++i) {
-    const Vec3 part((i % n + 0.5) / n, (i / n % n + 0.5) / n, (i / (n * n) + 0.5) / n);
-    const Vec3 p = region.lower + part.cwiseProduct(region.upper - region.lower);
-    if (std::visit([&](const auto& shape) { return shape.distance(p); }, *body) < 0) ++inside;
-  }
-  return static_cast<double>(inside) / (n * n * n);
-}
-
-}  // namespace
 
 std::size_t fluid_bytes_per_cell(Precision precision) {
   constexpr std::size_t numbers = 19 + 3 + 7, flags = 6;
@@ -43,9 +27,37 @@ double averaging_nodes(const Scene& scene) {
   return nodes;
 }
 
+double liquid_share(const Scene& scene, const Walls& walls, std::size_t region, double margin) {
+  std::vector<std::optional<Shape>> bodies;
+  for (std::size_t k = 0; k <= region; ++k) bodies.push_back(make_body(scene.fluid.regions[k]));
+  const auto holds = [&](std::size_t k, const Vec3& p, double reach) {
+    return !bodies[k] || std::visit([&](const auto& shape) { return shape.distance(p); }, *bodies[k]) < reach;
+  };
+  const auto is_counted = [&](const Vec3& p) {
+    for (std::size_t k = 0; k < region; ++k) {
+      const FluidRegion& r = scene.fluid.regions[k];
+      if ((p.array() >= r.lower.array()).all() && (p.array() <= r.upper.array()).all() && holds(k, p, 0)) return true;
+    }
+    return false;
+  };
+  const FluidRegion& r = scene.fluid.regions[region];
+  constexpr int n = 24, nz = 256;  // points along an edge; more upwards, for thin layers on high ground
+  int inside = 0;
+  for (int i = 0; i < n * n * nz; ++i) {
+    const Vec3 part((i % n + 0.5) / n, (i / n % n + 0.5) / n, (i / (n * n) + 0.5) / nz);
+    const Vec3 p = r.lower + part.cwiseProduct(r.upper - r.lower);
+    if (holds(region, p, margin) && walls.nearest(p).distance >= -margin && !is_counted(p)) ++inside;
+  }
+  return static_cast<double>(inside) / (n * n * nz);
+}
+
 double liquid_cells(const Scene& scene) {
+  const Walls walls = make_walls(scene);
   double volume = 0;
-  for (const FluidRegion& r : scene.fluid.regions) volume += (r.upper - r.lower).prod() * share_of_box(r);
+  for (std::size_t k = 0; k < scene.fluid.regions.size(); ++k) {
+    const FluidRegion& r = scene.fluid.regions[k];
+    volume += (r.upper - r.lower).prod() * liquid_share(scene, walls, k, 0);
+  }
   return volume / std::pow(scene.fluid.cell_size, 3);
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "cases/scene/scene.h"
+#include "core/geometry.h"
 
 namespace lahar::scene {
 
@@ -18,7 +19,11 @@ double averaging_nodes(const Scene& scene);
 /// Bytes that a node of the averaged coupling takes in memory (AveragedExchange::Node) and in a checkpoint.
 inline constexpr double kBytesPerNode = 104, kStoredBytesPerNode = 40;
 
-/// Cells of the liquid at the start (the sum over regions; overlaps count twice).
+/// What becomes liquid of the box around a region: what its shape holds outside walls and of no region before it. With
+/// a `margin` (m), what is so near to that, too. Judged at the points of a lattice.
+double liquid_share(const Scene& scene, const Walls& walls, std::size_t region, double margin);
+
+/// Cells of the liquid at the start.
 double liquid_cells(const Scene& scene);
 
 /// Of the liquid that inflow boxes bring by a time (s), if they can.

@@ -159,4 +159,12 @@ Flow::Flow(const Observed& run) : Observer(run), bed_(run.simulation.fluid()->do
           [this] { return now_.front >= *run_.section ? run_.simulation.time() : kUnknown; });
 }
 
+void Flow::sample(double) {
+  const lbm::Domain& domain = run_.simulation.fluid()->domain();
+  const auto& walls = domain.walls().all();
+  const auto open = std::count_if(walls.begin(), walls.end(), [](const Wall& wall) { return wall.open; });
+  if (open != open_walls_) bed_ = Bed(domain), open_walls_ = open;
+  now_ = look_at_flow(run_, bed_);
+}
+
 }  // namespace lahar::cases

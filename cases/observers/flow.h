@@ -1,5 +1,6 @@
 #pragma once
 // Energy, front and profile of the liquid: one look at all wet cells, which other observers share.
+#include <cstddef>
 #include <vector>
 
 #include "cases/observers/observer.h"
@@ -42,11 +43,12 @@ class Flow final : public Observer {
   explicit Flow(const Observed& run);
   static bool applies(const Observed& run) { return run.simulation.fluid() != nullptr; }
   [[nodiscard]] std::string_view name() const override { return "flow"; }
-  void sample(double) override { now_ = look_at_flow(run_, bed_); }
+  void sample(double) override;
   [[nodiscard]] const FlowFigures& now() const { return now_; }
 
  private:
   Bed bed_;
+  std::ptrdiff_t open_walls_ = 0;  ///< when the bed was found
   FlowFigures now_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/memory.h"
 #include "cases/assembly/settled_barrier.h"
@@ -19,18 +20,24 @@ namespace {
 // bonds, cells around grains that are mapped and give loads, cells over which grains are averaged, beads that feel the
 // water.
 constexpr double cells_per_second = 7e6, particles_per_second = 7e6;
+constexpr double seconds_per_picture = 0.9;
 constexpr double body_cells_per_second = 40e6, averaged_cells_per_second = 9e6, wet_beads_per_second = 1.7e6;
 // Share of a particle step that is not in each of them with two rates (docs/decisions/0096).
 constexpr double of_grain_contacts = 0.7;
 // A layer that runs out thin touches more blocks than the same liquid in a heap.
 constexpr double spreading = 3;
 
-/// Blocks that hold the regions and a layer of one cell around them.
+/// Blocks that hold the regions and a layer of one cell around them; where these lie in walls or in each other, those
+/// whose middle is nearer to the liquid than its corners are.
 double blocks_at_start(const scene::Scene& scene) {
-  const double dx = scene.fluid.cell_size;
+  const double dx = scene.fluid.cell_size, middle_to_corner = 4 * std::sqrt(3.0) * dx;
+  const Walls walls = scene::make_walls(scene);
   double blocks = 0;
-  for (const scene::FluidRegion& r : scene.fluid.regions)
-    blocks += (((r.upper - r.lower) / dx).array() + 2.0).unaryExpr([](double n) { return std::ceil(n / 8); }).prod();
+  for (std::size_t k = 0; k < scene.fluid.regions.size(); ++k) {
+    const scene::FluidRegion& r = scene.fluid.regions[k];
+    blocks += scene::liquid_share(scene, walls, k, middle_to_corner) *
+              (((r.upper - r.lower) / dx).array() + 2.0).unaryExpr([](double n) { return std::ceil(n / 8); }).prod();
+  }
   return blocks;
 }
 
@@ -166,6 +173,8 @@ double checkpoint_bytes(const scene::Scene& scene, const CheckReport& report, do
 /// CPU seconds of one thread.
 double run_time(const scene::Scene& scene, const CheckReport& report) {
   double seconds = 0;
+  if (scene.run.image_interval > 0)
+    seconds += seconds_per_picture * (1 + std::floor(scene.run.duration / scene.run.image_interval));
   if (report.fluid) seconds += report.fluid->steps * report.fluid->mean_cells / cells_per_second;
   if (!report.solids) return seconds;
   const SolidsFigures& s = *report.solids;

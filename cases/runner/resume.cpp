@@ -49,10 +49,12 @@ scene::Scene load_resumed(const std::filesystem::path& folder, const std::vector
   if (!mistakes.empty()) throw InputError(mistakes);
   scene::Scene scene = scene::load(folder / "scene.resolved.toml", overrides);
   const CheckpointHead head = read_head(folder, scene);
-  // A run ends with the first step that reaches its duration, at most a step beyond it.
+  // A run ends with the first step that reaches its duration, at most a step beyond it: its own duration may be asked
+  // for again.
   const auto shortened = std::find_if(overrides.begin(), overrides.end(),
                                       [](const std::string& text) { return key_of(text) == "run.duration_s"; });
-  if (shortened != overrides.end() && scene.run.duration < head.time * (1 - 1e-9))
+  if (shortened != overrides.end() && scene.run.duration < head.time * (1 - 1e-9) &&
+      scene.run.duration != scene::load(folder / "scene.resolved.toml").run.duration)
     throw InputError(std::vector<InputMistake>{{"--set " + *shortened, 1, 1,
                                                 "run.duration_s is " + std::to_string(scene.run.duration) +
                                                     ", expected at least the " + std::to_string(head.time) +

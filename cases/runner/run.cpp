@@ -28,14 +28,17 @@ namespace lahar::cases {
 
 namespace {
 
-/// Grains that have left the domain are taken out of the scene; those that fly up may come back.
+/// Grains that have left the domain are taken out of the scene; those that fly up may come back. Throws
+/// NumericalFailure where one was thrown out: it would not be there when the watchdog looks.
 void remove_leavers(const scene::Scene& scene, dem::Solids* solids) {
   if (!solids) return;
   const dem::Particles& p = solids->particles();
   for (dem::ParticleId id = 0; id < p.size(); ++id) {
     const dem::ParticleIndex i = p.index(id);
     if (p.kind[i] != dem::ParticleKind::grain || p.state[i] != dem::ParticleState::free) continue;
-    if (has_left(scene.domain, p, i)) solids->remove(i);
+    if (!has_left(scene.domain, p, i)) continue;
+    check_motion(p, solids->options().watchdog, solids->step_count());
+    solids->remove(i);
   }
 }
 

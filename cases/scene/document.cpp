@@ -97,7 +97,7 @@ toml::table read_with_bases(const fs::path& file, int depth, std::vector<InputMi
   const fs::path next = file.parent_path() / *key.value<std::string>();
   if (depth == deepest)
     fail(at.file, at.line, at.column, fmt::format("scene.base: expected a chain of at most {}", deepest));
-  if (!fs::is_regular_file(next))
+  if (std::error_code none; !fs::is_regular_file(next, none))
     fail(at.file, at.line, at.column, fmt::format("scene.base is \"{}\", expected a scene file", next.string()));
   toml::table base = read_with_bases(next, depth + 1, mistakes);
   if (toml::table* identity = base["scene"].as_table()) identity->erase("base"), identity->erase("changes");

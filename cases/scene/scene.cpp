@@ -8,7 +8,8 @@ namespace lahar::scene {
 
 Vec3 Gravity::vector() const {
   const double angle = slope_deg * std::numbers::pi / 180.0;
-  return magnitude * Vec3{std::sin(angle), 0.0, -std::cos(angle)};
+  const double across = slope_deg == 90 ? 0.0 : std::cos(angle);  // cos(pi / 2) rounds to 6e-17
+  return magnitude * Vec3{std::sin(angle), 0.0, -across};
 }
 
 bool Domain::open(Face face) const { return std::find(open_faces.begin(), open_faces.end(), face) != open_faces.end(); }

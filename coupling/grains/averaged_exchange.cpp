@@ -339,6 +339,7 @@ void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, double stretc
   }
   state.slip.begin(slip);
   const Vec3 drag = mass * state.slip.drag(beta * dt / mass);  // N s
+  state.slip.stretch(stretch);
   state.velocity = velocity, state.sampled = around.liquid, state.liquid = liquid_velocity;
   state.known = true;
 

@@ -172,6 +172,7 @@ void GrainMap<Real>::transfer(Archive& archive) {
   std::size_t grains = grains_.size(), pairs = pairs_.size();
   archive.value("grains", grains);
   archive.value("pairs", pairs);
+  archive.value("forgotten", forgotten_);
   grains_.resize(grains), spheres_.resize(grains), pairs_.resize(pairs);
   const bool loading = archive.loading();
   const auto carry = [loading](auto& own, auto& stored) {

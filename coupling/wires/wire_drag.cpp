@@ -151,8 +151,11 @@ ExchangedMomentum WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles&
   by_block_.for_each_block([&](std::size_t block) {
     for (const std::uint32_t k : by_block_.in(block)) sample(fluid, pairs_[k]);
   });
-  parallel_for(0, beads_.size(), kBeadsPerTask,
-               [&](std::size_t k) { choose_force(fluid, particles, grains, beads_[k]); });
+  const double stretch = fluid.plan_time_step() / fluid.units().time_step;
+  parallel_for(0, beads_.size(), kBeadsPerTask, [&](std::size_t k) {
+    choose_force(fluid, particles, grains, beads_[k]);
+    beads_[k].slip.stretch(stretch);
+  });
   by_block_.for_each_block([&](std::size_t block) {
     for (const std::uint32_t k : by_block_.in(block)) spread(fluid, pairs_[k]);
   });

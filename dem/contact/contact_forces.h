@@ -43,6 +43,10 @@ class ContactForces {
                                     std::uint32_t wall) const {
     return walls_.moment_on_wall(particles, contacts, walls, wall);
   }
+  /// See WallContacts.
+  void keep_answers(const ContactSlots& walls_before, const ContactSlots& walls_now) {
+    walls_.keep_answers(walls_before, walls_now);
+  }
   /// The particles were renumbered, and wall slot k was from[k].
   void renumber(const Renumbering& change, const std::vector<std::uint32_t>& from) {
     walls_.renumber(from);

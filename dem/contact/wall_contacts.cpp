@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/check.h"
 #include "dem/contact/rolling_lane.h"
 
 namespace lahar::dem {
@@ -217,6 +218,17 @@ void WallContacts::tally_by_id(const Numbering& numbering, const ContactDetectio
       if (answers_[k].power != 0) add_work(dt, answers_[k].power, tally);
     }
   }
+}
+
+void WallContacts::keep_answers(const ContactSlots& before, const ContactSlots& now) {
+  if (answers_.empty()) return;
+  require(answers_.size() == before.size(), "WallContacts::keep_answers: answers of other contacts");
+  std::vector<Answer> kept(now.size());
+  for (std::size_t i = 0; i + 1 < std::min(before.offset.size(), now.offset.size()); ++i)
+    for (std::uint32_t k = now.offset[i]; k < now.offset[i + 1]; ++k)
+      for (std::uint32_t b = before.offset[i]; b < before.offset[i + 1]; ++b)
+        if (before.partner[b] == now.partner[k]) kept[k] = answers_[b];
+  answers_ = std::move(kept);
 }
 
 Vec3 WallContacts::force_on_wall(const Particles& particles, const ContactDetection& contacts,

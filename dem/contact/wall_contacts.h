@@ -20,6 +20,8 @@ class WallContacts {
     answers_.resize(slots);
     booked_.assign(numbering.by_id() ? 0 : slots, {});
   }
+  /// The slots are new, but nothing is evaluated until the next step: those that were there before keep their answers.
+  void keep_answers(const ContactSlots& before, const ContactSlots& now);
   void clear() { answers_.clear(); }
   /// The slots stand elsewhere: slot k was from[k].
   void renumber(const std::vector<std::uint32_t>& from) { reorder(answers_, from); }

@@ -50,8 +50,8 @@ struct WireSphere {
 void describe(const WirePatch& patch, const SplineSegment& segment, const WirePartner& partner,
               const WireSphere& sphere, double reach, double radius, WireContact& contact);
 
-/// 1/R* for Hertz' law, R* = sqrt(R' R'') with the principal radii of the gap: of two wires that cross at a right
-/// angle, R' and R'' are their radii; of a sphere on a wire 1/R' = 1/a and 1/R'' = 1/a + 1/r. m.
+/// R* for Hertz' law, m: sqrt(R' R'') with the principal radii of the gap: of two wires that cross at a right
+/// angle, R' and R'' are their radii; of a sphere on a wire 1/R' = 1/a and 1/R'' = 1/a + 1/r.
 double effective_radius_of_wires(double r, double other);
 double effective_radius_on_sphere(double r, double sphere);
 

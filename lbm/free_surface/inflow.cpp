@@ -38,6 +38,12 @@ Inflow<Real>::Inflow(InflowOptions options, const Domain& domain) : options_(std
     last_[a] = cell(options_.upper[a]) - 1;
     require(first_[a] <= last_[a], "Inflow: the box holds the centre of no cell");
   }
+  find_columns(domain);
+}
+
+template <class Real>
+void Inflow<Real>::find_columns(const Domain& domain) {
+  free_.clear(), at_wall_.clear();
   // Row by row along the stream: one that lies wholly at a wall is fed as any other.
   const int along = std::max(0, stream_axis(options_.velocity)), across = 1 - along;
   for (int c = first_[across]; c <= last_[across]; ++c) {

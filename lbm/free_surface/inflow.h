@@ -34,6 +34,9 @@ class Inflow {
  public:
   Inflow(InflowOptions options, const Domain& domain);
 
+  /// Finds the columns of the box; to be called again when a wall has opened.
+  void find_columns(const Domain& domain);
+
   /// Makes the blocks of the box if something is due in a step of `duration` from `time` on, s.
   void make_room(FluidGrid<Real>& grid, double time, double duration) const;
   /// Puts in what is due in a step of `duration` from `time` on, s. Throws NumericalFailure where the box cannot take

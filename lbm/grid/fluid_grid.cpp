@@ -58,6 +58,21 @@ void FluidGrid<Real>::make_blocks(const std::vector<BlockIndex>& made) {
   });
 }
 
+namespace {
+
+/// Whether links lead to the same walls, met in the same places.
+bool same_walls(const WallLinks& a, const WallLinks& b) {
+  return a.directions == b.directions &&
+         std::equal(a.cells.begin(), a.cells.end(), b.cells.begin(), b.cells.end(),
+                    [](const WallCell& c, const WallCell& d) {
+                      return c.cell == d.cell && c.wall == d.wall && c.distance == d.distance && c.normal == d.normal;
+                    }) &&
+         std::equal(a.hits.begin(), a.hits.end(), b.hits.begin(), b.hits.end(),
+                    [](const WallHit& h, const WallHit& k) { return h.share == k.share; });
+}
+
+}  // namespace
+
 template <class Real>
 std::vector<BlockIndex> FluidGrid<Real>::open_walls_by(double time) {
   std::vector<BlockIndex> changed;
@@ -73,7 +88,7 @@ std::vector<BlockIndex> FluidGrid<Real>::open_walls_by(double time) {
     cut_geometry(own, domain_, lowest_cell(b), velocity_to_lu_);
     for (std::size_t n = 0; n < types.size(); ++n)
       if (is_wet(types[n])) own.type[n] = types[n];
-    differs[k] = own.type != types || own.walls.directions != links.directions;
+    differs[k] = own.type != types || !same_walls(own.walls, links);
     if (differs[k] == 0) std::swap(links, own.walls);  // what the last reflection noted of them stays
     has_walls_[static_cast<std::size_t>(b)] = !own.walls.cells.empty();
   });

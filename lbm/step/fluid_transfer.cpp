@@ -211,6 +211,8 @@ void Fluid<Real>::transfer(Archive& archive) {
   for (std::size_t k = 0; k < inflows_.size(); ++k) archive.part("inflow_" + std::to_string(k), inflows_[k]);
   walls_.transfer(archive, level_.grid.domain());
   archive.part("grid", level_.grid);
+  if (archive.loading())  // with the walls that are open
+    for (Inflow<Real>& inflow : inflows_) inflow.find_columns(level_.grid.domain());
 }
 
 // The classes are instantiated elsewhere, without what is defined here.

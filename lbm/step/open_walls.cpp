@@ -1,4 +1,6 @@
 // A wall that is taken away between two steps, as a gate.
+#include <algorithm>
+
 #include "lbm/boundary/wall_reflection.h"
 #include "lbm/free_surface/refilling.h"
 #include "lbm/free_surface/surface_exchange.h"
@@ -24,6 +26,9 @@ bool is_beside_gas(const FluidGrid<Real>& grid, CellPlace place) {
 template <class Real>
 bool Fluid<Real>::open_walls_by(double time) {
   FluidGrid<Real>& grid = level_.grid;
+  const auto& walls = grid.domain().walls().all();
+  if (std::none_of(walls.begin(), walls.end(), [&](const Wall& w) { return !w.open && w.opens_at <= time; }))
+    return false;
   const std::vector<BlockIndex> changed = grid.open_walls_by(time);
   std::vector<CellPlace> exposed;
   for (const BlockIndex b : changed)
@@ -40,7 +45,8 @@ bool Fluid<Real>::open_walls_by(double time) {
     if (grid.block(b).surface) note_densities(grid, b, level_.parity());
     if (grid.has_walls(b)) reflect_at_walls(grid, b, level_.parity(), wall_physics(level_.parameters), nullptr);
   }
-  return !changed.empty();
+  for (Inflow<Real>& inflow : inflows_) inflow.find_columns(grid.domain());
+  return true;
 }
 
 template bool Fluid<float>::open_walls_by(double);

@@ -136,6 +136,35 @@ TEST(CoupledStep, AWireBesideGrainsFeelsTheStreamFromTheFirstStep) {
   EXPECT_NEAR(first_drag(AveragedGrains{.averaging_length = 0.15}, true), alone, 0.05 * alone);
 }
 
+/// So does one in a scene, whose grains are put in as it is filled.
+TEST(CoupledStep, AWireBesideGrainsFeelsWaterThatBeginsInMotion) {
+  const auto first_drag = [](bool with_grain) {
+    lbm::FluidOptions fluid = by_distance(tank(Vec3(0.64, 0.64, 0.64), 0.02, 1e-4), lbm::BodyWeighting::inertial);
+    fluid.gravity = Vec3::Zero();
+    fluid.kinematic_viscosity = 1e-6;
+    Chains c;
+    c.add(straight_line(Vec3(0.32, 0.321, 0.25), Vec3(0.32, 0.321, 0.37), 21), 0.006, false);
+    if (with_grain) {
+      auto beside = grain(Vec3(0.42, 0.36, 0.31), 0.02, 2500);
+      beside.state = dem::ParticleState::fixed;
+      c.particles.add(beside);
+    }
+    dem::SolidsOptions options;
+    options.gravity = Vec3::Zero();
+    options.time_step = 1;  // set by the coupled step
+    CoupledStep<double> step(fluid, dem::Solids{std::move(c.particles), std::move(c.bonds), rock(), Walls{}, options},
+                             {.substeps = 5});
+    step.fill({{Vec3::Zero(), Vec3(0.64, 0.64, 0.56), Vec3(2, 0, 0)}});
+    step.advance();
+    double sum = 0;
+    for (std::size_t n = 0; n < 21; ++n) sum += step.solids()->particles().external_force.x[n];
+    return sum;
+  };
+  const double alone = first_drag(false);
+  EXPECT_GT(alone, 1);
+  EXPECT_NEAR(first_drag(true), alone, 0.05 * alone);
+}
+
 /// Light spheres of a cell to three rise through water at rest, with every weighting. Interior inertia beyond what is
 /// entrained made them spin, and then threw them out at hundreds of m/s.
 TEST(CoupledStep, SmallLightSpheresRise) {

@@ -11,8 +11,10 @@
 namespace lahar::dem {
 namespace {
 
-/// Grains that rain on chains of beads, whose bonds break under them; the chains stretch plastically.
-Solids scene(double rolling_friction = 0, WireContacts wires = WireContacts::beads) {
+/// Grains that rain on chains of beads `spacing` (m) apart, whose bonds break under them; the chains stretch
+/// plastically. Far from all of them is a wall that opens at kOpening.
+constexpr double kOpening = 1;  // s
+Solids scene(double rolling_friction = 0, WireContacts wires = WireContacts::beads, double spacing = 0.006) {
   Particles p = testing::loose_grains(5, 5, 6, 0.02, 0.04, 4);
   for (double& z : p.position.z) z += 0.05;
   Bonds bonds;
@@ -28,7 +30,7 @@ Solids scene(double rolling_friction = 0, WireContacts wires = WireContacts::bea
   bonds.add_sort(wire);
   for (int chain = 0; chain < 3; ++chain)
     for (int n = 0; n < 60; ++n) {
-      ParticleSpec bead = testing::sphere({0.02 + 0.006 * n, 0.1 + 0.1 * chain, 0.03}, 0.003, 7850);
+      ParticleSpec bead = testing::sphere({0.02 + spacing * n, 0.1 + 0.1 * chain, 0.03}, 0.003, 7850);
       bead.kind = ParticleKind::bead;
       bead.body = chain;
       bead.state = n % 59 == 0 ? ParticleState::fixed : ParticleState::free;
@@ -43,7 +45,11 @@ Solids scene(double rolling_friction = 0, WireContacts wires = WireContacts::bea
   Materials m;
   m.add({"any", 1e7, 0.25});
   m.set_pair(0, 0, 0.5, 0.5, rolling_friction);
-  return {std::move(p), std::move(bonds), m, testing::open_box({0.41, 0.41, 1}), o};
+  Walls walls = testing::open_box({0.41, 0.41, 1});
+  Wall gate{"gate", SolidSphere{{0.2, 0.2, 5}, 0.1}};
+  gate.opens_at = kOpening;
+  walls.add(gate);
+  return {std::move(p), std::move(bonds), m, walls, o};
 }
 
 std::size_t broken(const Solids& s) {
@@ -106,6 +112,23 @@ TEST(SolidsTransfer, GoesOnWithContactsBondsAndBrokenBonds) {
 TEST(SolidsTransfer, GoesOnFromTheVeryStart) {
   Solids solids = scene();
   expect_same_after_restart(solids, 500);
+}
+
+/// The lists are built anew where a wall opens. Beads that overlap in a bond must not touch then.
+TEST(SolidsTransfer, AWallOpensAfterARestart) {
+  constexpr double kClose = 0.0058;  // m, less than two radii
+  Solids whole = scene(0, WireContacts::beads, kClose);
+  whole.advance(200);
+  ASSERT_EQ(broken(whole), 0U);
+  StoredState state = state_of(whole);
+  Solids resumed = scene(0, WireContacts::beads, kClose);
+  load_state(state, resumed);
+  for (Solids* solids : {&whole, &resumed}) {
+    ASSERT_TRUE(solids->open_walls_by(kOpening));
+    solids->advance(100);
+  }
+  const auto differing = differing_lists(state_of(whole), state_of(resumed));
+  EXPECT_TRUE(differing.empty()) << ::testing::PrintToString(differing);
 }
 
 TEST(SolidsTransfer, RefusesBondsOfOtherParticles) {

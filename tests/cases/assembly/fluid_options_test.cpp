@@ -74,6 +74,18 @@ TEST(FluidOptions, AnInflowNeedsCellsOutsideWalls) {
                                      "0.84 m^3/s that its box takes (300 cells outside walls)"});
 }
 
+/// One that begins when a gate has gone has its place.
+TEST(FluidOptions, AnInflowMayBeginWhereAGateStood) {
+  const auto mistakes = [](const std::string& opens_at) {
+    return mistakes_in(case_file(kDam),
+                       {inflow("[0.2, 0.3, 0.2]", "[[0, 0], [0.2, 0], [0.3, 2]]"), "fluid.max_speed_m_s=3.5",
+                        "wall[2].name=gate", "wall[2].shape=box", "wall[2].lower_m=[-0.1, -0.1, -0.1]",
+                        "wall[2].upper_m=[0.2, 0.4, 0.16]", "wall[2].opens_at_s=" + opens_at});
+  };
+  EXPECT_TRUE(mistakes("0.2").empty());
+  EXPECT_EQ(mistakes("0.21").size(), 1U);
+}
+
 TEST(FluidOptions, ReachTheSolverAndTheResolvedScene) {
   const Scene scene =
       load(case_file(kDam), {"fluid.rheology.law=herschel_bulkley", "fluid.rheology.yield_stress_Pa=20",

@@ -14,6 +14,10 @@ TEST(SceneGeometry, GravityPointsDownTheSlope) {
   EXPECT_NEAR(gravity.vector().z(), -10 * std::sqrt(3.0) / 2, 1e-14);
 }
 
+TEST(SceneGeometry, NothingPressesOnAnUprightBed) {
+  EXPECT_EQ((Gravity{.magnitude = 10, .slope_deg = 90}.vector()), Vec3(10, 0, 0));
+}
+
 TEST(SceneGeometry, WallsOfTheChannel) {
   Scene scene = debris_flow();
   scene.walls[0].normal = {0, 0, 5};

@@ -151,7 +151,8 @@ TEST_P(WrongShape, IsTheOneMistake) {
 
 INSTANTIATE_TEST_SUITE_P(
     LoadShapes, WrongShape,
-    testing::Values(Rejection{{"wall[0].file='missing.stl'"}, "wall[0].file", "there is no such file"},
+    testing::Values(Rejection{{"wall[0].file=''"}, "wall[0].file", "expected the name of a file"},
+                    Rejection{{"wall[0].file='missing.stl'"}, "wall[0].file", "there is no such file"},
                     Rejection{{"wall[0].file=GAPING"}, "wall[0].file", "is not closed: 3 edges"},
                     Rejection{{"wall[0].file=HOLLOW"}, "wall[0].file", "has no triangles"},
                     Rejection{{"wall[0].file=WORDS"}, "wall[0].file", "expected .stl, .ply or .obj"},

@@ -41,5 +41,20 @@ TEST_F(FlowOfHeap, ChannelsMayBeNarrowAndHigh) {
   EXPECT_NEAR(f.deepest_speed, 0.5, 1e-6);
 }
 
+/// A gate that has opened is no bed: the front goes on as if none had been there.
+TEST_F(FlowOfHeap, GoesOnWhereAGateHasOpened) {
+  const auto front_after = [&](int steps, const std::vector<std::string>& set) {
+    first_row(set);
+    take_row(steps);
+    return observers_->find<Flow>()->now().front;
+  };
+  const std::string still = "fluid.region=[{lower_m = [0, 0, 0], upper_m = [0.4, 0.16, 0.3]}]";
+  const std::string gate =
+      "wall=[{name = \"gate\", shape = \"plane\", point_m = [0.4, 0, 0], normal = [-1, 0, 0], opens_at_s = 1e-9}]";
+  const double free = front_after(150, {still}), opened = front_after(151, {still, gate});
+  EXPECT_GT(free, 0.5);
+  EXPECT_NEAR(opened, free, 0.02);
+}
+
 }  // namespace
 }  // namespace lahar::cases

@@ -31,6 +31,8 @@ TEST(FluidSamples, PressureInsideAndAtWalls) {
   EXPECT_EQ(depth({0.05, 0.05, 0.35}), 0);
   EXPECT_EQ(depth({0, 0.05, 0.35}), 0);
   EXPECT_NEAR(depth_over(*view, Vec3(0.05, 0.05, 0), 0.4), 0.3, 1e-3);
+  for (const Vec3& at_the_end : {Vec3(0, 0.05, 0), Vec3(0.32, 0.05, 0), Vec3(0.05, 0, 0), Vec3(0.05, 0.16, 0)})
+    EXPECT_NEAR(depth_over(*view, at_the_end, 0.4), 0.3, 1e-3) << at_the_end;
 }
 
 /// A drop in the air is no depth; a bubble of one cell does not end the water.

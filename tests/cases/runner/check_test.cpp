@@ -46,6 +46,57 @@ TEST(Check, CountsLiquidByItsShapeAndWhatFlowsIn) {
   EXPECT_NEAR(f.mean_cells - f.liquid_cells, 0.75 * 6e-3 / cell, 1e-3 * 6e-3 / cell);
 }
 
+/// Liquid counts once, and none counts in walls: neither cells nor memory.
+TEST(Check, CountsLiquidOnceAndOutsideWalls) {
+  const auto figures = [](const std::vector<std::string>& set) {
+    return check_scene(load(case_file("dam_break/scene.toml"), set)).fluid.value();
+  };
+  const std::string box = "{lower_m = [0, 0, 0], upper_m = [0.64, 0.3, 0.48]}";
+  const FluidFigures once = figures({"fluid.region=[" + box + "]"});
+  const FluidFigures thrice = figures({"fluid.region=[" + box + ", " + box + ", " + box + "]"});
+  EXPECT_EQ(thrice.liquid_cells, once.liquid_cells);
+  EXPECT_EQ(thrice.start_blocks, once.start_blocks);
+  const FluidFigures over_ground = figures({"fluid.region=[" + box + "]", "wall[2].name=ground", "wall[2].shape=plane",
+                                            "wall[2].point_m=[0, 0, 0.36]", "wall[2].normal=[0, 0, 1]"});
+  EXPECT_NEAR(over_ground.liquid_cells, once.liquid_cells / 4, 1e-6 * once.liquid_cells);
+  EXPECT_LT(over_ground.start_blocks, 0.6 * once.start_blocks);
+}
+
+/// A lake over ground whose box goes down to the bottom of the domain: 1e7 cells of 5e8.
+TEST(Check, ALakeOverHighGround) {
+  const scene::Scene lake = scene::load_text(R"([scene]
+name = "lake"
+[run]
+duration_s = 0.1
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [100, 100, 52]
+[fluid]
+enabled = true
+cell_size_m = 0.1
+[[fluid.region]]
+lower_m = [0, 0, 0]
+upper_m = [100, 100, 50]
+[[wall]]
+name = "ground"
+shape = "plane"
+point_m = [0, 0, 49]
+normal = [0, 0, 1]
+)");
+  EXPECT_NEAR(check_scene(lake).fluid->liquid_cells, 1e7, 0.03e7);
+}
+
+/// Each picture takes about a second.
+TEST(Check, CountsPictures) {
+  const auto run_time = [](const std::string& interval) {
+    return check_scene(
+               load(case_file("dam_break/scene.toml"), {"run.duration_s=1", "run.image_interval_s=" + interval}))
+        .run_time;
+  };
+  EXPECT_NEAR(run_time("0.025") - run_time("0"), 41 * (run_time("2") - run_time("0")), 1e-6);
+  EXPECT_GT(run_time("2") - run_time("0"), 0.3);
+}
+
 TEST(Check, FiguresOfTheDamBreak) {
   const scene::Scene dam = load(case_file("dam_break/scene.toml"));
   const CheckReport report = check_scene(dam);

@@ -107,6 +107,13 @@ TEST_F(Resume, AFinishedRunHasNothingLeftToDo) {
   EXPECT_EQ(before.time_s, read_series(folder("out") / "series.h5").time_s);
 }
 
+/// Its checkpoint is of up to a step later than its duration.
+TEST_F(Resume, TheSameDurationMayBeAskedForTwice) {
+  const RunResult whole = run("out");
+  ASSERT_GT(whole.summary.simulated_seconds, 0.3 * (1 + 1e-9));
+  EXPECT_EQ(resume("out", {"run.duration_s=0.3"}).summary.metrics, whole.summary.metrics);
+}
+
 TEST_F(Resume, ParticlesGoOn) {
   const auto bounce = [&](const std::string& name, const char* duration) {
     return run_to_folder(scene::load(scene::case_file("bouncing_sphere/scene.toml"),

@@ -92,6 +92,14 @@ TEST(RunToFolder, AGrainThatWentWrongInTheLastStepsIsAFailure) {
   EXPECT_THROW(run_to_folder(scene, quiet_into(scratch.path() / "out"), run_scene), NumericalFailure);
 }
 
+/// One that is thrown out of the domain before the watchdog looks, too.
+TEST(RunToFolder, AGrainThatIsThrownOutIsAFailure) {
+  const scene::ScratchFolder scratch;
+  const scene::Scene scene = scene::load_text(
+      scene::small_scene, {"gravity.magnitude_m_s2=1e10", "gravity.slope_deg=90", "run.duration_s=5e-4"});
+  EXPECT_THROW(run_to_folder(scene, quiet_into(scratch.path() / "out"), run_scene), NumericalFailure);
+}
+
 TEST(RunToFolder, OfTwoRunsInAFolderTheSecondIsRefused) {
   const scene::ScratchFolder scratch;
   const auto out = scratch.path() / "out";

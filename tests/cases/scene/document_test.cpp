@@ -138,6 +138,8 @@ TEST(Document, BasesThatAreNotThereOrLeadRound) {
   const ScratchFolder scratch;
   const auto lost = scratch.write("lost.toml", "[scene]\nbase = \"nowhere.toml\"\n");
   EXPECT_TRUE(the_mistake(mistakes_in(lost)).starts_with("lost.toml:2:8: scene.base is"));
+  const auto long_name = scratch.write("long.toml", "[scene]\nbase = \"" + std::string(300, 'a') + "\"\n");
+  EXPECT_TRUE(the_mistake(mistakes_in(long_name)).starts_with("long.toml:2:8: scene.base is"));
   const auto loop = scratch.write("loop.toml", "[scene]\nbase = \"loop.toml\"\n");
   EXPECT_EQ(the_mistake(mistakes_in(loop)), "loop.toml:2:8: scene.base: expected a chain of at most 8");
   const auto number = scratch.write("number.toml", small_scene + "[gravity]\n");

@@ -31,6 +31,16 @@ struct StraightWire {
   }
 };
 
+/// As in a step of the coupling: nothing else is written into the fields.
+ExchangedMomentum apply(WireDrag<double>& drag, lbm::Fluid<double>& fluid, StraightWire& wire,
+                        SolidFields<double>& fields) {
+  fields.open(fluid.grid());
+  wire.particles.external_force.fill(Vec3::Zero());
+  const ExchangedMomentum given = drag.apply(fluid, wire.particles, fields);
+  fields.close(fluid.grid());
+  return given;
+}
+
 /// Force per length of a wire across and along a uniform stream, right after the start: the law itself.
 TEST(WireDrag, FollowsTheLaw) {
   const double d = 0.006, u = 2.0, nu = 1e-6, length = 20 * d;
@@ -40,8 +50,7 @@ TEST(WireDrag, FollowsTheLaw) {
     StraightWire wire(21, d, Vec3(0.1, 0.161, 0.1), across ? Vec3(0, 0, 1) : Vec3(1, 0, 0));
     WireDrag<double> drag(wire.particles, wire.bonds);
     SolidFields<double> fields;
-    fields.open(fluid.grid());
-    drag.apply(fluid, wire.particles, fields);
+    apply(drag, fluid, wire, fields);
     Vec3 force = Vec3::Zero();
     for (std::size_t i = 0; i < wire.particles.size(); ++i) force += wire.particles.external_force[i];
     const double speed = across ? undisturbed_speed(u, {.diameter = d, .diameter_cells = d / 0.02, .fluid = {nu}}) : u,
@@ -66,9 +75,7 @@ TEST(WireDrag, LiquidAtRestLiftsAlone) {
   const double weight = 1000 * 9.81 * std::numbers::pi / 4 * d * d * d;
   for (int n = 0; n < 2; ++n) {  // before and after a sweep has left its velocities
     if (n > 0) fluid.step();
-    fields.open(fluid.grid());
-    wire.particles.external_force.fill(Vec3::Zero());
-    drag.apply(fluid, wire.particles, fields);
+    apply(drag, fluid, wire, fields);
     EXPECT_NEAR(wire.particles.external_force[5].z(), weight, 2e-3 * weight) << n;
   }
 }
@@ -84,13 +91,8 @@ TEST(WireDrag, TornEndsLieAlongTheirOwnPiece) {
     wire.bonds.intact[1] = 0;
     wire.particles.position.set(2, wire.particles.position[2] + rest);
     SolidFields<double> fields;
-    for (int n = 0; n < 2; ++n) {  // the velocity fields of new blocks are filled by one step
-      if (n > 0) fluid.step();
-      fields.open(fluid.grid());
-      wire.particles.external_force.fill(Vec3::Zero());
-      drag.follow_breakage(wire.bonds);
-      drag.apply(fluid, wire.particles, fields);
-    }
+    drag.follow_breakage(wire.bonds);
+    apply(drag, fluid, wire, fields);
     return Vec3(wire.particles.external_force[1]);
   };
   const Vec3 whole = force_at_end(Vec3::Zero()), torn = force_at_end(Vec3(0.15, 0, 0));
@@ -110,12 +112,7 @@ TEST(WireDrag, AWireOnTheBedIsAllInTheWater) {
     StraightWire wire(21, d, Vec3(0.161, 0.1, height), Vec3::UnitY());
     WireDrag<double> drag(wire.particles, wire.bonds);
     SolidFields<double> fields;
-    for (int n = 0; n < 2; ++n) {  // the velocity fields of new blocks are filled by one step
-      if (n > 0) fluid.step();
-      fields.open(fluid.grid());
-      wire.particles.external_force.fill(Vec3::Zero());
-      drag.apply(fluid, wire.particles, fields);
-    }
+    apply(drag, fluid, wire, fields);
     double sum = 0;
     for (std::size_t i = 0; i < wire.particles.size(); ++i) sum += wire.particles.external_force.x[i];
     return sum;
@@ -158,10 +155,8 @@ TEST(WireDrag, GivesTheFluidWhatItTakes) {
     return Vec3(p * 1000 * 8e-6);
   };
   for (int s = 0; s < 20; ++s) {
-    fields.open(fluid.grid());
-    wire.particles.external_force.fill(Vec3::Zero());
     const Vec3 before = momentum();
-    const ExchangedMomentum given = drag.apply(fluid, wire.particles, fields);
+    const ExchangedMomentum given = apply(drag, fluid, wire, fields);
     EXPECT_LT((given.to_solids - given.from_fluid).norm(), 1e-12 * given.to_solids.norm() + 1e-18);
     fluid.step();
     Vec3 force = Vec3::Zero();
@@ -182,8 +177,7 @@ TEST(WireDrag, MomentumIsKeptAtTheSurface) {
   WireDrag<double> drag(wire.particles, wire.bonds);
   SolidFields<double> fields;
   fluid.step();
-  fields.open(fluid.grid());
-  drag.apply(fluid, wire.particles, fields);
+  apply(drag, fluid, wire, fields);
   fluid.step();
   Vec3 of_water = Vec3::Zero(), on_wire = Vec3::Zero();
   fluid.for_each_wet_cell([&](const lbm::WetCell& c) { of_water += 1000 * 8e-6 * c.fill_level * c.velocity; });
@@ -207,15 +201,10 @@ TEST(WireDrag, AFreeWireInMudGoesWithTheStream) {
       constexpr int beads = 27;
       StraightWire wire(beads, diameter, Vec3(0.04, 0.041, 0.001), Vec3(0, 0, 1), dem::ParticleState::free);
       SolidFields<double> fields;
-      fields.open(fluid.grid());
-      WireDrag<double>(wire.particles, wire.bonds).apply(fluid, wire.particles, fields);
-      fluid.step();  // fills the velocity fields of new blocks
       WireDrag<double> drag(wire.particles, wire.bonds);
       double fastest = 0;
       for (double time = 0; time < 0.04; time += dt) {
-        fields.open(fluid.grid());
-        wire.particles.external_force.fill(Vec3::Zero());
-        drag.apply(fluid, wire.particles, fields);
+        apply(drag, fluid, wire, fields);
         fluid.step();
         Vec3 force = Vec3::Zero();
         for (dem::ParticleIndex i = 0; i < beads; ++i) force += wire.particles.external_force[i];
@@ -240,9 +229,7 @@ TEST(WireDrag, AHeldWireInMudBearsTheLaw) {
     WireDrag<double> drag(wire.particles, wire.bonds);
     SolidFields<double> fields;
     for (int n = 0; n < 60; ++n) {  // free ones are held by hand: their mass says what a step could do to them
-      fields.open(fluid.grid());
-      wire.particles.external_force.fill(Vec3::Zero());
-      drag.apply(fluid, wire.particles, fields);
+      apply(drag, fluid, wire, fields);
       fluid.step();
     }
     return wire.particles.external_force[13].x();
