@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "cases/assembly/geometry.h"
+#include "cases/assembly/memory.h"
 #include "cases/runner/warnings_by_part.h"
 
 namespace lahar::cases {
@@ -19,7 +20,9 @@ void add_places(const scene::Scene& s, Warnings& list) {
   };
   if (s.fluid.enabled) {
     for (std::size_t i = 0; i < s.fluid.regions.size(); ++i)
-      look(fmt::format("fluid.region[{}]", i), s.fluid.regions[i].lower, s.fluid.regions[i].upper);
+      if (scene::liquid_share(s, walls, i, 0) == 0)
+        list.push_back(
+            fmt::format("fluid.region[{}] lies in walls, or in regions before it: nothing of it is left", i));
     for (std::size_t i = 0; i < s.fluid.inflows.size(); ++i)
       look(fmt::format("fluid.inflow[{}]", i), s.fluid.inflows[i].lower, s.fluid.inflows[i].upper);
   }

@@ -56,6 +56,8 @@ TEST(Check, CountsLiquidOnceAndOutsideWalls) {
   const FluidFigures thrice = figures({"fluid.region=[" + box + ", " + box + ", " + box + "]"});
   EXPECT_EQ(thrice.liquid_cells, once.liquid_cells);
   EXPECT_EQ(thrice.start_blocks, once.start_blocks);
+  EXPECT_TRUE(warns(check_scene(load(case_file("dam_break/scene.toml"), {"fluid.region=[" + box + ", " + box + "]"})),
+                    "fluid.region[1] lies in walls, or in regions before it"));
   const FluidFigures over_ground = figures({"fluid.region=[" + box + "]", "wall[2].name=ground", "wall[2].shape=plane",
                                             "wall[2].point_m=[0, 0, 0.36]", "wall[2].normal=[0, 0, 1]"});
   EXPECT_NEAR(over_ground.liquid_cells, once.liquid_cells / 4, 1e-6 * once.liquid_cells);
@@ -83,7 +85,9 @@ shape = "plane"
 point_m = [0, 0, 49]
 normal = [0, 0, 1]
 )");
-  EXPECT_NEAR(check_scene(lake).fluid->liquid_cells, 1e7, 0.03e7);
+  const CheckReport report = check_scene(lake);
+  EXPECT_NEAR(report.fluid->liquid_cells, 1e7, 0.03e7);
+  EXPECT_FALSE(warns(report, "nothing of it is left"));
 }
 
 /// Each picture takes about a second.
