@@ -28,25 +28,35 @@ double averaging_nodes(const Scene& scene) {
 }
 
 double liquid_share(const Scene& scene, const Walls& walls, std::size_t region, double margin) {
-  std::vector<std::optional<Shape>> bodies;
-  for (std::size_t k = 0; k <= region; ++k) bodies.push_back(make_body(scene.fluid.regions[k]));
-  const auto holds = [&](std::size_t k, const Vec3& p, double reach) {
-    return !bodies[k] || std::visit([&](const auto& shape) { return shape.distance(p); }, *bodies[k]) < reach;
-  };
-  const auto is_counted = [&](const Vec3& p) {
-    for (std::size_t k = 0; k < region; ++k) {
-      const FluidRegion& r = scene.fluid.regions[k];
-      if ((p.array() >= r.lower.array()).all() && (p.array() <= r.upper.array()).all() && holds(k, p, 0)) return true;
-    }
-    return false;
-  };
   const FluidRegion& r = scene.fluid.regions[region];
+  const auto body = make_body(r);
+  const auto holds = [](const std::optional<Shape>& shape, const Vec3& p, double reach) {
+    return !shape || std::visit([&](const auto& of_kind) { return of_kind.distance(p); }, *shape) < reach;
+  };
+  struct Before {
+    const FluidRegion* region;
+    std::optional<Shape> body;
+  };
+  std::vector<Before> before;
+  for (std::size_t k = 0; k < region; ++k) {
+    const FluidRegion& b = scene.fluid.regions[k];
+    if ((b.lower.array() < r.upper.array()).all() && (r.lower.array() < b.upper.array()).all())
+      before.push_back({&b, make_body(b)});
+  }
+  const auto is_counted = [&](const Vec3& p) {
+    return std::any_of(before.begin(), before.end(), [&](const Before& b) {
+      return (p.array() >= b.region->lower.array()).all() && (p.array() <= b.region->upper.array()).all() &&
+             holds(b.body, p, 0);
+    });
+  };
+  const bool at_walls = walls.nearest(0.5 * (r.lower + r.upper)).distance < 0.5 * (r.upper - r.lower).norm();
+  if (!body && before.empty() && !at_walls) return 1;
   constexpr int n = 24, nz = 256;  // points along an edge; more upwards, for thin layers on high ground
   int inside = 0;
   for (int i = 0; i < n * n * nz; ++i) {
     const Vec3 part((i % n + 0.5) / n, (i / n % n + 0.5) / n, (i / (n * n) + 0.5) / nz);
     const Vec3 p = r.lower + part.cwiseProduct(r.upper - r.lower);
-    if (holds(region, p, margin) && walls.nearest(p).distance >= -margin && !is_counted(p)) ++inside;
+    if (holds(body, p, margin) && !(at_walls && walls.nearest(p).distance < -margin) && !is_counted(p)) ++inside;
   }
   return static_cast<double>(inside) / (n * n * nz);
 }
