@@ -209,7 +209,7 @@ void describe(V& v, Fluid& s) {
         "= the fastest cell counts.");
     v.value("wall_placement", s.wall_placement, {}, "Where no-slip walls are felt.");
     v.table("rheology", s.rheology, Presence::optional, "Flow law of mud and slurry. Newtonian when left out.");
-    v.array("region", s.regions, "Where the liquid is at the start.");
+    v.array("region", s.regions, "Where the liquid is at the start; where regions overlap it is that of the first.");
     v.array("inflow", s.inflows, "Where liquid comes in during the run.");
   });
 }
