@@ -15,16 +15,14 @@ namespace {
 /// What lies in walls, or over something else.
 void add_places(const scene::Scene& s, Warnings& list) {
   const Walls walls = scene::make_walls(s);
-  const auto look = [&](const std::string& path, const Vec3& lower, const Vec3& upper) {
-    if (scene::filled_by_walls(walls, lower, upper)) list.push_back(path + " lies in walls: nothing of it is left");
-  };
   if (s.fluid.enabled) {
     for (std::size_t i = 0; i < s.fluid.regions.size(); ++i)
       if (scene::liquid_share(s, walls, i, 0) == 0)
         list.push_back(
             fmt::format("fluid.region[{}] lies in walls, or in regions before it: nothing of it is left", i));
     for (std::size_t i = 0; i < s.fluid.inflows.size(); ++i)
-      look(fmt::format("fluid.inflow[{}]", i), s.fluid.inflows[i].lower, s.fluid.inflows[i].upper);
+      if (scene::filled_by_walls(walls, s.fluid.inflows[i].lower, s.fluid.inflows[i].upper))
+        list.push_back(fmt::format("fluid.inflow[{}] lies in walls: nothing of it is left", i));
   }
   for (std::size_t i = 0; i < s.probes.size(); ++i) {
     const scene::Probe& p = s.probes[i];

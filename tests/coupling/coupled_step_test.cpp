@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <numbers>
+#include <optional>
 
 #include "core/parallel.h"
 #include "tests/coupling/chains.h"
@@ -107,62 +109,58 @@ TEST(CoupledStep, AnInflowOverAGrainBringsItsOwnMomentum) {
   }
 }
 
+/// Force along x in the first step on an upright wire in water that `fill` puts in, with a fixed grain there or none.
+double first_drag_on_wire(const lbm::FluidOptions& fluid, const GrainExchangeChoice& exchange,
+                          const std::optional<Vec3>& grain_at, const std::function<void(CoupledStep<double>&)>& fill) {
+  constexpr std::size_t beads = 21;
+  Chains c;
+  c.add(straight_line(Vec3(0.32, 0.321, 0.25), Vec3(0.32, 0.321, 0.37), beads), 0.006, false);
+  if (grain_at) {
+    auto beside = grain(*grain_at, 0.02, 2500);
+    beside.state = dem::ParticleState::fixed;
+    c.particles.add(beside);
+  }
+  dem::SolidsOptions options;
+  options.gravity = Vec3::Zero();
+  options.time_step = 1;  // set by the coupled step
+  CoupledStep<double> step(fluid, dem::Solids{std::move(c.particles), std::move(c.bonds), rock(), Walls{}, options},
+                           {.grains = exchange, .substeps = 5});
+  fill(step);
+  step.advance();
+  double sum = 0;
+  for (std::size_t n = 0; n < beads; ++n) sum += step.solids()->particles().external_force.x[n];
+  return sum;
+}
+
 /// Grains make the fields of blocks that wires sample in the same step: no sweep has left velocities there yet.
 TEST(CoupledStep, AWireBesideGrainsFeelsTheStreamFromTheFirstStep) {
-  const auto first_drag = [](const GrainExchangeChoice& exchange, bool with_grain) {
-    lbm::FluidOptions fluid = by_distance(stream(32, 0.02, 1e-4));
-    fluid.kinematic_viscosity = 1e-6;
-    Chains c;
-    c.add(straight_line(Vec3(0.32, 0.321, 0.25), Vec3(0.32, 0.321, 0.37), 21), 0.006, false);
-    if (with_grain) {
-      auto far = grain(Vec3(0.45, 0.36, 0.31), 0.02, 2500);
-      far.state = dem::ParticleState::fixed;
-      c.particles.add(far);
-    }
-    dem::SolidsOptions options;
-    options.gravity = Vec3::Zero();
-    options.time_step = 1;  // set by the coupled step
-    CoupledStep<double> step(fluid, dem::Solids{std::move(c.particles), std::move(c.bonds), rock(), Walls{}, options},
-                             {.grains = exchange, .substeps = 5});
-    step.fluid()->fill_everything([](const Vec3&) { return Vec3(0.01, 0, 0); }, [](const Vec3&) { return 0.0; });
-    step.advance();
-    double sum = 0;
-    for (int n = 0; n < 21; ++n) sum += step.solids()->particles().external_force.x[static_cast<std::size_t>(n)];
-    return sum;
+  lbm::FluidOptions fluid = by_distance(stream(32, 0.02, 1e-4));
+  fluid.kinematic_viscosity = 1e-6;
+  const auto first_drag = [&](const GrainExchangeChoice& exchange, const std::optional<Vec3>& grain_at) {
+    return first_drag_on_wire(fluid, exchange, grain_at, [](CoupledStep<double>& step) {
+      step.fluid()->fill_everything([](const Vec3&) { return Vec3(0.01, 0, 0); }, [](const Vec3&) { return 0.0; });
+    });
   };
-  const double alone = first_drag(ResolvedGrains{}, false);
+  const Vec3 far(0.45, 0.36, 0.31);
+  const double alone = first_drag(ResolvedGrains{}, std::nullopt);
   EXPECT_GT(alone, 1);
-  EXPECT_NEAR(first_drag(ResolvedGrains{}, true), alone, 0.02 * alone);
-  EXPECT_NEAR(first_drag(AveragedGrains{.averaging_length = 0.15}, true), alone, 0.05 * alone);
+  EXPECT_NEAR(first_drag(ResolvedGrains{}, far), alone, 0.02 * alone);
+  EXPECT_NEAR(first_drag(AveragedGrains{.averaging_length = 0.15}, far), alone, 0.05 * alone);
 }
 
 /// So does one in a scene, whose grains are put in as it is filled.
 TEST(CoupledStep, AWireBesideGrainsFeelsWaterThatBeginsInMotion) {
-  const auto first_drag = [](bool with_grain) {
-    lbm::FluidOptions fluid = by_distance(tank(Vec3(0.64, 0.64, 0.64), 0.02, 1e-4), lbm::BodyWeighting::inertial);
-    fluid.gravity = Vec3::Zero();
-    fluid.kinematic_viscosity = 1e-6;
-    Chains c;
-    c.add(straight_line(Vec3(0.32, 0.321, 0.25), Vec3(0.32, 0.321, 0.37), 21), 0.006, false);
-    if (with_grain) {
-      auto beside = grain(Vec3(0.42, 0.36, 0.31), 0.02, 2500);
-      beside.state = dem::ParticleState::fixed;
-      c.particles.add(beside);
-    }
-    dem::SolidsOptions options;
-    options.gravity = Vec3::Zero();
-    options.time_step = 1;  // set by the coupled step
-    CoupledStep<double> step(fluid, dem::Solids{std::move(c.particles), std::move(c.bonds), rock(), Walls{}, options},
-                             {.substeps = 5});
-    step.fill({{Vec3::Zero(), Vec3(0.64, 0.64, 0.56), Vec3(2, 0, 0)}});
-    step.advance();
-    double sum = 0;
-    for (std::size_t n = 0; n < 21; ++n) sum += step.solids()->particles().external_force.x[n];
-    return sum;
+  lbm::FluidOptions fluid = by_distance(tank(Vec3(0.64, 0.64, 0.64), 0.02, 1e-4), lbm::BodyWeighting::inertial);
+  fluid.gravity = Vec3::Zero();
+  fluid.kinematic_viscosity = 1e-6;
+  const auto first_drag = [&](const std::optional<Vec3>& grain_at) {
+    return first_drag_on_wire(fluid, ResolvedGrains{}, grain_at, [](CoupledStep<double>& step) {
+      step.fill({{Vec3::Zero(), Vec3(0.64, 0.64, 0.56), Vec3(2, 0, 0)}});
+    });
   };
-  const double alone = first_drag(false);
+  const double alone = first_drag(std::nullopt);
   EXPECT_GT(alone, 1);
-  EXPECT_NEAR(first_drag(true), alone, 0.05 * alone);
+  EXPECT_NEAR(first_drag(Vec3(0.42, 0.36, 0.31)), alone, 0.05 * alone);
 }
 
 /// Light spheres of a cell to three rise through water at rest, with every weighting. Interior inertia beyond what is

@@ -11,9 +11,10 @@
 namespace lahar::dem {
 namespace {
 
+constexpr double kOpening = 1;  // s
+
 /// Grains that rain on chains of beads `spacing` (m) apart, whose bonds break under them; the chains stretch
 /// plastically. Far from all of them is a wall that opens at kOpening.
-constexpr double kOpening = 1;  // s
 Solids scene(double rolling_friction = 0, WireContacts wires = WireContacts::beads, double spacing = 0.006) {
   Particles p = testing::loose_grains(5, 5, 6, 0.02, 0.04, 4);
   for (double& z : p.position.z) z += 0.05;

@@ -95,8 +95,7 @@ TEST(RunToFolder, AGrainThatWentWrongInTheLastStepsIsAFailure) {
 /// One that is thrown out of the domain before the watchdog looks, too.
 TEST(RunToFolder, AGrainThatIsThrownOutIsAFailure) {
   const scene::ScratchFolder scratch;
-  const scene::Scene scene = scene::load_text(
-      scene::small_scene, {"gravity.magnitude_m_s2=1e10", "gravity.slope_deg=90", "run.duration_s=5e-4"});
+  const scene::Scene scene = scene::load(scene::case_file("bouncing_sphere/scene.toml"), {"solids.time_step_s=0.3"});
   EXPECT_THROW(run_to_folder(scene, quiet_into(scratch.path() / "out"), run_scene), NumericalFailure);
 }
 

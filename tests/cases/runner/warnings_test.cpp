@@ -1,0 +1,335 @@
+// What `lahar check` and a run warn of.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/cases/runner/warns.h"
+#include "tests/cases/scene/scene_files.h"
+
+namespace lahar::cases {
+namespace {
+
+using scene::case_file;
+using scene::load;
+
+TEST(Warnings, Fluid) {
+  const auto report = [](std::vector<std::string> set) {
+    return check_scene(load(case_file("dam_break/scene.toml"), set));
+  };
+  EXPECT_TRUE(warns(report({"run.output_interval_s=1"}), "run.output_interval_s (1 s) is longer than the run"));
+  EXPECT_TRUE(warns(report({"run.series_interval_s=1"}), "run.series_interval_s"));
+  EXPECT_TRUE(warns(report({"run.image_interval_s=1"}), "run.image_interval_s"));
+  EXPECT_TRUE(warns(report({"fluid.collision=bgk"}), "unstable"));
+  EXPECT_FALSE(warns(report({"fluid.collision=bgk", "fluid.smagorinsky=0.16"}), "unstable"));
+  EXPECT_TRUE(warns(report({"fluid.lattice_velocity=0.2"}), "Ma = 0.35"));
+  EXPECT_TRUE(warns(report({"fluid.cell_size_m=0.2"}), "cells deep"));
+  EXPECT_TRUE(warns(report({"gravity.magnitude_m_s2=981"}), "gravity.magnitude_m_s2 is 981"));
+  EXPECT_FALSE(warns(report({"gravity.magnitude_m_s2=24.8"}), "gravity.magnitude_m_s2"));  // Jupiter
+}
+
+/// A box of 0.3 by 0.4 m across a stream of 1 m/s carries 0.12 m^3/s.
+TEST(Warnings, ADischargeThatItsBoxDoesNotCarry) {
+  const auto report = [](const std::string& discharge, const std::string& velocity) {
+    return check_scene(
+        load(case_file("dam_break/scene.toml"),
+             {"fluid.inflow=[{name = \"pump\", lower_m = [0.4, 0, 0], upper_m = [0.8, 0.3, 0.4], "
+              "velocity_m_s = [" +
+              velocity + ", 0, 0], discharge_m3_s = [[0, " + discharge + "], [1, " + discharge + "]]}]"}));
+  };
+  EXPECT_TRUE(warns(report("0.3", "1"), "fluid.inflow \"pump\" comes with 1 m/s, but its discharge_m3_s asks for 2.5"));
+  EXPECT_FALSE(warns(report("0.2", "1"), "asks for"));
+  EXPECT_FALSE(warns(report("0.3", "0"), "asks for"));
+  EXPECT_TRUE(warns(report("2", "0"), "asks for 12.5 m/s"));
+  // 0.3 m wide: 0.05 m^3/s at 1 m/s are 0.167 m deep
+  EXPECT_FALSE(warns(report("0.05", "1"), "cells deep"));
+  EXPECT_TRUE(warns(report("0.015", "1"), "cells deep, with a Froude number of 1.4"));
+  EXPECT_FALSE(warns(report("0.06", "4"), "cells deep"));
+}
+
+/// The dam is 0.054 m^3 in a tank of 0.384 m^3, of which a sill takes 0.024 m^3.
+TEST(Warnings, ATankThatIsOverfilled) {
+  const auto report = [](const std::string& discharge, std::vector<std::string> set) {
+    set.insert(set.end(), {"domain.open_faces=[]", "run.duration_s=1",
+                           "fluid.inflow=[{name = \"pump\", lower_m = [0.4, 0, 0], upper_m = [0.8, 0.3, 0.4], "
+                           "velocity_m_s = [1, 0, 0], discharge_m3_s = [[0, " +
+                               discharge + "], [1, " + discharge + "]]}]"});
+    return check_scene(load(case_file("dam_break/scene.toml"), set));
+  };
+  const std::vector<std::string> sill{"wall[2].name=sill", "wall[2].shape=box", "wall[2].lower_m=[1.2, -1, -1]",
+                                      "wall[2].upper_m=[2, 1, 0.2]"};
+  EXPECT_TRUE(warns(report("0.34", {}), "fluid.inflow \"pump\": 0.34 m^3 in the time of the run and 0.054 m^3"));
+  EXPECT_TRUE(warns(report("0.34", {}), "0.384 m^3 that the domain has room for"));
+  EXPECT_FALSE(warns(report("0.32", {}), "has room for"));
+  EXPECT_TRUE(warns(report("0.32", sill), "0.36 m^3 that the domain has room for"));
+  EXPECT_FALSE(warns(report("0.3", sill), "has room for"));
+}
+
+TEST(Warnings, AMaxSpeedBelowThatOfADrop) {
+  const auto report = [](const char* speed) {
+    return check_scene(load(case_file("dam_break/scene.toml"), {std::string("fluid.max_speed_m_s=") + speed}));
+  };
+  EXPECT_TRUE(warns(report("2"), "fluid.max_speed_m_s is 2 m/s"));  // sqrt(2 g 0.6 m) = 3.43 m/s
+  EXPECT_TRUE(warns(report("2"), "reaches 3.43 m/s: Ma would be 0.30"));
+  EXPECT_FALSE(warns(report("3.5"), "max_speed_m_s"));
+  EXPECT_FALSE(warns(report("0"), "max_speed_m_s"));
+}
+
+/// The domain is 1.6 x 0.3 m; each point of the map is the middle of a square of 0.6 m.
+TEST(Warnings, GroundBeyondAHeightmap) {
+  const scene::ScratchFolder scratch;
+  scratch.write("ground.txt", "0.2 0.1 0.0\n0.2 0.1 0.0\n");
+  const auto report = [&](const std::string& place) {
+    const auto file = scratch.write(
+        "scene.toml", "[scene]\nbase = \"" + case_file("dam_break/scene.toml").string() +
+                          "\"\nname = \"on_ground\"\n[[wall]]\nname = \"ground\"\nshape = \"heightmap\"\n"
+                          "file = \"ground.txt\"\nspacing_m = 0.6\ntranslate_m = " +
+                          place + "\n[[probe]]\nname = \"depth\"\nkind = \"height\"\nposition_m = [1.0, 0.1, 0.0]\n");
+    return check_scene(load(file));
+  };
+  EXPECT_TRUE(warns(report("[0, 0, 0]"), "wall[0] covers x from -0.3 to 1.5 m and y from -0.3 to 0.9 m"));
+  EXPECT_FALSE(warns(report("[0.3, 0, 0]"), "wall[0] covers")) << "x from 0 to 1.8 m";
+}
+
+TEST(Warnings, Solids) {
+  const auto report = [](auto change) {
+    scene::Scene debris = scene::debris_flow();
+    change(debris);
+    return check_scene(debris);
+  };
+  using S = scene::Scene;
+  EXPECT_TRUE(warns(report([](S& s) { s.solids.time_step = 1e-4; }), "above the critical time step"));
+  EXPECT_FALSE(warns(report([](S& s) { s.solids.time_step = 1e-7; }), "critical"));
+  const auto hanging = [](const char* step) {  // beads that do not touch
+    return check_scene(load(case_file("hanging_net/scene.toml"),
+                            {"barrier.net.beads_per_ring=26", "barrier.bonds.cable_stiffness_N_m3=3e11",
+                             "barrier.bonds.dissipator_stiffness_N_m3=[]", "barrier.bonds.dissipator_force_limit_N=[]",
+                             "solids.bond_stiffness_scale=1", std::string("solids.time_step_s=") + step}));
+  };
+  const char* const as_built = "above what the bonds of the barrier as built allow";
+  EXPECT_TRUE(warns(hanging("6.3e-6"), as_built));
+  EXPECT_FALSE(warns(hanging("4e-6"), as_built));
+  EXPECT_TRUE(
+      warns(report([](S& s) { s.solids.contact_modulus_scale = 0.5; }), "contacts are softened: moduli times 0.5"));
+  EXPECT_TRUE(warns(report([](S& s) { s.solids.bond_stiffness_scale = 0.5; }), "bonds are softened"));
+  EXPECT_TRUE(warns(report([](S& s) { s.coupling.enabled = false; }), "do not feel each other"));
+  EXPECT_TRUE(warns(report([](S& s) { s.coupling.wire_drag = false; }), "water does not feel the net"));
+  EXPECT_TRUE(warns(report([](S& s) { s.grains.packings[0].sizes[1].density = 190; }), "the lightest grain has 0.19"));
+  EXPECT_FALSE(warns(report([](S& s) { s.grains.packings[0].sizes[1].density = 210; }), "the lightest grain"));
+  EXPECT_TRUE(warns(report([](S& s) { s.coupling.body_weighting = scene::BodyWeighting::noble_torczynski; }),
+                    "lets water through"));
+  EXPECT_TRUE(warns(report([](S& s) { s.fluid.cell_size = 0.02; }), "2.0 cells across"));
+  EXPECT_TRUE(warns(report([](S& s) { s.grains.packings[0].target_height = 0.5; }), "more than random packings"));
+  EXPECT_TRUE(warns(report([](S& s) { s.contacts.erase(s.contacts.begin() + 2); }),
+                    "no [[contact]] for \"rock\" and \"steel\""));
+  EXPECT_FALSE(warns(report([](S&) {}), "no [[contact]]"));
+  const auto rolling = [&](dem::WireContacts wires) {
+    return report([&](S& s) {
+      s.solids.wire_contacts = wires;
+      for (scene::Contact& c : s.contacts) c.rolling_friction = 0.3;
+    });
+  };
+  EXPECT_TRUE(warns(rolling(dem::WireContacts::capsules), "does not act on wires"));
+  EXPECT_FALSE(warns(rolling(dem::WireContacts::beads), "does not act on wires"));
+}
+
+TEST(Warnings, WallsBetweenCells) {
+  const auto report = [](std::vector<std::string> set) {
+    return check_scene(load(case_file("dam_break/scene.toml"), set));
+  };
+  EXPECT_FALSE(warns(report({}), "acts on the liquid"));
+  EXPECT_TRUE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]"}),
+                    "domain.upper_m at x = 1.613 m acts on the liquid at 1.62 m, the nearest faces of cells"));
+  EXPECT_FALSE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]", "fluid.wall_placement=interpolated"}), "acts on"));
+  EXPECT_FALSE(warns(report({"domain.upper_m=[1.613, 0.3, 0.8]", "domain.open_faces=['x+']"}), "acts on"));
+  // A cell whose centre lies on a wall is liquid: a bed half-way acts below, a ceiling above.
+  const auto half_way = [](const char* normal) {
+    return check_scene(scene::load_text(R"([scene]
+name = "half_way"
+[run]
+duration_s = 0.1
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [1, 1, 2]
+[fluid]
+enabled = true
+cell_size_m = 0.125
+[[fluid.region]]
+lower_m = [0, 0, 0.5]
+upper_m = [1, 1, 0.75]
+[[wall]]
+name = "plate"
+shape = "plane"
+point_m = [0, 0, 0.8125]
+normal = )" + std::string(normal)));
+  };
+  EXPECT_TRUE(warns(half_way("[0, 0, -1]"), "z = 0.8125 m acts on the liquid at 0.875 m"));
+  EXPECT_TRUE(warns(half_way("[0, 0, 1]"), "z = 0.8125 m acts on the liquid at 0.75 m"));
+}
+
+/// Of viscosity, of places far from the origin, of a floor that ends at the domain.
+TEST(Warnings, WhatIsFarOutside) {
+  const auto report = [](std::vector<std::string> set) {
+    return check_scene(load(case_file("dam_break/scene.toml"), set));
+  };
+  EXPECT_TRUE(warns(report({"fluid.kinematic_viscosity_m2_s=10"}), "what is so viscous flows too fast"));
+  EXPECT_FALSE(warns(report({}), "what is so viscous"));
+  const auto mud = [&](const std::string& limit) {
+    return report({"fluid.rheology.law=bingham", "fluid.rheology.yield_stress_Pa=20",
+                   "fluid.rheology.limit_viscosity_m2_s=" + limit, "fluid.smagorinsky=0"});
+  };
+  EXPECT_TRUE(warns(mud("1"), "tau - 1/2 at fluid.rheology.limit_viscosity_m2_s is"));
+  EXPECT_FALSE(warns(mud("0.01"), "what is so viscous"));
+  EXPECT_TRUE(warns(
+      report({"domain.lower_m=[500000, 0, 0]", "domain.upper_m=[500001.6, 0.3, 0.8]",
+              "fluid.region[0].lower_m=[500000, 0, 0]", "fluid.region[0].upper_m=[500000.6, 0.3, 0.6]", "probe=[]"}),
+      "coordinates reach 500002 m"));
+  EXPECT_FALSE(warns(report({}), "coordinates reach"));
+  const auto box = [&](const char* top) {
+    return report(
+        {"wall=[{name='floor', shape='box', lower_m=[-1, -1, -0.2], upper_m=[3, 1, " + std::string(top) + "]}]"});
+  };
+  EXPECT_FALSE(warns(box("0"), "stands outside the domain"));
+  EXPECT_TRUE(warns(box("-0.1"), "stands outside the domain"));
+}
+
+TEST(Warnings, SectionsAtOpenFaces) {
+  const auto warned = [](const std::string& x, const std::string& normal) {
+    return warns(check_scene(load(case_file("dam_break/scene.toml"),
+                                  {"domain.open_faces=['x+']",
+                                   "section=[{name='end', point_m=[" + x + ", 0.1, 0.1], normal=" + normal + "}]"})),
+                 "cells off an open face");
+  };
+  const double end = load(case_file("dam_break/scene.toml")).domain.upper.x();
+  EXPECT_TRUE(warned(std::to_string(end), "[1, 0, 0]"));
+  EXPECT_FALSE(warned(std::to_string(end - 0.1), "[1, 0, 0]"));
+  EXPECT_FALSE(warned(std::to_string(end), "[0, 0, 1]")) << "along the face";
+}
+
+/// Rows come at the first step that has reached their time; the dam's steps are 5.8e-4 s.
+TEST(Warnings, RowsBetweenSteps) {
+  const auto report = [](double steps, bool adaptive = false) {
+    scene::Scene dam = scene::load(case_file("dam_break/scene.toml"));
+    dam.run.series_interval = steps * check_scene(dam).fluid->time_step;
+    dam.fluid.adaptive_time_step = adaptive;
+    return check_scene(dam);
+  };
+  EXPECT_TRUE(warns(report(2.4), "is 2.4 time steps: rows come every 2 or 3 steps"));
+  EXPECT_TRUE(warns(report(0.3), "rows come every 1 steps"));
+  for (const double steps : {1.0, 2.0, 2.05, 8.4, 100.5}) EXPECT_FALSE(warns(report(steps), "rows come")) << steps;
+  EXPECT_FALSE(warns(report(2.4, true), "rows come"));
+}
+
+TEST(Warnings, ThingsInWallsOrOverEachOther) {
+  const auto report = [](auto change) {
+    scene::Scene debris = scene::debris_flow();
+    change(debris);
+    return check_scene(debris);
+  };
+  using S = scene::Scene;
+  const auto in_bed = [](S& s) { s.fluid.regions[0].lower.z() = -0.2, s.fluid.regions[0].upper.z() = -0.1; };
+  EXPECT_TRUE(warns(report(in_bed), "fluid.region[0] lies in walls"));
+  EXPECT_FALSE(warns(report([](S&) {}), "lies in walls"));
+  const auto gauge = [](S& s) {
+    scene::Probe probe;
+    probe.kind = scene::ProbeKind::pressure;
+    probe.position = Vec3(1, 1, -0.1);
+    s.probes.push_back(probe);
+  };
+  EXPECT_TRUE(warns(report(gauge), "probe[0] lies in a wall"));
+  EXPECT_TRUE(warns(report([](S& s) { s.grains.packings.push_back(s.grains.packings[0]); }),
+                    "grains.packing[0] and grains.packing[1] share space"));
+}
+
+TEST(Warnings, GatesThatStayClosed) {
+  const auto file = case_file("dam_break/scene.toml");
+  const double end = load(file).run.duration;
+  const auto gate = [&](double time) { return check_scene(load(file, {fmt::format("wall[1].opens_at_s={}", time)})); };
+  EXPECT_TRUE(warns(gate(end), "opens at"));
+  EXPECT_FALSE(warns(gate(0.5 * end), "opens at"));
+  EXPECT_FALSE(warns(gate(0), "opens at"));
+}
+
+/// The liquid feels a box by the cells whose centres lie in it.
+TEST(Warnings, WallsThinnerThanACell) {
+  const auto file = case_file("dam_break/scene.toml");
+  const auto plate = [&](double from, double to) {
+    return check_scene(
+        load(file, {"wall[2].shape=box", "wall[2].name=plate", fmt::format("wall[2].lower_m=[{}, -1, -1]", from),
+                    fmt::format("wall[2].upper_m=[{}, 1, 0.2]", to)}));
+  };
+  const double dx = load(file).fluid.cell_size;
+  EXPECT_TRUE(warns(plate(0.9 + 0.6 * dx, 0.9 + 0.9 * dx), "wall \"plate\" has no cell of its own"));
+  EXPECT_FALSE(warns(plate(0.9 + 0.6 * dx, 0.9 + 1.6 * dx), "has no cell of its own"));
+  const auto rod = [&](double radius, double z) {  // between the centres of cells where z is a whole number of them
+    return check_scene(
+        load(file, {"wall[2].shape=cylinder", "wall[2].name=rod", fmt::format("wall[2].radius_m={}", radius),
+                    fmt::format("wall[2].start_m=[0.9, 0.1, {}]", z), fmt::format("wall[2].end_m=[0.9, 0.2, {}]", z)}));
+  };
+  EXPECT_TRUE(warns(rod(0.6 * dx, 10 * dx), "wall \"rod\" has no cell of its own"));
+  EXPECT_FALSE(warns(rod(0.8 * dx, 10 * dx), "has no cell of its own"));
+  const auto ball = [&](double radius) {
+    return check_scene(load(file, {"wall[2].shape=sphere", "wall[2].name=ball", "wall[2].centre_m=[0.9, 0.1, 0.2]",
+                                   fmt::format("wall[2].radius_m={}", radius)}));
+  };
+  EXPECT_TRUE(warns(ball(0.8 * dx), "wall \"ball\" has no cell of its own"));
+  EXPECT_FALSE(warns(ball(0.9 * dx), "has no cell of its own"));
+}
+
+TEST(Warnings, GrainsWithoutWalls) {
+  EXPECT_TRUE(warns(check_scene(load(case_file("bouncing_sphere/scene.toml"), {"wall=[]"})), "nothing holds them"));
+  EXPECT_FALSE(warns(check_scene(load(case_file("bouncing_sphere/scene.toml"))), "nothing holds them"));
+}
+
+TEST(Warnings, FacesThatGrainsFallOutOf) {
+  const auto report = [](const std::vector<std::string>& set) {
+    return check_scene(load(case_file("debris_flow/scene.toml"), set));
+  };
+  EXPECT_FALSE(warns(report({}), "which are lost"));
+  EXPECT_TRUE(
+      warns(report({"wall[3]={name='other', shape='plane', point_m=[0, 0, 0], normal=[0, 0, 1], material='wall'}"}),
+            "without a [[wall]]: y+"));
+  EXPECT_TRUE(warns(report({"wall[3]={name='pier', shape='cylinder', start_m=[3, 1, 0], end_m=[3, 1, 1], radius_m=0.1, "
+                            "material='wall'}"}),
+                    "without a [[wall]]: y+"));
+}
+
+/// 50 GPa that were written as 50.
+TEST(Warnings, GrainsThatSinkInUnderTheirWeight) {
+  const auto report = [](const std::string& modulus) {
+    return check_scene(load(case_file("debris_flow/scene.toml"), {"materials.rock.youngs_modulus_Pa=" + modulus}));
+  };
+  EXPECT_FALSE(warns(report("50e9"), "sink into each other"));
+  EXPECT_TRUE(warns(report("50"), "of a radius under their own weight"));
+}
+
+TEST(Warnings, MudWhoseLimitHidesItsLaw) {
+  const auto report = [](const std::string& limit) {
+    return check_scene(load(case_file("dam_break/scene.toml"),
+                            {"fluid.rheology.law=herschel_bulkley", "fluid.rheology.yield_stress_Pa=50",
+                             "fluid.rheology.consistency_Pa_s_n=5", "fluid.rheology.exponent=0.5",
+                             "fluid.rheology.limit_viscosity_m2_s=" + limit}));
+  };
+  EXPECT_TRUE(warns(report("1e-5"), "the law is not felt"));
+  EXPECT_FALSE(warns(report("0.5"), "the law is not felt"));
+}
+
+TEST(Warnings, WallsBesideTheDomain) {
+  const auto report = [](const std::string& lower) {
+    return check_scene(
+        load(case_file("debris_flow/scene.toml"), {"wall[4]={name='dam', shape='box', material='wall', lower_m=[" +
+                                                   lower + ", 0, 0], upper_m=[2600, 1.8, 0.3]}"}));
+  };
+  EXPECT_TRUE(warns(report("2500"), "\"dam\" stands outside the domain"));
+  EXPECT_FALSE(warns(report("5.2"), "stands outside"));
+}
+
+TEST(Warnings, ValuesInOtherUnits) {
+  const auto report = [](const std::string& set) {
+    return check_scene(load(case_file("debris_flow/scene.toml"), {set}));
+  };
+  EXPECT_TRUE(warns(report("contact[0].friction=30"), "it is a coefficient"));
+  EXPECT_TRUE(warns(report("fluid.density_kg_m3=1.6"), "fluid.density_kg_m3 is 1.6"));
+  EXPECT_TRUE(warns(report("barrier.anchors.cable_places=[]"), "no end of a cable is fixed"));
+}
+
+}  // namespace
+}  // namespace lahar::cases
