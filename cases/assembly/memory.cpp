@@ -27,7 +27,7 @@ double averaging_nodes(const Scene& scene) {
   return nodes;
 }
 
-double liquid_share(const Scene& scene, const Walls& walls, std::size_t region, double margin) {
+LiquidOfRegion liquid_of_region(const Scene& scene, const Walls& walls, std::size_t region, double margin) {
   const FluidRegion& r = scene.fluid.regions[region];
   const auto body = make_body(r);
   const auto holds = [](const std::optional<Shape>& shape, const Vec3& p, double reach) {
@@ -50,15 +50,20 @@ double liquid_share(const Scene& scene, const Walls& walls, std::size_t region, 
     });
   };
   const bool at_walls = walls.nearest(0.5 * (r.lower + r.upper)).distance < 0.5 * (r.upper - r.lower).norm();
-  if (!body && before.empty() && !at_walls) return 1;
+  const double height = r.upper.z() - r.lower.z();
+  if (!body && before.empty() && !at_walls) return {1, height};
   constexpr int n = 24, nz = 256;  // points along an edge; more upwards, for thin layers on high ground
-  int inside = 0;
-  for (int i = 0; i < n * n * nz; ++i) {
-    const Vec3 part((i % n + 0.5) / n, (i / n % n + 0.5) / n, (i / (n * n) + 0.5) / nz);
-    const Vec3 p = r.lower + part.cwiseProduct(r.upper - r.lower);
-    if (holds(body, p, margin) && !(at_walls && walls.nearest(p).distance < -margin) && !is_counted(p)) ++inside;
+  int inside = 0, deepest = 0;
+  for (int column = 0; column < n * n; ++column) {
+    int deep = 0;
+    for (int k = 0; k < nz; ++k) {
+      const Vec3 part((column % n + 0.5) / n, (column / n + 0.5) / n, (k + 0.5) / nz);
+      const Vec3 p = r.lower + part.cwiseProduct(r.upper - r.lower);
+      if (holds(body, p, margin) && !(at_walls && walls.nearest(p).distance < -margin) && !is_counted(p)) ++deep;
+    }
+    inside += deep, deepest = std::max(deepest, deep);
   }
-  return static_cast<double>(inside) / (n * n * nz);
+  return {static_cast<double>(inside) / (n * n * nz), height * deepest / nz};
 }
 
 double liquid_cells(const Scene& scene) {
@@ -66,7 +71,7 @@ double liquid_cells(const Scene& scene) {
   double volume = 0;
   for (std::size_t k = 0; k < scene.fluid.regions.size(); ++k) {
     const FluidRegion& r = scene.fluid.regions[k];
-    volume += (r.upper - r.lower).prod() * liquid_share(scene, walls, k, 0);
+    volume += (r.upper - r.lower).prod() * liquid_of_region(scene, walls, k).share;
   }
   return volume / std::pow(scene.fluid.cell_size, 3);
 }

@@ -19,9 +19,13 @@ double averaging_nodes(const Scene& scene);
 /// Bytes that a node of the averaged coupling takes in memory (AveragedExchange::Node) and in a checkpoint.
 inline constexpr double kBytesPerNode = 104, kStoredBytesPerNode = 40;
 
-/// What becomes liquid of the box around a region: what its shape holds outside walls and of no region before it. With
-/// a `margin` (m), what is so near to that, too. Judged at the points of a lattice.
-double liquid_share(const Scene& scene, const Walls& walls, std::size_t region, double margin);
+/// What becomes liquid of the box around a region: what its shape holds outside walls and of no region before it.
+struct LiquidOfRegion {
+  double share;  ///< of the box
+  double depth;  ///< m, largest along z
+};
+/// With a `margin` (m), what is so near to the liquid, too. Judged at the points of a lattice.
+LiquidOfRegion liquid_of_region(const Scene& scene, const Walls& walls, std::size_t region, double margin = 0);
 
 /// Cells of the liquid at the start.
 double liquid_cells(const Scene& scene);

@@ -63,7 +63,11 @@ Standing standing_of(const StudyCase& c, const std::filesystem::path& folder) {
   if (!std::filesystem::exists(folder) || std::filesystem::is_empty(folder)) return Standing::to_do;
   if (!cases::holds_run(folder)) return Standing::foreign;
   const scene::Scene wanted = scene::load(c.scene_file(), c.changes());
-  if (!(scene::load(folder / "scene.resolved.toml", {}) == wanted)) return Standing::foreign;
+  try {
+    if (!(scene::load(folder / "scene.resolved.toml", {}) == wanted)) return Standing::foreign;
+  } catch (const InputError&) {
+    return Standing::refused;
+  }
   if (std::filesystem::exists(folder / "summary.json") &&
       simulated_seconds(folder / "summary.json") >= wanted.run.duration * (1 - 1e-6))
     return Standing::done;
@@ -82,6 +86,7 @@ std::vector<std::string> command_of(const StudyCase& c, const std::filesystem::p
     case Standing::done:
       return {};
     case Standing::foreign:
+    case Standing::refused:
       throw InputError(std::vector<InputMistake>{
           {folder.string(), 1, 1,
            "holds something else than this case with these values, expected nothing or such a run: another --out"}});
@@ -147,6 +152,7 @@ std::vector<JobResult> run_all(const std::vector<StudyCase>& study_cases, const 
                                const std::function<bool()>& stop, const std::function<void(const std::string&)>& tell) {
   using Clock = std::chrono::steady_clock;
   std::filesystem::create_directories(options.folder);
+  signal(SIGCHLD, SIG_DFL);  // who started us may ignore it: then nobody could say how a run ended
   std::vector<JobResult> results;
   const auto command_for = [&](const StudyCase& c) {
     return command_of(c, options.lahar, options.folder / c.name(), options.threads);
@@ -170,12 +176,13 @@ std::vector<JobResult> run_all(const std::vector<StudyCase>& study_cases, const 
     }
     for (std::size_t k = 0; k < running.size();) {
       int status = 0;
-      if (waitpid(running[k].pid, &status, WNOHANG) == 0) {
+      const pid_t ended = waitpid(running[k].pid, &status, WNOHANG);
+      if (ended == 0) {
         ++k;
         continue;
       }
       JobResult& result = results[running[k].job];
-      result.exit_code = exit_code_of(status);
+      result.exit_code = ended < 0 ? cases::exit_bug : exit_code_of(status);
       const double minutes = std::chrono::duration<double>(Clock::now() - running[k].since).count() / 60;
       tell(fmt::format("{}: {} after {:.1f} min", result.study_case.name(),
                        result.exit_code == cases::exit_done ? "done" : fmt::format("exit code {}", result.exit_code),

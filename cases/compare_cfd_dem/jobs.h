@@ -14,6 +14,7 @@ enum class Standing {
   begun,    ///< a checkpoint is there
   done,     ///< a summary is there, of a run that reached its end
   foreign,  ///< something else is in the folder, or a run of another scene
+  refused,  ///< a run whose scene this program refuses: of another program
 };
 
 /// Of the folder of a case. Throws FileError if its summary cannot be read.

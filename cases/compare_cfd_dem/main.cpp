@@ -33,6 +33,7 @@ std::string standing_text(const StudyCase& c, const std::filesystem::path& folde
     return s == Standing::done      ? "done"
            : s == Standing::begun   ? "begun"
            : s == Standing::foreign ? "in its folder is something else"
+           : s == Standing::refused ? "in its folder is a scene that this program refuses"
                                     : "to do";
   } catch (const cases::FileError& error) {
     return error.what();
@@ -45,11 +46,12 @@ void list(const std::vector<StudyCase>& study_cases, const Arguments& a) {
 }
 
 /// Whether a case that nobody asked for is done, with these values, or has files that its reader will complain of. Its
-/// folder may be of other values or programs.
+/// folder may be of other values.
 bool may_be_done(const StudyCase& there, const std::filesystem::path& folder) {
   try {
-    return standing_of(there, folder) == Standing::done;
-  } catch (const InputError&) {
+    const Standing s = standing_of(there, folder);
+    return s == Standing::done || s == Standing::refused;
+  } catch (const InputError&) {  // these values are none for it
     return false;
   } catch (const cases::FileError&) {
     return true;
@@ -67,7 +69,10 @@ std::vector<CaseResult> results_in(const std::filesystem::path& folder, std::vec
       asked.push_back(*there);
   std::vector<CaseResult> results;
   for (const StudyCase& c : asked) try {
-      if (standing_of(c, folder / c.name()) == Standing::done) results.push_back(read_case(c, folder / c.name()));
+      const Standing s = standing_of(c, folder / c.name());
+      if (s == Standing::done) results.push_back(read_case(c, folder / c.name()));
+      if (s == Standing::refused)
+        fmt::print(stderr, "warning: {} is left out: this program refuses its scene.resolved.toml\n", c.name());
     } catch (const cases::FileError& error) {
       fmt::print(stderr, "warning: {} is left out: {}\n", c.name(), error.what());
     }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace lahar::study {
@@ -141,20 +143,22 @@ std::vector<Trend> trends(const std::vector<CaseResult>& results) {
         if (flows.size() < 3) continue;
         for (const Statement& s : kStatements) {
           Points points;
+          std::set<std::string> programs;
           for (const auto& [release, c] : flows)
-            if (const double value = c->value(s.quantity); std::isfinite(value)) points.emplace_back(release, value);
-          all.push_back({s.text, sweep.name, coupling.name, preset.name, points.size(), measure_of(s.says, points),
-                         agreement_of(s.says, points)});
+            if (const double value = c->value(s.quantity); std::isfinite(value))
+              points.emplace_back(release, value), programs.insert(c->commit);
+          all.push_back({s.text, sweep.name, coupling.name, preset.name, points.size(), programs.size(),
+                         measure_of(s.says, points), agreement_of(s.says, points)});
         }
       }
   return all;
 }
 
 std::string trends_csv(const std::vector<Trend>& all) {
-  std::string text = "trend,sweep,coupling,preset,flows,measure,agrees\n";
+  std::string text = "trend,sweep,coupling,preset,flows,programs,measure,agrees\n";
   for (const Trend& t : all)
-    text += fmt::format("\"{}\",{},{},{},{},{:.2f},{}\n", t.statement, t.sweep, t.coupling, t.preset, t.flows,
-                        t.measure, name_of(t.agrees));
+    text += fmt::format("\"{}\",{},{},{},{},{},{:.2f},{}\n", t.statement, t.sweep, t.coupling, t.preset, t.flows,
+                        t.programs, t.measure, name_of(t.agrees));
   return text;
 }
 

@@ -15,7 +15,10 @@ const char* name_of(Agreement agreement);
 struct Trend {
   std::string statement, sweep, coupling, preset;
   std::size_t flows = 0;  ///< that have the quantity
-  double measure = 0;     ///< what decides, by the kind of the statement (`trends`); NaN where there are too few flows
+  /// Programs (commits) that these were run by: between them presets and physics may have changed, and the trend with
+  /// them.
+  std::size_t programs = 0;
+  double measure = 0;  ///< what decides, by the kind of the statement (`trends`); NaN where there are too few flows
   Agreement agrees = Agreement::unknown;
 };
 /// Of every sweep with at least three flows of a preset and coupling (study's reading, lowest seed). What decides:
@@ -23,7 +26,7 @@ struct Trend {
 /// the slope from there on over that before (none for the paper: yes below a quarter, mostly below a half); of what is
 /// the greater part in all flows its least share.
 std::vector<Trend> trends(const std::vector<CaseResult>& results);
-/// trend,sweep,coupling,preset,flows,measure,agrees
+/// trend,sweep,coupling,preset,flows,programs,measure,agrees
 std::string trends_csv(const std::vector<Trend>& all);
 
 }  // namespace lahar::study

@@ -19,9 +19,11 @@ FlowEnergy::FlowEnergy(const Observed& run, const ObserverList& before)
         "mean speed of all liquid over sqrt(g depth), g across the bed, at the row of `e_in_kJ`",
         [this] { return arrival_.froude_mean; });
   if (grains_)
-    result("e_out_kJ", "kJ",
-           "energy of liquid and grains that has passed `measure.outflow_distance_m` beyond the measured section",
-           [this] { return (outflow_.energy().sum() + grains_->energy_out()) / 1000; });
+    result(
+        "e_out_kJ", "kJ",
+        "energy of liquid and grains that has passed `measure.outflow_distance_m` beyond the measured section; absent "
+        "without grains and barrier",
+        [this] { return (outflow_.energy().sum() + grains_->energy_out()) / 1000; });
 }
 
 void FlowEnergy::sample(double) {

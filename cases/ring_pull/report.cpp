@@ -8,6 +8,7 @@
 #include "cases/procedure/curves.h"
 #include "cases/runner/interrupt.h"
 #include "core/timers.h"
+#include "core/worst.h"
 
 namespace lahar::cases {
 
@@ -29,7 +30,7 @@ double measured_first_stiffness(const PullCurve& curve, const RingPull& ring) {
 double worst_imbalance(const PullCurve& curve) {
   double worst = 0;
   for (std::size_t k = curve.force.size() / 10; k < curve.force.size(); ++k)
-    worst = std::max(worst, std::abs(curve.force[k] - curve.anchor_force[k]) / curve.force[k]);
+    keep_worst(worst, std::abs(curve.force[k] - curve.anchor_force[k]) / curve.force[k]);
   return worst;
 }
 
@@ -69,7 +70,7 @@ double largest_difference(const PullCurve& a, const PullCurve& b, double stroke)
   double worst = 0;
   for (int k = 10; k < 100; ++k) {
     const double d = 0.01 * k * stroke;
-    worst = std::max(worst, std::abs(a.force_at(d) - b.force_at(d)) / a.force_at(d));
+    keep_worst(worst, std::abs(a.force_at(d) - b.force_at(d)) / a.force_at(d));
   }
   return worst;
 }

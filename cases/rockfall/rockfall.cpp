@@ -10,6 +10,7 @@
 #include "barrier/threading.h"
 #include "barrier/topology.h"
 #include "core/check.h"
+#include "core/worst.h"
 #include "dem/bonds/axial_law.h"
 #include "dem/solids.h"
 #include "dem/time_step.h"
@@ -312,7 +313,7 @@ void conclude(const Rockfall& r, RockfallResult& result) {
   const double later = 0.5 * r.ball_diameter / r.impact_speed();
   result.lost_until_50_ms = (s.ball_energy.front() - at(s.time, s.ball_energy, 0.05)) / kinetic;
   result.lost_until_50_ms_of_centre = (s.ball_energy.front() - at(s.time, s.ball_energy, 0.05 + later)) / kinetic;
-  for (const double gap : s.ledger_gap) result.largest_gap = std::max(result.largest_gap, std::abs(gap) / kinetic);
+  for (const double gap : s.ledger_gap) keep_worst(result.largest_gap, std::abs(gap) / kinetic);
 }
 
 }  // namespace

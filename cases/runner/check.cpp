@@ -35,26 +35,29 @@ double blocks_at_start(const scene::Scene& scene) {
   double blocks = 0;
   for (std::size_t k = 0; k < scene.fluid.regions.size(); ++k) {
     const scene::FluidRegion& r = scene.fluid.regions[k];
-    blocks += scene::liquid_share(scene, walls, k, middle_to_corner) *
+    blocks += scene::liquid_of_region(scene, walls, k, middle_to_corner).share *
               (((r.upper - r.lower) / dx).array() + 2.0).unaryExpr([](double n) { return std::ceil(n / 8); }).prod();
   }
   return blocks;
 }
 
+/// At least a cell: numbers are divided by it.
 double depth_of(const scene::Scene& scene) {
-  double depth = 0;
-  for (const scene::FluidRegion& r : scene.fluid.regions) depth = std::max(depth, r.upper.z() - r.lower.z());
+  const Walls walls = scene::make_walls(scene);
+  double depth = scene.fluid.cell_size;
+  for (std::size_t k = 0; k < scene.fluid.regions.size(); ++k)
+    depth = std::max(depth, scene::liquid_of_region(scene, walls, k).depth);
   if (scene.fluid.regions.empty())
     for (const scene::Inflow& i : scene.fluid.inflows) depth = std::max(depth, i.upper.z() - i.lower.z());
   return depth;
 }
 
-/// Of the liquid, mean over the run if none leaves.
-double mean_cells(const scene::Scene& scene) {
+/// Of what inflows bring, mean over the run if none leaves.
+double mean_inflow_cells(const scene::Scene& scene) {
   constexpr int times = 64;
   double sum = 0;
   for (int k = 0; k < times; ++k) sum += scene::inflow_cells(scene, scene.run.duration * (k + 0.5) / times);
-  return scene::liquid_cells(scene) + sum / times;
+  return sum / times;
 }
 
 /// nu, tau, Ma, Re, Fr, Bo.
@@ -96,7 +99,7 @@ FluidFigures fluid_figures(const scene::Scene& scene) {
   f.domain_cells = cells.unaryExpr([](double n) { return std::ceil(n - 1e-9); }).prod();
   f.liquid_cells = scene::liquid_cells(scene);
   f.inflow_cells = scene::inflow_cells(scene, scene.run.duration);
-  f.mean_cells = std::min(f.domain_cells, mean_cells(scene));
+  f.mean_cells = std::min(f.domain_cells, f.liquid_cells + mean_inflow_cells(scene));
   f.start_blocks = blocks_at_start(scene);
   const double all_blocks = cells.unaryExpr([](double n) { return std::ceil((n + 2) / 8); }).prod();
   f.expected_blocks = std::min(all_blocks, spreading * (f.start_blocks + f.inflow_cells / 512));

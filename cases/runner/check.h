@@ -15,7 +15,7 @@ struct FluidFigures {
   double start_blocks = 0, expected_blocks = 0;  ///< blocks of 8^3 cells
   double start_bytes = 0, expected_bytes = 0;
   double time_step = 0, steps = 0;  ///< s, -
-  double max_speed = 0, depth = 0;  ///< m/s, m: expected speed, depth of the deepest region
+  double max_speed = 0, depth = 0;  ///< m/s, m: expected speed, depth of the deepest region outside walls
   double lattice_viscosity = 0, tau = 0, mach = 0;
   double compressibility_error = 0;           ///< 3 u_lattice^2, as a fraction
   double reynolds = 0, froude = 0, bond = 0;  ///< with expected speed and depth

@@ -8,7 +8,6 @@
 namespace lahar::cases {
 
 std::string version() { return LAHAR_VERSION; }
-std::string commit() { return LAHAR_COMMIT; }
 
 std::string machine_name() {
   std::ifstream info("/proc/cpuinfo");

@@ -7,7 +7,8 @@ namespace lahar::cases {
 
 /// "0.1.0"
 std::string version();
-/// The commit that was checked out when the build was configured, "unknown" outside a repository.
+/// The commit of the sources that were built, with "-dirty" behind it where they differed from it; "unknown" outside a
+/// repository (cmake/write_commit.cmake).
 std::string commit();
 /// Processor and number of hardware threads: "Intel(R) Xeon(R) ... , 2 threads".
 std::string machine_name();

@@ -17,7 +17,7 @@ void add_places(const scene::Scene& s, Warnings& list) {
   const Walls walls = scene::make_walls(s);
   if (s.fluid.enabled) {
     for (std::size_t i = 0; i < s.fluid.regions.size(); ++i)
-      if (scene::liquid_share(s, walls, i, 0) == 0)
+      if (scene::liquid_of_region(s, walls, i).share == 0)
         list.push_back(
             fmt::format("fluid.region[{}] lies in walls, or in regions before it: nothing of it is left", i));
     for (std::size_t i = 0; i < s.fluid.inflows.size(); ++i)

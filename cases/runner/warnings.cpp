@@ -9,21 +9,31 @@
 namespace lahar::cases {
 namespace {
 
-void add_times(const scene::Scene& s, Warnings& list) {
+double step_of(const CheckReport& figures) {
+  return figures.fluid ? figures.fluid->time_step : figures.solids ? figures.solids->time_step : 0;
+}
+
+/// Intervals longer than the run, and files that would come with every step; rows of the series: see add_rows.
+void add_intervals(const scene::Scene& s, double step, Warnings& list) {
   const auto longer = [&](double interval, const char* key) {
     if (interval > s.run.duration)
       list.push_back(fmt::format("run.{} ({:g} s) is longer than the run ({:g} s)", key, interval, s.run.duration));
   };
+  const auto file = [&](double interval, const char* key) {
+    longer(interval, key);
+    if (interval > 0 && interval < step)
+      list.push_back(fmt::format("run.{} ({:g} s) is less than the time step ({:.2g} s): files come with every step",
+                                 key, interval, step));
+  };
   longer(s.run.series_interval, "series_interval_s");
-  longer(s.run.output_interval, "output_interval_s");
-  longer(s.run.image_interval, "image_interval_s");
-  longer(s.run.force_map_interval, "force_map_interval_s");
-  longer(s.run.checkpoint_interval, "checkpoint_interval_s");
+  file(s.run.output_interval, "output_interval_s");
+  file(s.run.image_interval, "image_interval_s");
+  file(s.run.force_map_interval, "force_map_interval_s");
+  file(s.run.checkpoint_interval, "checkpoint_interval_s");
 }
 
 /// Rows of the series come at the first step that has reached their time.
-void add_rows(const scene::Scene& s, const CheckReport& figures, Warnings& list) {
-  const double step = figures.fluid ? figures.fluid->time_step : figures.solids ? figures.solids->time_step : 0;
+void add_rows(const scene::Scene& s, double step, Warnings& list) {
   if (step <= 0 || s.run.series_interval <= 0 || s.fluid.adaptive_time_step) return;
   const double steps = s.run.series_interval / step, between = std::abs(steps - std::round(steps));
   constexpr double bearable = 0.1;  // of the interval
@@ -43,9 +53,9 @@ void add_gravity(const scene::Scene& s, Warnings& list) {
 
 std::vector<std::string> warnings(const scene::Scene& scene, const CheckReport& figures) {
   Warnings list;
-  add_times(scene, list);
+  add_intervals(scene, step_of(figures), list);
   add_gravity(scene, list);
-  add_rows(scene, figures, list);
+  add_rows(scene, step_of(figures), list);
   warn_of_places(scene, figures.fluid.has_value(), list);
   if (figures.fluid) warn_of_fluid(scene, *figures.fluid, list);
   if (figures.solids) warn_of_solids(scene, *figures.solids, list);

@@ -20,8 +20,7 @@ void Findings::mistake(const std::string& path, std::string message) {
 }
 
 void Findings::mistake_at(const Place& place, std::string message) {
-  // Tables that an override makes on its way to a key have no place of their own.
-  mistakes_.push_back({place.file.empty() ? file_ : place.file, place.line, place.column, std::move(message)});
+  mistakes_.push_back({place.file, place.line, place.column, std::move(message)});
 }
 
 bool Findings::sound(const std::vector<std::string>& paths) const {

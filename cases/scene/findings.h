@@ -14,10 +14,8 @@ class Findings {
  public:
   explicit Findings(std::string file) : file_(std::move(file)) {}
 
-  /// Notes where the value of a path stands; what an override had to make on its way stands nowhere.
-  void locate(const std::string& path, Place place) {
-    if (!place.file.empty()) places_[path] = std::move(place);
-  }
+  /// Notes where the value of a path stands.
+  void locate(const std::string& path, Place place) { places_[path] = std::move(place); }
   /// The place of a path, or of the nearest table around it that is written somewhere.
   [[nodiscard]] Place place(std::string path) const;
   /// Adds a mistake; its path is from now on not sound.

@@ -62,17 +62,18 @@ toml::node* child_at(toml::node& node, const PathStep& step) {
   return step.index < list->size() ? list->get(step.index) : nullptr;
 }
 
-/// Puts `value` where the step leads.
-template <class T>
-toml::node* put(toml::node& node, const PathStep& step, T&& value) {
-  if (!step.key.empty()) return &node.as_table()->insert_or_assign(step.key, std::forward<T>(value)).first->second;
-  toml::array& list = *node.as_array();
-  if (!step.name.empty()) throw BadOverride(fmt::format("replaces entry [{}], expected a key of it", step.name));
-  if (step.index == list.size())
-    list.push_back(std::forward<T>(value));
-  else
-    list.replace(list.cbegin() + static_cast<std::ptrdiff_t>(step.index), std::forward<T>(value));
-  return list.get(step.index);
+/// Moves the value `v` of `holder` to where the step leads: a copy would forget where it was written.
+toml::node* put(toml::node& node, const PathStep& step, toml::table&& holder) {
+  return holder.get("v")->visit([&](auto& value) -> toml::node* {
+    if (!step.key.empty()) return &node.as_table()->insert_or_assign(step.key, std::move(value)).first->second;
+    toml::array& list = *node.as_array();
+    if (!step.name.empty()) throw BadOverride(fmt::format("replaces entry [{}], expected a key of it", step.name));
+    if (step.index == list.size())
+      list.push_back(std::move(value));
+    else
+      list.replace(list.cbegin() + static_cast<std::ptrdiff_t>(step.index), std::move(value));
+    return list.get(step.index);
+  });
 }
 
 std::string trimmed(const std::string& text) {
@@ -87,7 +88,8 @@ void apply(toml::table& root, const std::string& text, std::string_view origin) 
   if (path.empty()) throw BadOverride(fmt::format("\"{}\" is no key path, expected a.b[0].c", text.substr(0, equals)));
   if (path.size() > kMostKeyParts || find_long_key(text) != std::string::npos)
     throw BadOverride(fmt::format("has a key of more than {} parts, expected a.b[0].c", kMostKeyParts));
-  toml::table holder = parse_value(trimmed(text.substr(equals + 1)), fmt::format("{}{}", origin, text));
+  const std::string source = fmt::format("{}{}", origin, text);
+  toml::table holder = parse_value(trimmed(text.substr(equals + 1)), source);
   for (const char* key : {"base", "changes"}) {  // of scene, which were read before
     const bool whole = path.size() == 1 && holder["v"][key];
     if (path[0].key == "scene" && (whole || (path.size() > 1 && path[1].key == key)))
@@ -96,11 +98,11 @@ void apply(toml::table& root, const std::string& text, std::string_view origin) 
   toml::node* at = &root;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     toml::node* next = child_at(*at, path[i]);
-    if (!next) next = path[i + 1].key.empty() ? put(*at, path[i], toml::array{}) : put(*at, path[i], toml::table{});
+    if (!next) next = put(*at, path[i], toml::parse(path[i + 1].key.empty() ? "v = []" : "v = {}", source));
     at = next;
   }
   child_at(*at, path.back());  // refuses what is no container, or past its end
-  holder.get("v")->visit([&](auto& value) { put(*at, path.back(), std::move(value)); });
+  put(*at, path.back(), std::move(holder));
 }
 
 }  // namespace

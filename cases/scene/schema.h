@@ -95,7 +95,7 @@ void describe_file(V& v, ShapeFile& s, std::string_view what) {
   v.value("translate_m", s.translate, {}, "Shift after scaling.");
   v.value("resolution_m", s.resolution, {non_negative()},
           "Distance between the points where the distance to the surface is stored; 0 = half a cell of the fluid, or "
-          "an eighth of the smallest grain without one.");
+          "an eighth of the smallest grain without one, or a 200th of its diagonal without either.");
 }
 
 template <class V>

@@ -97,6 +97,13 @@ std::string Sitting::line() const {
 
 namespace {
 
+std::string standing_of_defaults(const ProblemResult& result) {
+  for (const TrialResult& t : result.trials)
+    if (t.defaults && !t.failure.empty()) return "stopped";
+  const double factor = defaults_beaten_by(result);
+  return factor <= 1 ? "on the front" : fmt::format("beaten by {:.2f}", factor);
+}
+
 /// Error against time of all trials, those on the front joined.
 cases::Chart chart_of(const ProblemResult& result) {
   using namespace cases;
@@ -179,10 +186,9 @@ void write_results(const std::vector<ProblemResult>& results, const Sitting& sit
   for (const ProblemResult& result : results) {
     const std::filesystem::path picture = folder / (result.problem.name + ".svg");
     chart_of(result).write_all(picture);
-    html += fmt::format(
-        "<h2>{}</h2>\n<p>Error: {}, against {} values. Defaults: {}; {}.</p>\n", result.problem.name,
-        result.problem.error, result.problem.against, result.problem.defaults,
-        defaults_beaten_by(result) <= 1 ? "on the front" : fmt::format("beaten by {:.2f}", defaults_beaten_by(result)));
+    html += fmt::format("<h2>{}</h2>\n<p>Error: {}, against {} values. Defaults: {}; {}.</p>\n", result.problem.name,
+                        result.problem.error, result.problem.against, result.problem.defaults,
+                        standing_of_defaults(result));
     html += cases::html_image(picture) + table_of(result);
   }
   cases::replace_text_file(folder / "report.html", html + "</body></html>\n");

@@ -8,8 +8,8 @@ namespace lahar::dem {
 struct BondConstants {
   AxialCurve axial;
   double shear_stiffness = 0, bending_stiffness = 0, torsion_stiffness = 0;  ///< N/m, N m/rad, N m/rad
-  double tension_limit = 0, bending_to_tension = 0;                          ///< |F_n| + b |M_b| > limit breaks
-  double shear_limit = 0, torsion_to_shear = 0;                              ///< |F_s| + t |M_t| > limit breaks
+  double tension_limit = 0, bending_to_tension = 0;                          ///< max(F_n, 0) + b |M_b| > limit
+  double shear_limit = 0, torsion_to_shear = 0;                              ///< |F_s| + t |M_t| > limit
   double axial_damping = 0, shear_damping = 0;                               ///< times sqrt(effective mass): N s/m
   double bending_damping = 0, torsion_damping = 0;  ///< times sqrt(effective inertia): N m s/rad
   bool plastic = false, damped = false, breakable = false;

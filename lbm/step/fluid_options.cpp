@@ -53,7 +53,12 @@ TimeStepLimits time_step_limits(const FluidOptions& o) {
   limits.longest = std::max(o.time_step, o.domain.cell_size * o.domain.cell_size / (6 * viscosity));
   limits.longest = std::min(limits.longest, capillary_time_step(o.density, o.domain.cell_size, o.surface_tension));
   limits.gravity = o.gravity.norm();
-  for (const Wall& w : o.domain.walls.all()) limits.known_speed = std::max(limits.known_speed, w.velocity.norm());
+  for (const Wall& w : o.domain.walls.all())  // of one that turns: its speed grows outwards
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 far(corner & 1, corner >> 1 & 1, corner >> 2);
+      const Vec3 place = o.domain.lower + far.cwiseProduct(o.domain.upper - o.domain.lower);
+      limits.known_speed = std::max(limits.known_speed, w.surface_velocity(place).norm());
+    }
   for (const InflowOptions& in : o.inflows) {
     limits.known_speed = std::max(limits.known_speed, in.velocity.norm());
     const double volume = std::max((in.upper - in.lower).prod(), std::pow(o.domain.cell_size, 3));

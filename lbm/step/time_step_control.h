@@ -28,7 +28,7 @@ struct TimeStepLimits {
   double uncounted = 0;    ///< share of the wet cells, the fastest, that do not count
   double cell_size = 0;    ///< m
   double shortest = 0;     ///< s
-  double longest = 0;      ///< s: by the viscosity, see fluid.cpp
+  double longest = 0;      ///< s: by the viscosity, see fluid_options.cpp
   double gravity = 0;      ///< m/s^2
   double known_speed = 0;  ///< m/s, that walls and inflows have whatever the liquid does
 };

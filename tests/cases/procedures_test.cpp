@@ -229,7 +229,8 @@ TEST(ProcedureExecutable, WritesItsFilesAndRefusesBadInput) {
   const std::string errors = " 2> '" + (folder.path() / "err").string() + "'";
   EXPECT_EQ(run(exe + quick + " --set ring.beads=61 --out '" + out + "2'" + errors), 2);
   EXPECT_EQ(run(exe + " --set ring.bond_radius_m=0 --out '" + out + "3'" + errors), 2);
-  for (const char* name : {"out2", "out3"}) EXPECT_FALSE(std::filesystem::exists(folder.path() / name)) << name;
+  EXPECT_EQ(run(exe + quick + " --set loading.speed_m_s=1000 --out '" + out + "4'" + errors), 2);
+  for (const char* name : {"out2", "out3", "out4"}) EXPECT_FALSE(std::filesystem::exists(folder.path() / name)) << name;
   EXPECT_EQ(run(exe + " --help > /dev/null"), 0);
 }
 

@@ -21,6 +21,8 @@ TEST(LatticeUnits, ConvertsAKnownCase) {
   EXPECT_NEAR(water.force_to_si(1.0), 40.0, 40 * eps);
   EXPECT_NEAR(water.torque_to_si(1.0), 0.4, 0.4 * eps);
   EXPECT_NEAR(water.pressure_to_si(1.0), 4e5, 4e5 * eps);
+  const LatticeUnits drop{0.002, 1e-4, 1000};
+  EXPECT_NEAR(drop.surface_tension_to_lu(0.0728), 9.1e-5, 9.1e-5 * eps);
 }
 
 TEST(LatticeUnits, RoundTripsReturnTheValue) {

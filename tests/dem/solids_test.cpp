@@ -52,6 +52,19 @@ TEST(Solids, a_scaled_mass_resists_acceleration_alone) {
   EXPECT_NEAR(solids.ledger().total() / start, 1, 1e-3);  // what the ledger of a damped impact closes to (0051)
 }
 
+// Friction acts on a wall where the sphere touches it, not at the sphere's centre.
+TEST(Solids, the_moment_on_a_wall_is_that_at_the_contact) {
+  Walls table;
+  table.add({"table", HalfSpace{{0, 0, 0.3}, Vec3::UnitZ()}});
+  Particles p;
+  p.add(sphere({0.2, 0.1, 0.3499}, 0.05, 2500, {5, 0, 0}));
+  Solids solids(p, {}, one_material(1e7, 0.3, 0.5, 0.1), table, options(1e-5, Vec3(0, 0, -kG)));
+  solids.advance(50);
+  const Vec3 force = solids.force_on_wall(0), at(solids.particles().position.x[0], 0.1, 0.3);
+  EXPECT_NEAR(force.x() / force.z(), -0.5, 1e-9);
+  EXPECT_LT((solids.moment_on_wall(0) - at.cross(force)).norm(), 1e-9 * force.norm());
+}
+
 // On a line at an angle to gravity and to a force from outside: what acts across is taken up, and the rest is exact.
 TEST(Solids, a_sphere_on_a_rail_moves_along_it_only) {
   const Vec3 along = Vec3(1, 2, -2) / 3, gravity(0, 0, -kG), pull(0.3, 0, 0.1);

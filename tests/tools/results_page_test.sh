@@ -61,6 +61,10 @@ plant quick.json "$(results ddd '' | sed 's/"quick": false/"quick": true/')"
 page "$scratch/tree/quick.json"
 expect_equal 'status of quick results' "$status" 1
 expect_contains "$output" 'quick'
+plant float.json "$(results ddd '' | sed 's/"quick": false/"quick": false, "precision": "float"/')"
+page "$scratch/tree/float.json"
+expect_equal 'status of results in float' "$status" 1
+expect_contains "$output" 'precision'
 plant unknown.json "$(results eee '{"name": "fluid.third", "rows": [], "pass": true, "seconds": 1, "source": "x"}')"
 page "$scratch/tree/unknown.json"
 expect_equal 'status of an unknown entry' "$status" 1
@@ -69,3 +73,9 @@ plant broken.json '{"entries": ['
 page "$scratch/tree/broken.json"
 expect_equal 'status of a broken file' "$status" 1
 expect_equal 'page after refusals' "$(text)" "$before"
+
+# A group without a section of its own would be counted and shown nowhere.
+plant cases/validate/entries.txt $'fluid/first\nsnow/flake'
+page
+expect_equal 'status of a group without a section' "$status" 1
+expect_contains "$output" 'snow.flake'

@@ -50,17 +50,19 @@ capture "$page"
 expect_contains "$output" "what averaging over 0.15 m changes: Ergun's; Di Felice's"
 expect_contains "$output" '| `net_impulse_grains` | (-10.0); -5.0 |'
 
-plant docs/results/study/trends.csv 'trend,sweep,coupling,preset,flows,measure,agrees
-eta rises (4.4),matched,resolved,coarse,3,1.00,yes
-eta rises (4.4),matched,averaged,coarse,4,-0.33,no
-zeta falls (4.4),matched,resolved,coarse,0,nan,-
-zeta falls (4.4),matched,averaged,coarse,3,-0.33,mostly'
+expect_contains "$output" '| code of before | | ?; ? |'
+
+plant docs/results/study/trends.csv 'trend,sweep,coupling,preset,flows,programs,measure,agrees
+eta rises (4.4),matched,resolved,coarse,3,2,1.00,yes
+eta rises (4.4),matched,averaged,coarse,4,1,-0.33,no
+zeta falls (4.4),matched,resolved,coarse,0,0,nan,-
+zeta falls (4.4),matched,averaged,coarse,3,1,-0.33,mostly'
 plant docs/images/study/flows_zeta_lower.png ''
 capture "$page"
 expect_contains "$output" '## Over the flows'
 expect_contains "$output" '![flows_zeta_lower](images/study/flows_zeta_lower.png)'
 expect_lacks "$output" 'flows_e_b'
-expect_contains "$output" '| The paper | matched, resolved, coarse, 3 flows | matched, averaged, coarse, 4 flows |'
+expect_contains "$output" '| The paper | matched, resolved, coarse, 3 flows, 2 programs | matched, averaged, coarse, 4 flows, 1 programs |'
 expect_contains "$output" '| eta rises (4.4) | 1.00, yes | -0.33, no |'
 expect_contains "$output" '| zeta falls (4.4) | - | -0.33, mostly (3 flows) |'
 

@@ -8,6 +8,7 @@
 #include "cases/validate/dem/ledger_watch.h"
 #include "cases/validate/dem/solid_scenes.h"
 #include "cases/validate/entry.h"
+#include "core/worst.h"
 #include "dem/time_step.h"
 
 namespace lahar::validate {
@@ -43,8 +44,7 @@ dem::Solids solids_of(const Scene& s, double share, const dem::Materials& materi
 /// Largest change of a bead's place against the first bead, m.
 double deformation(const Vec3Field& start, const Vec3Field& now) {
   double worst = 0;
-  for (std::size_t i = 1; i < start.size(); ++i)
-    worst = std::max(worst, (now[i] - now[0] - start[i] + start[0]).norm());
+  for (std::size_t i = 1; i < start.size(); ++i) keep_worst(worst, (now[i] - now[0] - start[i] + start[0]).norm());
   return worst;
 }
 

@@ -6,6 +6,7 @@
 
 #include "cases/validate/entry.h"
 #include "cases/validate/fluid/periodic_flows.h"
+#include "core/worst.h"
 
 namespace lahar::validate {
 
@@ -32,8 +33,8 @@ Rest rest_of(double smagorinsky, int steps) {
   advance(fluid, steps);
   Rest rest;
   fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
-    rest.pressure = std::max(rest.pressure, std::abs(c.pressure - g * (n / 2.0 - c.centre.z())) / (g * n));
-    rest.speed = std::max(rest.speed, c.velocity.norm() / std::sqrt(g * n));
+    keep_worst(rest.pressure, std::abs(c.pressure - g * (n / 2.0 - c.centre.z())) / (g * n));
+    keep_worst(rest.speed, c.velocity.norm() / std::sqrt(g * n));
   });
   return rest;
 }

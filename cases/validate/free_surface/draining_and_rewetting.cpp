@@ -5,6 +5,7 @@
 #include "cases/validate/entry.h"
 #include "cases/validate/free_surface/slope.h"
 #include "cases/validate/free_surface/surface_flows.h"
+#include "core/worst.h"
 
 namespace lahar::validate {
 namespace {
@@ -36,9 +37,9 @@ template <class Real>
 void drain(lbm::Fluid<Real>& fluid, int steps, double& worst) {
   for (int s = 0; s < steps && fluid.wet_cells() > 0; ++s) {
     fluid.step();
-    if (s % 10 == 0) worst = std::max(worst, std::abs(fluid.mass_drift()));
+    if (s % 10 == 0) keep_worst(worst, std::abs(fluid.mass_drift()));
   }
-  worst = std::max(worst, std::abs(fluid.mass_drift()));
+  keep_worst(worst, std::abs(fluid.mass_drift()));
 }
 
 /// What a film that drains off a bed of 64 x 8 cells leaves by then: thickness sqrt(nu x / (g t)), Jeffreys 1930.

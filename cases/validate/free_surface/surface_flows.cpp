@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/worst.h"
+
 namespace lahar::validate {
 
 lbm::FluidOptions open_tank(const Vec3i& cells, double viscosity, const Vec3& gravity) {
@@ -46,7 +48,7 @@ std::vector<lbm::LiquidRegion> liquid_under_slope(const Vec3i& cells, const std:
 template <class Real>
 double fastest(const lbm::Fluid<Real>& fluid) {
   double speed = 0;
-  fluid.for_each_wet_cell([&](const lbm::WetCell& c) { speed = std::max(speed, c.velocity.norm()); });
+  fluid.for_each_wet_cell([&](const lbm::WetCell& c) { keep_worst(speed, c.velocity.norm()); });
   return speed;
 }
 

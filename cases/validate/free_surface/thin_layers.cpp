@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "cases/validate/entry.h"
+#include "core/worst.h"
 #include "lbm/step/fluid.h"
 
 namespace lahar::validate {
@@ -47,7 +48,7 @@ Borne rest(double cells, double slope, double largest_speed) {
     fluid.step();
     if (fluid.time() < 0.3) continue;
     const double share = (impulse() - before) / weight;
-    borne.worst = std::max(borne.worst, std::abs(share - 1));
+    keep_worst(borne.worst, std::abs(share - 1));
     borne.mean += share, ++steps;
   }
   borne.mean /= steps;

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "cases/validate/free_surface/surface_flows.h"
+#include "core/worst.h"
 
 namespace lahar::validate {
 namespace {
@@ -24,12 +25,12 @@ Found run_rest(const WaterAtRest& rest) {
   Found found;
   for (int s = 1; s <= rest.steps; ++s) {
     fluid.step();
-    if (s > rest.steps - rest.steps / 100 && s % 10 == 0) found.speed = std::max(found.speed, fastest(fluid));
+    if (s > rest.steps - rest.steps / 100 && s % 10 == 0) keep_worst(found.speed, fastest(fluid));
   }
   fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
     if (rest.pressure(c.centre) < 2 * rest.gravity()) return;  // not the layer of interface cells
     const double error = std::abs(c.pressure - rest.pressure(c.centre)) / (rest.gravity() * rest.level);
-    found.pressure_error = std::max(found.pressure_error, error);
+    keep_worst(found.pressure_error, error);
   });
   found.drift = fluid.mass_drift();
   return found;

@@ -5,6 +5,7 @@
 
 #include "cases/validate/entry.h"
 #include "cases/validate/wires_in_fluid/screen_flow.h"
+#include "core/worst.h"
 
 namespace lahar::validate {
 namespace {
@@ -15,7 +16,7 @@ std::vector<Row> run(const Context& context) {
   const auto ask = [&](double d, double re, double solidity, bool mesh) {
     const ScreenLoss loss =
         flow_through_screen({.diameter = d, .reynolds = re, .solidity = solidity, .mesh = mesh}, context);
-    audit = std::max(audit, loss.audit);
+    keep_worst(audit, loss.audit);
     rows.push_back(relative_row(fmt::format("K, {}, S {:.3f}, Re {:g}, d/dx {:g}",
                                             mesh ? "square mesh" : "parallel wires", loss.solidity, re, d),
                                 loss.found, loss.table, 0.20));

@@ -1,4 +1,5 @@
 #include "cases/validate/wires_in_fluid/straight_wire.h"
+#include "core/worst.h"
 
 #include <fmt/format.h>
 
@@ -34,7 +35,7 @@ WireStream turned(WireStream stream, double degrees) {
 
 WireLoad AuditedStreams::run(const WireStream& stream, const Context& context) {
   const WireLoad load = run_stream(stream, context);
-  audit = std::max(audit, load.audit);
+  keep_worst(audit, load.audit);
   return load;
 }
 

@@ -41,12 +41,23 @@ TEST(SceneGeometry, OpenDepthEndsAtTheGround) {
 
 TEST(SceneGeometry, EveryShapeBecomesItsSolid) {
   WallSettings w;
+  const auto distance = [&](const Vec3& p) {
+    return std::visit([&](const auto& solid) { return solid.distance(p); }, make_wall(w, 0).shape);
+  };
   w.shape = WallShape::sphere, w.centre = {1, 0, 0}, w.radius = 0.5;
   EXPECT_TRUE(std::holds_alternative<SolidSphere>(make_wall(w, 0).shape));
-  w.shape = WallShape::box;
+  EXPECT_NEAR(distance({1, 0, 2}), 1.5, 1e-12);
+  w.shape = WallShape::box, w.lower = {0, 0, 0}, w.upper = {1, 2, 3};
   EXPECT_TRUE(std::holds_alternative<SolidBox>(make_wall(w, 0).shape));
-  w.shape = WallShape::cylinder;
+  EXPECT_NEAR(distance({0.5, 1, 3.25}), 0.25, 1e-12);
+  EXPECT_NEAR(distance({0.5, 2.5, 1}), 0.5, 1e-12);
+  w.shape = WallShape::cylinder, w.start = {0, 0, 0}, w.end = {0, 0, 2}, w.radius = 0.5;
   EXPECT_TRUE(std::holds_alternative<SolidCylinder>(make_wall(w, 0).shape));
+  EXPECT_NEAR(distance({2, 0, 1}), 1.5, 1e-12);
+  EXPECT_NEAR(distance({0, 0, 3}), 1, 1e-12);
+  w.shape = WallShape::plane, w.point = {0, 0, 0.3}, w.normal = {0, 0, 2};
+  EXPECT_TRUE(std::holds_alternative<HalfSpace>(make_wall(w, 0).shape));
+  EXPECT_NEAR(distance({5, 5, 1}), 0.7, 1e-12);
 }
 
 TEST(SceneGeometry, MaterialsCarryScaleAndPairs) {

@@ -80,6 +80,8 @@ std::vector<Arrival> arrivals() {
        averaged([](const auto& o) { return o.averaging_length == 0.2; })},
       {kDebris, as_averaged, "coupling.beads_as_grains=true",
        averaged([](const auto& o) { return o.beads_as_grains; })},
+      {kDebris, as_averaged, "coupling.beads_as_grains=true",  // and not by the wires' law, too
+       coupling_of([](const auto& o) { return o.thin_wires == coupling::ThinWires::uncoupled; })},
       {kDebris, none, "materials.rock.poisson_ratio=0.31",
        [](const Scene& s) {
          const dem::Materials m = make_materials(s);

@@ -33,6 +33,14 @@ TEST(RigidBarrier, BecomesPiersWithSlitsBetween) {
   EXPECT_NEAR(scene.walls[3].upper.y(), 0.38, 1e-12);
 }
 
+TEST(RigidBarrier, PiersHaveItsMaterialAndSlip) {
+  const Scene scene = load(case_file("hanging_net/scene.toml"), with(kSlits, "rigid_barrier.slip=free_slip"));
+  for (const WallSettings& pier : scene.walls) {
+    EXPECT_EQ(pier.material, "steel");
+    EXPECT_EQ(pier.slip, WallSlip::free_slip);
+  }
+}
+
 TEST(RigidBarrier, TheResolvedSceneHasItsWallsOnce) {
   const Scene scene = load(case_file("hanging_net/scene.toml"), kSlits);
   const ScratchFolder folder;

@@ -1,6 +1,7 @@
 // What is done and what goes on, and the folder of a study.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -119,6 +120,38 @@ TEST(StudyFolder, DamagedCasesAreLeftOutAndNamed) {
       << content_of(folder / "messages");
   EXPECT_TRUE(std::filesystem::exists(folder / "out" / "report.html"));
   EXPECT_EQ(run_study("--list" + asked, folder / "messages"), 0) << content_of(folder / "messages");
+}
+
+/// A scene with a key that there is no more: neither the page nor the list stops at it.
+TEST(StudyFolder, CasesOfAnotherProgramAreLeftOutAndNamed) {
+  const cases::TestFolder folder;
+  const StudyCase old = cases_of({.sweeps = {"matched"}, .couplings = {"resolved"}, .releases = {4.1}}).at(0);
+  const auto left = folder / "out" / old.name();
+  std::filesystem::create_directories(left);
+  std::ofstream(left / "scene.resolved.toml")
+      << scene::to_toml(scene::load(old.scene_file(), old.changes())) << "\n[forgotten]\nkey = 1\n";
+  std::ofstream(left / "summary.json") << "{\"simulated_seconds\": 4}";
+  const std::string asked = " --sweep matched --release 4.1 --out '" + (folder / "out").string() + "'";
+  for (const std::string coupling : {"averaged", "resolved"}) {
+    EXPECT_EQ(run_study("--report --coupling " + coupling + asked, folder / "messages"), 0);
+    EXPECT_NE(content_of(folder / "messages").find(old.name() + " is left out: "), std::string::npos)
+        << content_of(folder / "messages");
+  }
+  EXPECT_EQ(run_study("--list" + asked, folder / "messages"), 0) << content_of(folder / "messages");
+  EXPECT_EQ(run_study("--coupling resolved" + asked, folder / "messages"), 2);
+}
+
+/// Whoever starts the study may ignore the ends of its children.
+TEST(Jobs, ARunThatFailsHasFailedWhereChildrenAreIgnored) {
+  const cases::TestFolder folder;
+  const std::vector<StudyCase> one =
+      cases_of({.sweeps = {"as_printed"}, .couplings = {"averaged"}, .releases = {1.85}});
+  const JobOptions options{"/bin/false", folder.path(), 1, 1};
+  std::signal(SIGCHLD, SIG_IGN);
+  const auto results = run_all(
+      one, options, [] { return false; }, [](const std::string&) {});
+  std::signal(SIGCHLD, SIG_DFL);
+  EXPECT_EQ(results.at(0).exit_code, 1);
 }
 
 TEST(Jobs, ARunThatFailsIsNamedWithItsLog) {

@@ -21,6 +21,33 @@ TEST_F(FlowEnergyOfHeap, ArrivesWithinTheInflowDistance) {
   EXPECT_FALSE(metrics.contains("e_out_kJ"));  // without solids
 }
 
+/// On a bed of 35 degrees: two heaps, 0.3 m deep at 0.5 m/s and 0.1 m deep at 1.5 m/s, and a grain that flies. Half a
+/// step of gravity is in the liquid's velocity.
+TEST_F(FlowEnergyOfHeap, OnASlopeWithHeapsOfTwoSpeedsAndAGrain) {
+  const Metrics metrics =
+      first_row({"gravity.slope_deg=35",
+                 "fluid.region=[{lower_m = [0, 0, 0], upper_m = [0.2, 0.16, 0.3], velocity_m_s = [0.5, 0, 0]}, "
+                 "{lower_m = [0.2, 0, 0], upper_m = [0.4, 0.16, 0.1], velocity_m_s = [1.5, 0, 0]}]",
+                 "materials={rock = {youngs_modulus_Pa = 1e7, poisson_ratio = 0.3}}",
+                 "contact=[{materials = [\"rock\", \"rock\"], friction = 0.5, restitution = 0.3}]",
+                 "grains.sphere=[{position_m = [0.3, 0.08, 0.35], velocity_m_s = [1, 0, 0], diameter_m = 0.1, "
+                 "density_kg_m3 = 2500, material = \"rock\"}]"});
+  const double g = 9.81, angle = 35 * M_PI / 180, c = std::cos(angle), s = std::sin(angle);
+  const double half_step = 0.5 * simulation_->fluid()->units().time_step * g;
+  const double deep = 9.6, shallow = 3.2, grain = 2500 * M_PI / 6 * 1e-3;  // kg
+  const auto energy = [&](double mass, double speed, double falls, double x, double z) {
+    const double kinetic = 0.5 * mass * (std::pow(speed + falls * s, 2) + std::pow(falls * c, 2));
+    return kinetic + mass * g * ((0.5 - x) * s + (z - 0.05) * c);
+  };
+  const double expected = energy(deep, 0.5, half_step, 0.1, 0.15) + energy(shallow, 1.5, half_step, 0.3, 0.05) +
+                          energy(grain, 1, 0, 0.3, 0.35);
+  EXPECT_NEAR(1000 * metrics.at("e_in_kJ") / expected, 1, 0.01);
+  EXPECT_NEAR(metrics.at("depth_at_inflow_m"), 0.3, 1e-3);
+  const double wave = std::sqrt(g * c * 0.3), mean = (deep * 0.5 + shallow * 1.5) / (deep + shallow);
+  EXPECT_NEAR(metrics.at("froude_deepest_section"), (0.5 + half_step * s) / wave, 0.005);
+  EXPECT_NEAR(metrics.at("froude_mean_speed"), (mean + half_step * s) / wave, 0.01);
+}
+
 TEST_F(FlowEnergyOfHeap, IsFarFromASectionFurtherDown) {
   const Metrics metrics = first_row({"measure.section_x_m=0.8"});
   EXPECT_FALSE(metrics.contains("e_in_kJ"));

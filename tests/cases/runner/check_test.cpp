@@ -38,6 +38,7 @@ TEST(Check, CountsLiquidByItsShapeAndWhatFlowsIn) {
   const double cell = 0.02 * 0.02 * 0.02, sphere = 4.0 / 3 * M_PI * 1e-3;
   EXPECT_NEAR(f.liquid_cells, sphere / cell, 0.02 * sphere / cell);
   EXPECT_NEAR(f.inflow_cells, 6e-3 / cell, 1e-6);
+  EXPECT_NEAR(f.depth, 0.2, 2e-3);
   EXPECT_NEAR(f.mean_cells - f.liquid_cells, 0.75 * 6e-3 / cell, 1e-3 * 6e-3 / cell);
 }
 
@@ -57,6 +58,7 @@ TEST(Check, CountsLiquidOnceAndOutsideWalls) {
                                             "wall[2].point_m=[0, 0, 0.36]", "wall[2].normal=[0, 0, 1]"});
   EXPECT_NEAR(over_ground.liquid_cells, once.liquid_cells / 4, 1e-6 * once.liquid_cells);
   EXPECT_LT(over_ground.start_blocks, 0.6 * once.start_blocks);
+  EXPECT_NEAR(over_ground.depth, 0.12, 1e-6);
 }
 
 /// A lake over ground whose box goes down to the bottom of the domain: 1e7 cells of 5e8.

@@ -18,6 +18,9 @@ TEST(Warnings, Fluid) {
   EXPECT_TRUE(warns(report({"run.output_interval_s=1"}), "run.output_interval_s (1 s) is longer than the run"));
   EXPECT_TRUE(warns(report({"run.series_interval_s=1"}), "run.series_interval_s"));
   EXPECT_TRUE(warns(report({"run.image_interval_s=1"}), "run.image_interval_s"));
+  EXPECT_TRUE(
+      warns(report({"run.image_interval_s=1e-6"}), "run.image_interval_s (1e-06 s) is less than the time step"));
+  EXPECT_FALSE(warns(report({"run.image_interval_s=0.01"}), "less than the time step"));
   EXPECT_TRUE(warns(report({"fluid.collision=bgk"}), "unstable"));
   EXPECT_FALSE(warns(report({"fluid.collision=bgk", "fluid.smagorinsky=0.16"}), "unstable"));
   EXPECT_TRUE(warns(report({"fluid.lattice_velocity=0.2"}), "Ma = 0.35"));

@@ -81,6 +81,13 @@ TEST(Overrides, WrongValuesAreLocatedAtTheOverride) {
       << unknown[0];
 }
 
+TEST(Overrides, WhatATableThatOneMakesLacksIsLocatedAtIt) {
+  const auto mistakes = mistakes_in_text(small_scene, {"grains.sphere[1].diameter_m=0.1"});
+  ASSERT_FALSE(mistakes.empty());
+  for (const std::string& m : mistakes)
+    EXPECT_TRUE(m.starts_with("--set grains.sphere[1].diameter_m=0.1:1:1: grains.sphere[1]")) << m;
+}
+
 TEST(Overrides, NumbersTooLargeAreNoWords) {
   const auto all = mistakes_in_text(small_scene, {"run.seed=99999999999999999999"});
   ASSERT_EQ(all.size(), 1u);

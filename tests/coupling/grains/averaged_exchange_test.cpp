@@ -16,14 +16,15 @@ namespace {
 
 constexpr double kRadius = 0.02, kRho = 1000;
 
-/// Grains in rows, that do not touch, through a periodic box of 16 cells of 2 cm.
-dem::Solids grains_in_rows(const Vec3& gravity, dem::ParticleState state = dem::ParticleState::free) {
+/// Grains, or beads, in rows, that do not touch, through a periodic box of 16 cells of 2 cm.
+dem::Solids in_rows(const Vec3& gravity, dem::ParticleState state = dem::ParticleState::free,
+                    dem::ParticleKind kind = dem::ParticleKind::grain) {
   dem::Particles particles;
   for (int x = 0; x < 5; ++x)
     for (int y = 0; y < 5; ++y)
       for (int z = 0; z < 5; ++z) {
         dem::ParticleSpec spec = grain(0.064 * Vec3(x + 0.4, y + 0.4, z + 0.4), kRadius, 2500);
-        spec.state = state;
+        spec.state = state, spec.kind = kind;
         particles.add(spec);
       }
   dem::SolidsOptions options;
@@ -47,7 +48,7 @@ std::unique_ptr<CoupledStep<Real>> box_of_grains(const Vec3& gravity, const Vec3
   fluid.weighting = weighting;
   fluid.gravity = gravity;
   fluid.kinematic_viscosity = 1e-5;
-  auto step = std::make_unique<CoupledStep<Real>>(fluid, grains_in_rows(gravity, state), averaged(0.08, drag));
+  auto step = std::make_unique<CoupledStep<Real>>(fluid, in_rows(gravity, state), averaged(0.08, drag));
   step->fluid()->fill_everything([&](const Vec3&) { return velocity_lu; }, [](const Vec3&) { return 0.0; });
   return step;
 }
@@ -127,6 +128,28 @@ TEST(AveragedExchange, HeldGrainsSlowTheLiquid) {
     EXPECT_LT(u, 0.95 * start);
     EXPECT_NEAR(liquid_velocity(*step).x() / start, u / start, 0.04 * (1 - u / start));
   }
+}
+
+/// Beads that feel the law of grains are lone ones to it, whose volume no cell holds: as u slows down they slow the
+/// liquid in their place, too, (1 + n V) rho du/dt = -n beta u.
+TEST(AveragedExchange, HeldBeadsSlowTheLiquidByTheSameLaw) {
+  lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);
+  fluid.kinematic_viscosity = 1e-5;
+  CouplingOptions options = averaged(0.08);
+  std::get<AveragedGrains>(options.grains).beads_as_grains = true;
+  CoupledStep<double> step(fluid, in_rows(Vec3::Zero(), dem::ParticleState::fixed, dem::ParticleKind::bead), options);
+  step.fluid()->fill_everything([](const Vec3&) { return Vec3(0.02, 0, 0); }, [](const Vec3&) { return 0.0; });
+  double u = 0.02 * 0.02 / 1e-3;
+  const double start = u;
+  for (int n = 0; n < 200; ++n) {
+    step.advance();
+    const double beta =
+        bed_drag(BedDrag::di_felice,
+                 {.diameter = 2 * kRadius, .solid_fraction = 0, .speed = u, .density = kRho, .viscosity = 1e-5});
+    u -= 1e-3 * 125 / kBox * beta * u / (kRho * (1 + kSolid));
+  }
+  EXPECT_LT(u, 0.95 * start);
+  EXPECT_NEAR(mixture_velocity(step).x() / start, u / start, 0.04 * (1 - u / start));
 }
 
 /// A held grain in a steady vortex, u = A (sin kx cos ky, -cos kx sin ky, 0), feels rho V (u . grad) u across the
@@ -374,7 +397,7 @@ TEST(AveragedExchange, WiresFeelTheLiquidBetweenTheGrains) {
 TEST(AveragedExchange, StiffDragDoesNotOvershoot) {
   lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);
   fluid.kinematic_viscosity = 0.05;  // mud: the grain answers within a small part of the step
-  CoupledStep<double> step(fluid, grains_in_rows(Vec3::Zero()), averaged(0.08));
+  CoupledStep<double> step(fluid, in_rows(Vec3::Zero()), averaged(0.08));
   step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
   dem::Particles& p = step.solids()->particles();
   for (dem::ParticleIndex i = 0; i < p.size(); ++i) p.velocity.set(i, Vec3(0.1, 0, 0));
@@ -396,7 +419,7 @@ TEST(AveragedExchange, StiffDragIsTheSameAfterAChangeOfTheStep) {
   lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);
   fluid.kinematic_viscosity = 0.05;
   fluid.gravity = Vec3(0, 0, kSolid * 2500 / ((1 - kSolid) * kRho));
-  CoupledStep<double> step(fluid, grains_in_rows(Vec3(0, 0, -1)), averaged(0.08));
+  CoupledStep<double> step(fluid, in_rows(Vec3(0, 0, -1)), averaged(0.08));
   step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
   const auto force = [&] { return step.solids()->particles().external_force[0].z(); };
   for (int n = 0; n < 300; ++n) step.advance();
@@ -419,7 +442,7 @@ TEST(AveragedExchange, MudDragsAsItsFlowLawSays) {
   const auto slowed_by = [&](const lbm::RheologyOptions& law, double kinematic_viscosity) {
     lbm::FluidOptions fluid = stream(16, 0.02, 1e-4);
     fluid.kinematic_viscosity = kinematic_viscosity, fluid.rheology = law;
-    CoupledStep<double> step(fluid, grains_in_rows(Vec3::Zero()), averaged(0.08));
+    CoupledStep<double> step(fluid, in_rows(Vec3::Zero()), averaged(0.08));
     step.fluid()->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
     dem::Particles& p = step.solids()->particles();
     for (dem::ParticleIndex i = 0; i < p.size(); ++i) p.velocity.set(i, Vec3(speed, 0, 0));

@@ -43,6 +43,20 @@ TEST(BedDrag, PressureDropOfAPackedBed) {
     }
 }
 
+/// Beetstra's drag over Stokes' by porosity and Reynolds number, worked out apart from this code.
+TEST(BedDrag, BeetstrasNumbers) {
+  struct Known {
+    double phi, reynolds, factor;
+  };
+  constexpr Known known[] = {{0.1, 1, 2.4982},    {0.1, 1000, 47.745}, {0.5, 0.1, 20.5153}, {0.5, 10, 22.774},
+                             {0.5, 100, 50.4134}, {0.6, 0.1, 37.846},  {0.6, 100, 89.7894}, {0.6, 1000, 468.4559}};
+  for (const Known& k : known) {
+    const BedFlow f = flow(k.phi, k.reynolds * kViscosity / (kDiameter * (1 - k.phi)));
+    const double stokes = 3 * std::numbers::pi * kDensity * kViscosity * kDiameter;
+    EXPECT_NEAR(beetstra_drag(f) / stokes / k.factor, 1, 1e-4) << k.phi << ' ' << k.reynolds;
+  }
+}
+
 /// Speed at which grains under their weight in water move through it, times eps: of the mean flow that holds them up.
 double settling(BedDrag law, double phi, double diameter, double viscosity) {
   const double weight = std::numbers::pi / 6 * diameter * diameter * diameter * 1650 * 9.81;

@@ -37,6 +37,8 @@ TEST(DragLaw, ScreenFactorStartsAtOneAndTurnsTheLossIntoThatOfBlevins) {
   EXPECT_EQ(screen_factor({}), 1);
   const double s = 0.3, a = 1 - s;  // K / (Cd/2) = (1 - a^2)/a^2
   EXPECT_NEAR(2 * s * screen_factor({.area = s, .parallel = s, .solidity = s}), (1 - a * a) / (a * a), 1e-12);
+  // A mesh of solidity 0.4: its wires, 0.45 in all, share the loss.
+  EXPECT_NEAR(2 * 0.45 * screen_factor({.area = 0.45, .parallel = 0.25, .solidity = 0.4}), (1 - 0.36) / 0.36, 1e-12);
 }
 
 TEST(DragLaw, KernelIsAPartitionWithConstantSquares) {

@@ -26,6 +26,8 @@ TEST(WireCrowding, PlaneScreensHaveTheirSolidity) {
     EXPECT_NEAR(parallel[7].parallel, parallel[7].area, 1e-12);
     const auto mesh = wire_crowding(screen(1, pitch, 20, true), period);
     EXPECT_NEAR(mesh[7].solidity / (1 - (1 - s) * (1 - s)), 1, 0.1) << s;
+    EXPECT_NEAR(mesh[7].parallel / s, 1, 0.1) << s;
+    EXPECT_NEAR(mesh[7].area / (2 * s), 1, 0.1) << s;
   }
 }
 

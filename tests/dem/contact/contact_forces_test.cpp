@@ -45,6 +45,31 @@ TEST(ContactForces, unequal_spheres_at_rest_feel_hertz) {
   EXPECT_NEAR(worst_overlap(s.particles, s.contacts, s.walls).ratio, 0.05, 1e-9);
 }
 
+/// Spheres of two materials that slide on each other have the friction and the stiffness of their pair, whichever comes
+/// first; one on a wall likewise.
+TEST(ContactForces, materials_that_differ_have_what_their_pair_has) {
+  for (const bool swapped : {false, true}) {
+    Scene s;
+    s.materials = {};
+    s.materials.add({"soft", 1e7, 0.3}), s.materials.add({"hard", 8e7, 0.2});
+    s.materials.set_pair(0, 0, 0.1, 1), s.materials.set_pair(1, 1, 0.9, 1), s.materials.set_pair(0, 1, 0.4, 1);
+    s.forces = ContactForces{s.materials, HertzMindlin{}};
+    ParticleSpec soft = sphere({0, 0, 0.5}, 0.02, 2650), hard = sphere({0, 0, 0.539}, 0.02, 2650, {300, 0, 0});
+    ParticleSpec on_wall = sphere({1, 0, 0.019}, 0.02, 2650, {300, 0, 0});
+    hard.material = on_wall.material = 1;
+    s.particles.add(swapped ? hard : soft), s.particles.add(swapped ? soft : hard), s.particles.add(on_wall);
+    s.walls = testing::ground();  // of the soft material
+    s.compute();
+    const double force = hertz(s.materials.pair(0, 1), 0.01, 0.001),
+                 at_wall = hertz(s.materials.pair(0, 1), 0.02, 0.001);
+    const Vec3 on_hard = s.particles.force[swapped ? 0 : 1];
+    EXPECT_NEAR(on_hard.z() / force, 1, 1e-9);
+    EXPECT_NEAR(on_hard.x() / force, -0.4, 1e-9);
+    EXPECT_NEAR(s.particles.force[2].z() / at_wall, 1, 1e-9);
+    EXPECT_NEAR(s.particles.force[2].x() / at_wall, -0.4, 1e-9);
+  }
+}
+
 TEST(ContactForces, nothing_at_zero_overlap) {
   Scene s;
   s.walls = testing::ground();

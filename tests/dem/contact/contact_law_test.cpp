@@ -248,6 +248,26 @@ TYPED_TEST(AnyContactLaw, spring_remembers_and_reverses) {
   EXPECT_NEAR(third, 0, 1e-12 * std::abs(first));
 }
 
+/// Without a stiffness of its own the tangential spring has 2/7 of the normal one: both swing with the same period.
+TEST(LinearSpringDashpot, tangential_stiffness_of_its_own_and_by_default) {
+  ContactState s{};
+  s.normal_ij = {0, 0, 1};
+  s.overlap = 1e-4, s.effective_radius = 0.01, s.effective_mass = 0.01, s.tangential_mass = 0.01 * 2 / 7;
+  s.friction = 1e9;
+  s.tangential_velocity = s.tangential_velocity_end = {0.02, 0, 0};
+  const auto first_force = [&](double tangential_stiffness) {
+    ContactHistory history;
+    return LinearSpringDashpot{1e6, tangential_stiffness}(s, history, 1e-5).tangential.x;
+  };
+  EXPECT_NEAR(first_force(0) / (-2.0 / 7 * 1e6 * 0.02 * 1e-5), 1, 1e-9);
+  EXPECT_NEAR(first_force(3e5) / (-3e5 * 0.02 * 1e-5), 1, 1e-9);
+  const double mass = std::numbers::pi / 6 * 1e-6 * 2500;  // of a sphere of 1 cm
+  EXPECT_NEAR((LinearSpringDashpot{1e6, 0}.time_limit(0.005, 2500, {})), std::numbers::pi * std::sqrt(mass / 2 / 1e6),
+              1e-12);
+  EXPECT_NEAR((LinearSpringDashpot{1e6, 1e6}.time_limit(0.005, 2500, {})),
+              std::numbers::pi * std::sqrt(mass / 2 / 3.5e6), 1e-12);
+}
+
 TYPED_TEST(AnyContactLaw, cycles_of_load_never_give_energy_back) {
   ContactState s = this->state();
   s.normal_ij = {0, 0, 1};

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "lbm/collision/bounce_back_operators.h"
 #include "lbm/collision/central_moments_at_bodies.h"
 #include "lbm/collision/operators.h"
 #include "lbm/collision/smagorinsky.h"
@@ -130,6 +131,35 @@ TYPED_TEST(Collision, EquilibriumOfItsOrderStays) {
   std::copy(f, f + D3Q19::q, after);
   TypeParam::collide(after, moments(f), this->no_force(), Newtonian<double>{0.7});
   for (int i = 0; i < D3Q19::q; ++i) EXPECT_NEAR(after[i], f[i], 1e-16) << "velocity " << i;
+}
+
+/// What a body covers whole comes back as it went, but for the equilibrium of the body's velocity; a cell covered by
+/// half is half of each.
+TEST(BounceBack, PopulationsComeBackAsTheOperatorsSay) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> noise(-0.02, 0.02);
+  double start[D3Q19::q];
+  for (int i = 0; i < D3Q19::q; ++i) start[i] = equilibrium(i, 0.01, 0.05, -0.02, 0.03) + D3Q19::w(i) * noise(random);
+  const Moments<double> m = moments(start);
+  CellForcing<double> force{{0, 0, 0}, 0, {0.03, 0.01, -0.02}, {0, 0, 0}};
+  const double(&s)[3] = force.solid_velocity;
+  double free[D3Q19::q];
+  std::copy(start, start + D3Q19::q, free);
+  CentralMoments::collide(free, m, force, Newtonian<double>{0.55});
+  for (const bool at_wall_velocity : {false, true})
+    for (const double b : {1.0, 0.5}) {
+      force.coverage_weight = b;
+      double f[D3Q19::q];
+      std::copy(start, start + D3Q19::q, f);
+      collide_bouncing_back<CentralMoments>(f, m, force, Newtonian<double>{0.55}, at_wall_velocity);
+      const double(&w)[3] = at_wall_velocity ? s : m.u;
+      for (int i = 0; i < D3Q19::q; ++i) {
+        const int back = D3Q19::opposite(i);
+        const double bounced =
+            start[back] + equilibrium(i, m.drho, s[0], s[1], s[2]) - equilibrium(back, m.drho, w[0], w[1], w[2]);
+        EXPECT_NEAR(f[i], b * bounced + (1 - b) * free[i], 1e-16) << "velocity " << i;
+      }
+    }
 }
 
 TEST(HigherMoments, PairSumIsThatOfItsPopulations) {

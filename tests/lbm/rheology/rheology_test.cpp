@@ -64,6 +64,20 @@ TEST(Rheology, PacksGiveWhatNumbersGive) {
   }
 }
 
+/// Mud of 2000 kg/m^3 in cells of 1 cm and steps of 0.5 ms.
+TEST(Rheology, LawsInLatticeUnits) {
+  const LatticeUnits units{0.01, 5e-4, 2000};
+  const RheologyParameters mud = rheology_to_lu({FlowLaw::herschel_bulkley, 40, 20, 0.5, 2}, 1e-6, units);
+  EXPECT_NEAR(mud.yield, 5e-5, 1e-15);                // 40/2000 dt^2/dx^2
+  EXPECT_NEAR(mud.consistency, 1.1180340e-3, 1e-10);  // 20/2000 dt^1.5/dx^2
+  EXPECT_EQ(mud.exponent, 0.5);
+  EXPECT_NEAR(mud.limit_tau, 30.5, 1e-12);  // 1/2 + 3 * 2 dt/dx^2
+  const RheologyParameters bingham = rheology_to_lu({FlowLaw::bingham, 40, 20, 0.5, 2}, 0.004, units);
+  EXPECT_NEAR(bingham.yield, 5e-5, 1e-15);
+  EXPECT_NEAR(bingham.consistency, 0.02, 1e-15);  // its viscosity; consistency and exponent are of the other law
+  EXPECT_EQ(bingham.exponent, 1);
+}
+
 FluidOptions channel_options(const RheologyOptions& rheology, double viscosity, double push) {
   FluidOptions o = lattice_options({8, 8, 16}, viscosity);
   o.domain.faces[4] = o.domain.faces[5] = FaceKind::closed;
