@@ -9,6 +9,7 @@
 #include "cases/compare_cfd_dem/published_flows.h"
 #include "cases/compare_cfd_dem/trends.h"
 #include "cases/files/html_image.h"
+#include "cases/files/html_text.h"
 #include "cases/files/output_file.h"
 
 namespace lahar::study {
@@ -212,9 +213,9 @@ std::string table_of_flow(const std::string& sweep, double release, const std::v
   html += "<tr><td>wall time</td><td>min</td><td></td>";
   for (const CaseResult* c : here) html += fmt::format("<td>{:.1f}</td>", c->wall_seconds / 60);
   html += "</tr>\n<tr><td>machine</td><td></td><td></td>";
-  for (const CaseResult* c : here) html += fmt::format("<td>{}</td>", c->machine);
+  for (const CaseResult* c : here) html += fmt::format("<td>{}</td>", cases::html_text(c->machine));
   html += "</tr>\n<tr><td>commit</td><td></td><td></td>";
-  for (const CaseResult* c : here) html += fmt::format("<td>{}</td>", c->commit);
+  for (const CaseResult* c : here) html += fmt::format("<td>{}</td>", cases::html_text(c->commit));
   return html + "</tr></table>\n";
 }
 
@@ -257,7 +258,7 @@ std::string ledger_lines(const std::vector<CaseResult>& results) {
   std::string html;
   for (const CaseResult& c : results)
     for (const std::string& check : c.failed_checks)
-      html += fmt::format("<li>{}: {} did not pass</li>\n", c.study_case.name(), check);
+      html += fmt::format("<li>{}: {} did not pass</li>\n", c.study_case.name(), cases::html_text(check));
   return html.empty()
              ? "<p>All checks of all runs passed: ledger of the liquid, exchange of momentum, links of rings.</p>\n"
              : "<ul>" + html + "</ul>\n";

@@ -1,11 +1,21 @@
 #include "cases/files/output_file.h"
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <system_error>
 
 namespace lahar::cases {
+
+void sync_file(const std::filesystem::path& path) {
+  const int handle = ::open(path.c_str(), O_RDONLY);
+  const bool synced = handle >= 0 && ::fsync(handle) == 0;
+  if (handle >= 0) ::close(handle);
+  if (!synced) throw FileError(path, "cannot be brought to the disk");
+}
 
 void replace_file(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write) {
   std::filesystem::path temporary = path;
@@ -32,6 +42,7 @@ void replace_text_file(const std::filesystem::path& path, const std::string& tex
     out << text;
     out.close();
     if (!out) throw FileError(path, std::string("cannot be written: ") + std::strerror(errno));
+    sync_file(temporary);
   });
 }
 

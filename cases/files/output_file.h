@@ -22,7 +22,10 @@ class FileError : public std::runtime_error {
 /// The temporary file is removed if `write` throws. Throws FileError if the rename fails.
 void replace_file(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 
-/// Replaces `path` by a file that holds `text`. Throws FileError.
+/// Brings a file to the disk, not only to the operating system. Throws FileError.
+void sync_file(const std::filesystem::path& path);
+
+/// Replaces `path` by a file that holds `text`, which is on the disk before the former one goes. Throws FileError.
 void replace_text_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace lahar::cases

@@ -1,8 +1,6 @@
 #include "cases/runner/checkpoint.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <sstream>
 #include <vector>
@@ -38,14 +36,6 @@ auto guarded_read(const fs::path& file, const Read& read) {
   } catch (const ArchiveError& e) {
     refuse(file, std::string("is damaged or of another version (") + e.what() + ")" + kExpected);
   }
-}
-
-/// To the disk, not only to the operating system.
-void sync(const fs::path& file) {
-  const int handle = ::open(file.c_str(), O_RDONLY);
-  const bool synced = handle >= 0 && ::fsync(handle) == 0;
-  if (handle >= 0) ::close(handle);
-  if (!synced) throw FileError(file, "cannot be brought to the disk");
 }
 
 /// The first line in which two texts differ, as "[table] key = value" or "# file: check sum".
@@ -96,7 +86,7 @@ void write_checkpoint(const fs::path& folder, const scene::Scene& scene, const C
       file.set_attribute("/", "format", static_cast<double>(kCheckpointFormat));
       file.close();
     }
-    sync(temporary);
+    sync_file(temporary);
   });
 }
 

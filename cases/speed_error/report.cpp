@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "cases/files/html_image.h"
+#include "cases/files/html_text.h"
 #include "cases/files/output_file.h"
 #include "cases/pictures/chart.h"
 #include "cases/speed_error/pareto.h"
@@ -179,7 +180,7 @@ void write_results(const std::vector<ProblemResult>& results, const Sitting& sit
       "table{border-collapse:collapse}td,th{padding:.1em .8em;text-align:right}"
       "td:first-child,th:first-child{text-align:left}.front{font-weight:bold}</style></head><body>\n"
       "<h1>Speed against error</h1>\n<p>" +
-      sitting.line() +
+      cases::html_text(sitting.line()) +
       ". Times are pieces of a fixed work done in the same sitting. Bold: on the Pareto front; no other trial is both "
       "faster and nearer. \"Beaten by\" f: another takes at most 1/f of the time and has at most 1/f of the "
       "error.</p>\n";

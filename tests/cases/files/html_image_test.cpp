@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "cases/files/html_text.h"
 #include "tests/cases/files/test_folder.h"
 
 namespace lahar::cases {
@@ -15,6 +16,8 @@ TEST(HtmlImage, Base64) {  // RFC 4648, section 10
   EXPECT_EQ(base64("fo"), "Zm8=");
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
+
+TEST(HtmlText, NamesMayHoldAnything) { EXPECT_EQ(html_text("<a> & \"b\""), "&lt;a&gt; &amp; &quot;b&quot;"); }
 
 TEST(HtmlImage, HoldsTheFile) {
   const TestFolder folder;
