@@ -79,7 +79,7 @@ TEST(Reader, TablesAndListsOfTheWrongKind) {
   EXPECT_EQ(mistakes_in_text(small_scene, {"gravity=1"}),
             std::vector<std::string>{"--set gravity=1:1:1: gravity is a whole number, expected a table"});
   EXPECT_EQ(mistakes_in_text(small_scene, {"wall.shape=plane"}),
-            std::vector<std::string>{"scene.toml:1:1: wall is a table, expected a list of tables"});
+            std::vector<std::string>{"--set wall.shape=plane:1:1: wall is a table, expected a list of tables"});
   EXPECT_EQ(mistakes_in_text(small_scene, {"wall=[1]"}),
             std::vector<std::string>{"--set wall=[1]:1:1: wall[0] is a whole number, expected a table"});
   EXPECT_EQ(mistakes_in_text(small_scene, {"materials.rock=1"}),
