@@ -33,7 +33,13 @@ std::filesystem::path GrowingFile::open_name() const {
 
 void GrowingFile::take_up() const {
   if (!std::filesystem::exists(name_)) throw FileError(name_, "there is no such file");
-  copy_bytes(name_, open_name());
+  try {
+    copy_bytes(name_, open_name());
+  } catch (const FileError& e) {
+    std::error_code ignored;
+    std::filesystem::remove(open_name(), ignored);
+    throw CannotTakeUp(name_, std::string("cannot be copied to go on with (") + e.what() + ")");
+  }
 }
 
 void GrowingFile::copy() {
@@ -47,8 +53,12 @@ void GrowingFile::finish() const { move_to(open_name(), name_); }
 
 std::filesystem::path GrowingFile::set_aside() const {
   if (!std::filesystem::exists(name_)) return {};
-  std::filesystem::path aside = name_;
-  aside.replace_extension(".damaged" + name_.extension().string());
+  const auto aside_name = [&](const std::string& number) {
+    std::filesystem::path aside = name_;
+    return aside.replace_extension(".damaged" + number + name_.extension().string());
+  };
+  std::filesystem::path aside = aside_name("");
+  for (int k = 2; std::filesystem::exists(aside); ++k) aside = aside_name(std::to_string(k));
   move_to(name_, aside);
   return aside;
 }

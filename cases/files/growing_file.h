@@ -5,7 +5,14 @@
 #include <chrono>
 #include <filesystem>
 
+#include "cases/files/output_file.h"
+
 namespace lahar::cases {
+
+/// A file that may be whole, but cannot be gone on with here: there is no room for its copy, or no right to read it.
+class CannotTakeUp : public FileError {
+  using FileError::FileError;
+};
 
 class GrowingFile {
  public:
@@ -15,7 +22,8 @@ class GrowingFile {
   [[nodiscard]] const std::filesystem::path& name() const { return name_; }
   /// NAME.open, which grows.
   [[nodiscard]] std::filesystem::path open_name() const;
-  /// Starts from the file that others see. Throws FileError.
+  /// Starts from the file that others see. Throws FileError where there is none, CannotTakeUp where it cannot be
+  /// copied.
   void take_up() const;
   /// Whether a copy is due: one a second, or as seldom as they take a fiftieth of the time.
   [[nodiscard]] bool copy_due() const { return Clock::now() >= next_copy_; }
@@ -23,8 +31,8 @@ class GrowingFile {
   void copy();
   /// Replaces it by what has grown itself, which must be closed. Throws FileError.
   void finish() const;
-  /// Gives a file that others see and nobody can read another name, NAME.damaged.EXTENSION, which is returned; empty if
-  /// there is no such file. Throws FileError.
+  /// Gives a file that others see and nobody can read another name, NAME.damaged.EXTENSION, or NAME.damaged2.EXTENSION
+  /// and so on where there is one, which is returned; empty if there is no such file. Throws FileError.
   [[nodiscard]] std::filesystem::path set_aside() const;
 
  private:

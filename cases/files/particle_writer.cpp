@@ -116,6 +116,8 @@ void ParticleWriter::open_earlier() {
     grown_.take_up();
     file_ = Hdf5File::open_for_appending(grown_.open_name());
     drop_later_frames();
+  } catch (const CannotTakeUp&) {  // the frames are not lost
+    throw;
   } catch (const FileError& e) {
     file_.reset();
     particle_grids_.clear(), bond_grids_.clear();

@@ -97,6 +97,8 @@ SeriesWriter open_series(const std::filesystem::path& path, const std::optional<
     for (const std::string& name : series.lost())
       monitor.warn(fmt::format("{}: {} cannot be read, its rows begin anew", path.string(), name));
     return series;
+  } catch (const CannotTakeUp&) {  // the rows are not lost
+    throw;
   } catch (const FileError& e) {
     const std::filesystem::path aside = GrowingFile(path).set_aside();
     monitor.warn(fmt::format("{}: the series begins anew, the former file is now {}", e.what(), aside.string()));

@@ -49,6 +49,25 @@ TEST(GrowingFile, WhatNobodyCanReadGetsAnotherName) {
   EXPECT_EQ(scene::file_text(folder / "rows.damaged.h5"), "noise");
 }
 
+TEST(GrowingFile, EachDamagedFileIsKept) {
+  const TestFolder folder;
+  const GrowingFile file(folder / "rows.h5");
+  for (const char* text : {"first", "second", "third"}) write(file.name(), text), (void)file.set_aside();
+  EXPECT_EQ(scene::file_text(folder / "rows.damaged.h5"), "first");
+  EXPECT_EQ(scene::file_text(folder / "rows.damaged2.h5"), "second");
+  EXPECT_EQ(scene::file_text(folder / "rows.damaged3.h5"), "third");
+}
+
+/// No room for the copy says nothing of the file: here a folder that holds something is in its place.
+TEST(GrowingFile, WhatCannotBeCopiedStaysAsItIs) {
+  const TestFolder folder;
+  const GrowingFile file(folder / "rows.h5");
+  write(file.name(), "whole");
+  std::filesystem::create_directories(file.open_name() / "in the way");
+  EXPECT_THROW(file.take_up(), CannotTakeUp);
+  EXPECT_EQ(scene::file_text(file.name()), "whole");
+}
+
 TEST(GrowingFile, SaysWhatItCannotWrite) {
   const TestFolder folder;
   GrowingFile file(folder / "nowhere" / "rows.h5");

@@ -185,6 +185,19 @@ TEST_F(Resume, ADamagedSeriesBeginsAnew) {
   EXPECT_NE(scene::file_text(folder("out") / "run.log").find("the series begins anew"), std::string::npos);
 }
 
+/// A disk that is full says nothing of what was written before: here a folder stands where the copy would.
+TEST_F(Resume, WhatCannotBeCopiedIsNotTakenForDamaged) {
+  run("out", {"run.duration_s=0.1"});
+  const std::string rows = scene::file_text(folder("out") / "series.h5");
+  std::filesystem::create_directories(folder("out") / "series.h5.open" / "in the way");
+  EXPECT_THROW(resume("out", {"run.duration_s=0.2"}), FileError);
+  EXPECT_EQ(scene::file_text(folder("out") / "series.h5"), rows);
+  EXPECT_FALSE(std::filesystem::exists(folder("out") / "series.damaged.h5"));
+  std::filesystem::remove_all(folder("out") / "series.h5.open");
+  resume("out", {"run.duration_s=0.2"});
+  EXPECT_EQ(read_series(folder("out") / "series.h5").time_s.front(), 0);
+}
+
 TEST_F(Resume, DamagedOrLostParticlesBeginAnew) {
   const std::vector<std::string> set{"run.duration_s=0.12", "run.output_interval_s=0.05"};
   for (const bool lost : {true, false}) {
