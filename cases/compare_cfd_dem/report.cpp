@@ -243,10 +243,10 @@ std::string trend_table(const std::vector<CaseResult>& results) {
   std::string html =
       "<p>Measure: of what rises or falls the rank correlation with the release distance, of what levels off the slope "
       "from L = 6.35 m on over that before, of the greater part its least share. Of flows of several programs "
-      "(commits) a "
-      "trend may be what changed between these.</p>\n<table><tr><th>trend in the "
-      "paper</th><th>sweep</th><th>coupling</th>"
-      "<th>preset</th><th>flows</th><th>programs</th><th>measure</th><th>agrees</th></tr>\n";
+      "(commits) "
+      "a trend may be what changed between these.</p>\n"
+      "<table><tr><th>trend in the paper</th><th>sweep</th><th>coupling</th><th>preset</th><th>flows</th>"
+      "<th>programs</th><th>measure</th><th>agrees</th></tr>\n";
   for (const Trend& t : all)
     html += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td></tr>\n",

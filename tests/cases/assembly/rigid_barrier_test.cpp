@@ -35,6 +35,7 @@ TEST(RigidBarrier, BecomesPiersWithSlitsBetween) {
 
 TEST(RigidBarrier, PiersHaveItsMaterialAndSlip) {
   const Scene scene = load(case_file("hanging_net/scene.toml"), with(kSlits, "rigid_barrier.slip=free_slip"));
+  ASSERT_EQ(scene.walls.size(), 4u);
   for (const WallSettings& pier : scene.walls) {
     EXPECT_EQ(pier.material, "steel");
     EXPECT_EQ(pier.slip, WallSlip::free_slip);

@@ -198,6 +198,17 @@ TEST_F(Resume, WhatCannotBeCopiedIsNotTakenForDamaged) {
   EXPECT_EQ(read_series(folder("out") / "series.h5").time_s.front(), 0);
 }
 
+TEST_F(Resume, ParticlesThatCannotBeCopiedAreNotTakenForDamaged) {
+  run_to_folder(scene::load(scene::case_file("bouncing_sphere/scene.toml"),
+                            {"run.duration_s=0.12", "run.output_interval_s=0.05"}),
+                {.out = folder("out"), .threads = 1, .quiet = true}, run_scene);
+  const std::string frames = scene::file_text(folder("out") / "particles.h5");
+  std::filesystem::create_directories(folder("out") / "particles.h5.open" / "in the way");
+  EXPECT_THROW(resume("out", {"run.duration_s=0.2"}), std::runtime_error);
+  EXPECT_EQ(scene::file_text(folder("out") / "particles.h5"), frames);
+  EXPECT_FALSE(std::filesystem::exists(folder("out") / "particles.damaged.h5"));
+}
+
 TEST_F(Resume, DamagedOrLostParticlesBeginAnew) {
   const std::vector<std::string> set{"run.duration_s=0.12", "run.output_interval_s=0.05"};
   for (const bool lost : {true, false}) {
