@@ -77,6 +77,7 @@ Vec3 CoupledStep<Real>::liquid_momentum() const {
   });
   Vec3 sum = Vec3::Zero();
   for (const Vec3& block : blocks) sum += block;
+  sum -= owed_to_wires();
   if (averaged && grains_) sum -= rho * cell * grains_->wet_volume_flow(solids_->particles());
   return sum;
 }
@@ -171,6 +172,7 @@ void CoupledStep<Real>::give_impulses() {
   particles.external_force.fill(Vec3::Zero());
   particles.external_torque.fill(Vec3::Zero());
   impulses_ = {};
+  drags_.clear();
   if (grains_) {
     const ScopedTimer timer(timers_.section("coupling.grain_drag"));
     impulses_ += grains_->give_impulses(*fluid_, particles, fields_);
@@ -178,7 +180,7 @@ void CoupledStep<Real>::give_impulses() {
   if (thin_wires_) {
     const ScopedTimer timer(timers_.section("coupling.wires"));
     thin_wires_->follow_breakage(solids_->bonds());
-    impulses_ += thin_wires_->apply(*fluid_, particles, fields_, grains_ ? &*grains_ : nullptr);
+    impulses_ += thin_wires_->apply(*fluid_, particles, fields_, drags_, grains_ ? &*grains_ : nullptr);
   }
   if (field_writer_) field_writer_(*fluid_, fields_);
   fields_.close(fluid_->grid());
@@ -217,10 +219,11 @@ void CoupledStep<Real>::advance_solids() {
   if (films_ && !films_->empty())
     advance_in_films();
   else
-    solids_->advance(options_.substeps);
+    solids_->advance(options_.substeps, drags_);
+  if (thin_wires_) thin_wires_->collect(drags_);
 }
 
-/// The fluid's forces are held over all sub-steps, those of the films change with the gaps.
+/// The fluid's forces are held over all sub-steps, those of the films change with the gaps, drags with the velocities.
 template <class Real>
 void CoupledStep<Real>::advance_in_films() {
   dem::Particles& particles = solids_->particles();
@@ -230,9 +233,11 @@ void CoupledStep<Real>::advance_in_films() {
     const int steps = std::min(together, options_.substeps - n);
     particles.external_force = force, particles.external_torque = torque;
     films_->add(particles, solids_->walls(), steps * solids_->options().time_step);
-    solids_->advance(steps);
+    solids_->advance(steps, drags_);
   }
   particles.external_force = force, particles.external_torque = torque;
+  for (const dem::LiquidDrag& drag : drags_)
+    particles.external_force.add(drag.particle, drag.impulse / clock_.time_step());
 }
 
 template class CoupledStep<float>;

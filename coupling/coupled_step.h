@@ -48,7 +48,10 @@ class CoupledStep {
   [[nodiscard]] lbm::Fluid<Real>* fluid() { return fluid_ ? &*fluid_ : nullptr; }
   [[nodiscard]] dem::Solids* solids() { return solids_ ? &*solids_ : nullptr; }
   [[nodiscard]] const MomentumAudit& audit() const { return audit_; }
-  /// Momentum of the liquid, kg m/s: of what the cells hold less the part of averaged grains, which move in them.
+  /// Momentum that wires got by drag and the cells give in the next step, N s.
+  [[nodiscard]] Vec3 owed_to_wires() const { return thin_wires_ ? thin_wires_->owed() : Vec3(Vec3::Zero()); }
+  /// Momentum of the liquid, kg m/s: of what the cells hold less the part of averaged grains, which move in them, and
+  /// less what is owed to wires.
   [[nodiscard]] Vec3 liquid_momentum() const;
   /// Velocity of the liquid between the grains at a wet cell, m/s: with averaged grains cells hold that of both
   /// together.
@@ -84,7 +87,8 @@ class CoupledStep {
   std::optional<WireDrag<Real>> thin_wires_;
   std::optional<LubricationFilms> films_;  // of the step under way
   FieldWriter field_writer_;
-  ExchangedMomentum impulses_;  // of the step under way
+  std::vector<dem::LiquidDrag> drags_;  // of the step under way
+  ExchangedMomentum impulses_;          // of the step under way
   MomentumAudit audit_;
   StepClock clock_;
   double longest_substep_ = 0;  // s

@@ -40,17 +40,35 @@ void Solids::set_time_step(double time_step) {
   options_.time_step = time_step;
 }
 
-void Solids::advance(int substeps) {
+void Solids::advance(int substeps, std::span<LiquidDrag> drags) {
   if (!prepared_ || particles_.size() != known_particles_ || bonds_.size() != known_bonds_) prepare();
   take_external_forces();
+  const double dt = options_.time_step;
+  if (!drags.empty()) begin_drags(drags);
   if (two_rates())
-    for (int n = 0; n < substeps; n += options_.long_step) long_step(std::min(options_.long_step, substeps - n));
+    for (int n = 0; n < substeps; n += options_.long_step)
+      long_step(std::min(options_.long_step, substeps - n), drags, n + options_.long_step >= substeps);
   else
-    for (int n = 0; n < substeps; ++n) substep(n == 0, n + 1 == substeps);
+    for (int n = 0; n < substeps; ++n) substep(n == 0, n + 1 == substeps, drags, n + 1 == substeps ? 0.5 * dt : dt);
+  if (!drags.empty()) end_drags(drags, substeps * dt);
 }
 
-/// The half kick at the end of a sub-step and the one at the start of the next are done in one.
-void Solids::substep(bool first, bool last) {
+/// For the half kick that comes first.
+void Solids::begin_drags(std::span<LiquidDrag> drags) {
+  dem::begin_drags(drags, particles_);
+  external_work_ += add_drags(drags, particles_, 0.5 * options_.time_step);
+  hold_more_on_rails();
+}
+
+void Solids::end_drags(std::span<LiquidDrag> drags, double time) {
+  note_mean_drags(drags, particles_, time);
+  applied_force_ = particles_.external_force;
+  hold_more_on_rails();
+}
+
+/// The half kick at the end of a sub-step and the one at the start of the next are done in one. `drag_kick`: s, over
+/// which the drags of its end act.
+void Solids::substep(bool first, bool last, std::span<LiquidDrag> drags, double drag_kick) {
   const double dt = options_.time_step;
   {
     const ScopedTimer timer(*section_integrate_);
@@ -59,7 +77,7 @@ void Solids::substep(bool first, bool last) {
     if (two_rates()) add_to_mean(first);
   }
   detect();
-  evaluate_forces(dt);
+  evaluate_forces(dt, drags, drag_kick);
   if (last) {
     const ScopedTimer timer(*section_integrate_);
     kick(particles_, 0.5 * dt);
@@ -153,10 +171,11 @@ void add(Vec3Field& sum, const Vec3Field& f) {
 
 }  // namespace
 
-/// Bonds, then spheres, walls, gravity and external forces. Velocities are those of mid-step. Dampers of contacts
-/// predict the velocity at the end of the step from the forces of the step before. Of bonds they get the new ones: with
-/// old ones a damper c on a bead m that a spring K holds would be stable only while (K dt^2/m) (1 + c dt/m) < 4.
-void Solids::evaluate_forces(double dt) {
+/// Bonds, then spheres, walls, gravity and external forces, then drags, which slow down what all others do. Velocities
+/// are those of mid-step. Dampers of contacts predict the velocity at the end of the step from the forces of the step
+/// before. Of bonds they get the new ones: with old ones a damper c on a bead m that a spring K holds would be stable
+/// only while (K dt^2/m) (1 + c dt/m) < 4.
+void Solids::evaluate_forces(double dt, std::span<LiquidDrag> drags, double drag_kick) {
   if (bonds_.size() > 0) {
     const ScopedTimer timer(*section_bonds_);
     std::swap(bond_force_, former_bond_force_), std::swap(bond_torque_, former_bond_torque_);
@@ -178,6 +197,7 @@ void Solids::evaluate_forces(double dt) {
     const ScopedTimer timer(*section_bonds_);
     add(particles_.force, bond_force_), add(particles_.torque, bond_torque_);
   }
+  if (!drags.empty()) external_work_ += add_drags(drags, particles_, drag_kick);
   hold_on_rails();
 }
 
@@ -254,11 +274,16 @@ void Solids::take_external_forces() {
   Particles& p = particles_;
   const bool forces = exchange(p.force, slow_force_, slow_, p.external_force, applied_force_);
   external_acts_ = exchange(p.torque, slow_torque_, slow_, p.external_torque, applied_torque_) || forces;
-  // Forces that are there already were freed of what rails take up: what comes now is more.
+  hold_more_on_rails();
+}
+
+/// Forces that are there already were freed of what rails take up: what comes now is more.
+void Solids::hold_more_on_rails() {
+  std::vector<Rail>& rails = particles_.rails;
   std::vector<Vec3> taken_up;
-  for (const Rail& rail : p.rails) taken_up.push_back(rail.taken_up);
+  for (const Rail& rail : rails) taken_up.push_back(rail.taken_up);
   hold_on_rails();
-  for (std::size_t k = 0; k < p.rails.size(); ++k) p.rails[k].taken_up += taken_up[k];
+  for (std::size_t k = 0; k < rails.size(); ++k) rails[k].taken_up += taken_up[k];
 }
 
 void Solids::remove(ParticleIndex i) {

@@ -12,6 +12,7 @@
 #include "dem/contact/contact_forces.h"
 #include "dem/contact/worst_overlap.h"
 #include "dem/energy.h"
+#include "dem/liquid_drag.h"
 #include "dem/material.h"
 #include "dem/particles.h"
 #include "dem/rates.h"
@@ -46,9 +47,10 @@ class Solids {
   /// One sub-step of options.time_step.
   void step() { advance(1); }
   /// `substeps` sub-steps under the same external forces: each gives a particle exactly force x time of momentum. The
-  /// last long step is shorter where they do not fill it.
+  /// last long step is shorter where they do not fill it. `drags` act besides, at most one on a particle; afterwards
+  /// forces and external forces contain their mean.
   /// Throws NumericalFailure when the watchdog finds something wrong.
-  void advance(int substeps);
+  void advance(int substeps, std::span<LiquidDrag> drags = {});
 
   /// Takes a particle out of the scene; its kinetic and potential energy and what the normal springs of its contacts
   /// hold go to EnergyLedger::removed, what their tangential springs hold to friction. Not for beads with intact bonds.
@@ -102,20 +104,23 @@ class Solids {
   }
   void transfer_by_id(Archive& archive);
   void find_slow();
-  void long_step(int substeps);
+  void long_step(int substeps, std::span<LiquidDrag> drags, bool final);
   void kick_slow(double dt);
   void add_to_mean(bool first);
   void detect_slow();
   void evaluate_slow(double dt, const MeanMotion* mean);
-  void substep(bool first, bool last);
+  void substep(bool first, bool last, std::span<LiquidDrag> drags, double drag_kick);
   void detect();
   void detect_wires(bool bonds_broke);
-  void evaluate_forces(double dt);
+  void evaluate_forces(double dt, std::span<LiquidDrag> drags = {}, double drag_kick = 0);
   void prepare();
   void build_all();
   void build_bonds();
   void take_external_forces();
+  void begin_drags(std::span<LiquidDrag> drags);
+  void end_drags(std::span<LiquidDrag> drags, double time);
   void hold_on_rails();
+  void hold_more_on_rails();
   [[nodiscard]] bool note_broken_bonds();
   void watch();
 

@@ -30,10 +30,14 @@ void Solids::find_slow() {
   for (Vec3Field* f : {&slow_force_, &slow_torque_, &mean_.velocity, &mean_.spin}) f->resize(n);
 }
 
-void Solids::long_step(int substeps) {
+/// `final`: the last one under the present external forces.
+void Solids::long_step(int substeps, std::span<LiquidDrag> drags, bool final) {
   const double dt = slow_step_ = substeps * options_.time_step;
   kick_slow(0.5 * dt);
-  for (int n = 0; n < substeps; ++n) substep(n == 0, n + 1 == substeps);
+  for (int n = 0; n < substeps; ++n) {
+    const bool last = n + 1 == substeps;
+    substep(n == 0, last, drags, last && final ? 0.5 * options_.time_step : options_.time_step);
+  }
   const double share = 1.0 / substeps;
   for (const ParticleIndex i : slow_particles_) {
     mean_.velocity.set(i, share * mean_.velocity[i]);

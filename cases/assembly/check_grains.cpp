@@ -14,15 +14,42 @@ namespace lahar::scene {
 namespace {
 
 /// The largest depth (m, > 0) at which points of a box lie inside walls, on a lattice that includes the corners.
-double depth_in_walls(const Walls& walls, const Vec3& lower, const Vec3& upper) {
+double depth_on_lattice(const Walls& walls, const Vec3& lower, const Vec3& upper) {
   constexpr int n = 8;
   double deepest = 0;
   for (int i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i) {
     const Vec3 part(i % (n + 1), i / (n + 1) % (n + 1), i / ((n + 1) * (n + 1)));
-    const Vec3 p = lower + (upper - lower).cwiseProduct(part / n);
-    if (!walls.empty()) deepest = std::max(deepest, -walls.nearest(p).distance);
+    deepest = std::max(deepest, -walls.nearest(lower + (upper - lower).cwiseProduct(part / n)).distance);
   }
   return deepest;
+}
+
+/// The same where centres of grains may be, for what is too thin for a lattice: boxes that a wall may reach into are
+/// halved along each side until they are `finest` (m) small, or as many as can be looked at in a second.
+double depth_at_centres(const Walls& walls, const Vec3& lower, const Vec3& upper, double finest) {
+  constexpr std::size_t most = 100'000;
+  std::vector<Vec3> centres{0.5 * (lower + upper)};
+  Vec3 half = 0.5 * (upper - lower);
+  double deepest = 0;
+  for (; half.minCoeff() >= 0 && half.norm() > finest && deepest == 0 && centres.size() < most / 8; half /= 2) {
+    std::vector<Vec3> parts;
+    for (const Vec3& centre : centres) {
+      const double distance = walls.nearest(centre).distance;
+      deepest = std::max(deepest, -distance);
+      if (distance > half.norm()) continue;
+      for (int k = 0; k < 8; ++k)
+        parts.push_back(centre + 0.5 * half.cwiseProduct(Vec3(k & 1, k >> 1 & 1, k >> 2) * 2 - Vec3::Ones()));
+    }
+    centres = std::move(parts);
+  }
+  return deepest;
+}
+
+double depth_in_walls(const Walls& walls, const Packing& packing, double smallest) {
+  if (walls.empty()) return 0;
+  const Vec3 rim = Vec3::Constant(smallest / 2);
+  return std::max(depth_on_lattice(walls, packing.lower, packing.upper),
+                  depth_at_centres(walls, packing.lower + rim, packing.upper - rim, smallest / 16));
 }
 
 void check_packing_content(const Packing& packing, const std::string& path, Findings& findings) {
@@ -54,7 +81,10 @@ void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
       !(scene.domain.contains(packing.lower, slack) && scene.domain.contains(packing.upper, slack)))
     return findings.mistake(path + ".lower_m", path + " reaches outside the domain, expected it inside [domain]");
   if (!findings.sound({"wall"})) return;
-  if (const double depth = depth_in_walls(make_walls(scene), packing.lower, packing.upper); depth > slack)
+  double smallest = (packing.upper - packing.lower).minCoeff();
+  for (const GrainSize& size : findings.sound({path}) ? grain_sizes(scene, i) : packing.sizes)
+    smallest = std::min(smallest, size.diameter);
+  if (const double depth = depth_in_walls(make_walls(scene), packing, smallest); depth > slack)
     findings.mistake(path + ".lower_m",
                      fmt::format("{} reaches {:.3g} m into a wall, expected it in free space", path, depth));
 }

@@ -7,7 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_extent.h"
+#include "cases/assembly/grain_sizes.h"
 #include "core/check.h"
 
 namespace lahar::cases {
@@ -24,9 +26,27 @@ double excess(const dem::Particles& p, dem::ParticleIndex i, dem::ParticleIndex 
   throw InputError(std::vector<InputMistake>{{at.file, at.line, at.column, std::move(message)}});
 }
 
+/// A packing settles in its own box and knows of no walls.
+void require_clear_of_walls(const scene::Scene& scene, const dem::Particles& p) {
+  const Walls walls = scene::make_walls(scene);
+  if (walls.empty()) return;
+  dem::ParticleIndex i = 0;
+  for (std::size_t k = 0; k < scene.grains.packings.size(); ++k)
+    for (const scene::GrainSize& size : scene::grain_sizes(scene, k))
+      for (const dem::ParticleIndex end = i + static_cast<dem::ParticleIndex>(size.count); i < end; ++i) {
+        const Vec3 x = p.position[i];
+        if (walls.nearest(x).distance >= (1 - scene::kLargestOverlap) * p.radius[i]) continue;
+        refuse(scene.grains.packings[k].written_at,
+               fmt::format("grains.packing[{}]: a grain at ({:.4g}, {:.4g}, {:.4g}) m reaches into a wall, expected "
+                           "walls outside of its box",
+                           k, x.x(), x.y(), x.z()));
+      }
+}
+
 }  // namespace
 
 void require_clear_start(const scene::Scene& scene, const dem::Particles& p) {
+  require_clear_of_walls(scene, p);
   const auto is_grain = [](dem::ParticleKind kind) { return kind == dem::ParticleKind::grain; };
   const auto grains = static_cast<dem::ParticleIndex>(std::count_if(p.kind.begin(), p.kind.end(), is_grain));
   const auto packed = static_cast<dem::ParticleIndex>(grains - scene.grains.spheres.size());

@@ -5,10 +5,10 @@
 
 namespace lahar::cases {
 
-/// Throws InputError where spheres reach into packed grains, or grains into the barrier, by more than
-/// scene::kLargestOverlap of the smaller radius: they would burst apart. Located at the sphere, of packed grains at the
-/// barrier. What `check` finds without packing and hanging is not all: single grains stand out of a packing of a
-/// `target_height_m`, and nets sag as they come to rest.
+/// Throws InputError where spheres reach into packed grains, grains into the barrier or packed grains into walls, by
+/// more than scene::kLargestOverlap of the smaller radius: they would burst apart. Located at the sphere, at the
+/// barrier, at the packing. What `check` finds without packing and hanging is not all: single grains stand out of a
+/// packing of a `target_height_m`, nets sag as they come to rest, and walls may be thinner than `check` can see.
 /// @param particles  those of packings, then spheres, then beads
 void require_clear_start(const scene::Scene& scene, const dem::Particles& particles);
 

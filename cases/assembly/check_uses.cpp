@@ -89,6 +89,13 @@ void check_solid_operator(const Scene& scene, Findings& findings) {
     findings.mistake("coupling.solid_operator",
                      "coupling.solid_operator turns populations, which is for a constant viscosity alone, expected "
                      "fluid.smagorinsky = 0 and a Newtonian fluid, or another solid operator");
+  else if (scene.coupling.solid_operator == SolidOperator::nonequilibrium_bounce_back && findings.sound({"coupling"}) &&
+           lbm::by_wall_distance(scene.coupling.body_weighting))
+    findings.mistake(
+        "coupling.solid_operator",
+        "coupling.solid_operator = \"bounce_back\" turns the stress in bodies round by 2 B, which dies for B up to 1, "
+        "and "
+        "wall_distance and inertial have B up to 1.25; expected another body_weighting or another solid operator");
   if (scene.coupling.solid_operator == SolidOperator::wall_velocity_bounce_back &&
       findings.sound({"coupling", "grains"}))
     check_holdych(scene, findings);

@@ -32,6 +32,20 @@ void add_fast_grains(const scene::Scene& s, Warnings& list) {
         fastest, paced));
 }
 
+/// Resolved grains of few cells that the liquid at rest throws about (docs/coupling.md has the cases).
+void add_restless_grains(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
+  if (s.coupling.grains != scene::GrainFluid::resolved || !f.cells_per_smallest_grain || !f.lightest_grain) return;
+  constexpr double dense = 1.3;  // of the liquid: denser ones of 1.5 cells and more have not been seen to
+  const bool inertial = s.coupling.body_weighting == scene::BodyWeighting::inertial;
+  const double calm = inertial ? 2.5 : 3, cells = *f.cells_per_smallest_grain;
+  if (!lbm::by_wall_distance(s.coupling.body_weighting) || cells >= calm) return;
+  if (cells >= 1.5 && *f.lightest_grain >= dense) return;
+  list.push_back(fmt::format(
+      "the smallest grain is {:.1f} cells across: below {:g} grains about as dense as the liquid may win "
+      "energy from it where it is viscous, below 1.5 in water, too{}",
+      cells, calm, inertial ? "" : "; body_weighting = \"inertial\" with radius_shift_cells = -0.2 does less"));
+}
+
 }  // namespace
 
 void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
@@ -39,6 +53,7 @@ void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& l
   if (f.cells_per_smallest_grain && *f.cells_per_smallest_grain < 4)
     list.push_back(fmt::format("the smallest grain is {:.1f} cells across: its drag is uncertain below about 4",
                                *f.cells_per_smallest_grain));
+  add_restless_grains(s, f, list);
   constexpr double light = 0.2;  // docs/decisions/0034
   if (f.lightest_grain && *f.lightest_grain < light)
     list.push_back(

@@ -25,8 +25,8 @@
 #include <optional>
 #include <vector>
 
-#include "coupling/drag_over_a_step.h"
 #include "coupling/grains/averaging_grid.h"
+#include "coupling/grains/drag_over_a_step.h"
 #include "coupling/grains/grain_exchange.h"
 
 namespace lahar::coupling {

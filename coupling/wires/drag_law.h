@@ -97,15 +97,20 @@ inline Vec3 viscous_drag(const WireInCells& w, const Vec3& normal, const Vec3& t
           tangential_drag_coefficient(re, re_along) * along * tangential);
 }
 
-/// What the yield stress adds to the drag per length, m^3/s^2 (over the liquid's density), at the undisturbed normal
-/// and the tangential velocity, whose directions share it: coupling/yield_drag.h across the wire, yield stress on its
-/// skin along it. It fades where the fluid would creep at its limit viscosity.
-inline Vec3 yield_drag(const WireInCells& w, const Vec3& normal, const Vec3& tangential) {
-  const double speed = (normal + tangential).norm();
-  if (w.fluid.yield_stress == 0 || speed == 0) return Vec3::Zero();
-  const double rate = speed / w.diameter, yielding = rate / (rate + w.fluid.yield_stress / w.fluid.limit);
-  return w.fluid.yield_stress * yielding * w.diameter / speed *
-         (cylinder_yield_coefficient(w.fluid.bingham(rate)) * normal + std::numbers::pi * tangential);
+/// What the yield stress adds to the drag per length, over the liquid's density: at a slip s m^3/s^2 of
+/// across s_across/(|s| + creep_speed) across the wire, along s_along/(|s| + creep_speed) along it.
+struct YieldDrag {
+  double along = 0, across = 0;  ///< m^3/s^2
+  double creep_speed = 0;        ///< m/s: slower, the fluid creeps at its limit viscosity
+};
+
+/// At an undisturbed speed: coupling/yield_drag.h across the wire, yield stress on its skin along it. The direction of
+/// the slip shares it.
+inline YieldDrag yield_drag(const WireInCells& w, double speed) {
+  const double rate = speed / w.diameter, yield = w.fluid.yield_stress * w.diameter;
+  return {.along = yield * std::numbers::pi,
+          .across = yield * cylinder_yield_coefficient(w.fluid.bingham(rate)),
+          .creep_speed = w.fluid.yield_stress / w.fluid.limit * w.diameter};
 }
 
 /// Share of the undisturbed speed u that the wire takes from the velocity sampled at itself. Half of the momentum
@@ -126,7 +131,8 @@ inline double self_induced_share(const WireInCells& w, double u, double along = 
   double cd = normal_drag_coefficient(w.reynolds(u, speed)) * screen_factor(w.screen);
   double nu = w.fluid.viscosity_at(speed / w.diameter);
   if (w.fluid.yield_stress > 0 && u > 0) {
-    const double yielding = yield_drag(w, u * Vec3::UnitX(), along * Vec3::UnitY()).x();
+    const YieldDrag yield = yield_drag(w, speed);
+    const double yielding = yield.across * u / (speed + yield.creep_speed);
     cd += 2 * yielding / (w.diameter * u * u);
     nu += yielding / u;  // what yields around the wire is about as viscous as its drag
   }

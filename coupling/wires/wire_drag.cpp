@@ -6,6 +6,7 @@
 
 #include "core/parallel.h"
 #include "coupling/rows.h"
+#include "coupling/transfer_vectors.h"
 #include "coupling/wires/drag_law.h"
 #include "coupling/wires/wire_bonds.h"
 #include "coupling/wires/wire_crowding.h"
@@ -24,6 +25,9 @@ namespace {
 
 constexpr std::int64_t kCrowdingEvery = 32;  // fluid steps between looks at the neighbours
 constexpr std::size_t kBeadsPerTask = 128;
+/// What accelerates the liquid is a mean, to which each step adds so much of the newest: with a quarter of it no drag
+/// swings up, however stiff, where liquid is up to 1.7 times as easily moved as its mass says.
+constexpr double kNewestShare = 0.25;
 
 /// Calls visit(first cell of a row, kernel weights of its eight cells) for the rows of a block within reach. `lowest`:
 /// the first cell of the block.
@@ -51,41 +55,31 @@ template <class Real>
   return select(wet, share, none);
 }
 
-/// A piece of wire in the liquid around it, SI.
+/// Drag on a piece of wire in the liquid around it, SI.
 struct WirePiece {
-  Vec3 relative;  ///< velocity of the liquid less its own
-  Vec3 tangent;
-  double length, density;  ///< of the piece; of the liquid
-  double share;            ///< of the piece that is wet
-  double time_step;
-  double inverse_mass;  ///< of the bead
-  double mass;          ///< that a change of the relative velocity moves (drag_over_a_step.h)
+  Vec3 slip;       ///< velocity of the liquid, sampled, less its own
+  Vec3 tangent;    ///< unit
+  double length;   ///< of the part that is wet
+  double density;  ///< of the liquid
 };
 
-/// Drag on a piece of wire, N: normal and tangential parts by their own laws. What the yield stress adds is friction:
-/// it does no more than stop the wire in this step.
-Vec3 wire_force(const WirePiece& piece, const WireInCells& wire, DraggedSlip& slip) {
-  const Vec3& t = piece.tangent;
-  const Vec3 along = piece.relative.dot(t) * t, across = piece.relative - along;
-  const double sampled = across.norm(), sampled_along = along.norm();
-  const double speed = undisturbed_speed(sampled, wire, sampled_along);
-  const Vec3 normal_velocity = sampled > 0 ? Vec3(across * (speed / sampled)) : Vec3(Vec3::Zero());
-  const double scale = piece.share * piece.density * piece.length;
-  const Vec3 drag = scale * viscous_drag(wire, normal_velocity, along);
-  const Vec3 drag_along = drag.dot(t) * t, drag_across = drag - drag_along;
-  const auto taken_off = [&](const Vec3& force, double of_slip) {  // x of drag_over_a_step.h
-    return of_slip > 0 ? force.norm() / of_slip * piece.time_step / piece.mass : 0.0;
-  };
-  slip.begin(piece.relative);
-  const Vec3 taken = slip.bounded_drag(taken_off(drag_along, sampled_along), along) +
-                     slip.bounded_drag(taken_off(drag_across, sampled), across);
-  const Vec3 force = piece.mass / piece.time_step * taken;
-  if (wire.fluid.yield_stress == 0) return force;
-  const Vec3 friction = scale * yield_drag(wire, normal_velocity, along);
-  const double stop = piece.inverse_mass > 0
-                          ? piece.share * piece.relative.norm() / (piece.inverse_mass * piece.time_step)
-                          : std::numeric_limits<double>::infinity();
-  return force + std::min(1.0, stop / std::max(friction.norm(), 1e-300)) * friction;
+/// Coefficients of the laws across and along a wire at the slip of now, or at one so slow that the fluid creeps at its
+/// limit viscosity.
+void set_laws(const WirePiece& piece, const WireInCells& wire, dem::LiquidDrag& drag) {
+  constexpr double slowest = 1e-9;  // m/s
+  const YieldDrag creeping = yield_drag(wire, slowest);
+  const double least = std::max(slowest, creeping.creep_speed), slip_along = piece.slip.dot(piece.tangent);
+  const double sampled_along = std::max(std::abs(slip_along), slowest);
+  const double sampled = std::max((piece.slip - slip_along * piece.tangent).norm(), least);
+  const double across = undisturbed_speed(sampled, wire, sampled_along), speed = std::hypot(across, sampled_along);
+  const double scale = piece.density * piece.length;
+  const Vec3 viscous = scale * viscous_drag(wire, across * Vec3::UnitX(), sampled_along * Vec3::UnitY());
+  drag.axis = piece.tangent;
+  drag.coefficient = {.along = viscous.y() / sampled_along, .across = viscous.x() / sampled};
+  if (wire.fluid.yield_stress == 0) return;
+  const YieldDrag yield = yield_drag(wire, speed);
+  drag.friction = {.along = scale * yield.along, .across = scale * yield.across};
+  drag.creep_speed = yield.creep_speed * std::hypot(sampled, sampled_along) / speed;  // the law is of `speed`
 }
 
 }  // namespace
@@ -96,7 +90,8 @@ WireDrag<Real>::WireDrag(const dem::Particles& particles, const dem::Bonds& bond
   for (dem::ParticleId id = 0; id < particles.size(); ++id) {
     if (particles.kind[particles.index(id)] != dem::ParticleKind::bead) continue;
     place_[id] = static_cast<std::int32_t>(beads_.size());
-    beads_.push_back({.id = id, .before = id, .after = id, .length = 0.0});
+    const double diameter = 2 * particles.radius[particles.index(id)];
+    beads_.push_back({.id = id, .before = id, .after = id, .diameter = diameter, .length = 0.0});
   }
   for (std::size_t k = 0; k < bonds.size(); ++k) {
     if (is_wire(particles, bonds, k)) wire_bonds_.push_back(static_cast<std::uint32_t>(k));
@@ -143,32 +138,55 @@ std::size_t WireDrag<Real>::beads() const {
 
 template <class Real>
 ExchangedMomentum WireDrag<Real>::apply(lbm::Fluid<Real>& fluid, dem::Particles& particles, SolidFields<Real>& fields,
-                                        const GrainCoupling<Real>* grains) {
+                                        std::vector<dem::LiquidDrag>& drags, const GrainCoupling<Real>* grains) {
   find_pairs(fluid, particles);
   if (!pairs_.empty() && since_look_ >= kCrowdingEvery) look_at_neighbours(fluid, particles);
   ++since_look_;
   allocate_fields(fluid, fields);
   by_block_.for_each_block([&](std::size_t block) {
-    for (const std::uint32_t k : by_block_.in(block)) sample(fluid, pairs_[k]);
+    for (const std::uint32_t k : by_block_.in(block)) weigh(fluid, pairs_[k]);
   });
-  const double stretch = fluid.plan_time_step() / fluid.units().time_step;
-  parallel_for(0, beads_.size(), kBeadsPerTask, [&](std::size_t k) {
-    choose_force(fluid, particles, grains, beads_[k]);
-    beads_[k].slip.stretch(stretch);
-  });
+  const double time_step = fluid.plan_time_step();
+  parallel_for(0, beads_.size(), kBeadsPerTask,
+               [&](std::size_t k) { choose_given(fluid, time_step, particles, beads_[k]); });
   by_block_.for_each_block([&](std::size_t block) {
-    for (const std::uint32_t k : by_block_.in(block)) spread(fluid, pairs_[k]);
+    WiresInBlock& wires = wires_[wires_at_[block]];
+    wires = {};
+    for (const std::uint32_t k : by_block_.in(block)) spread(fluid, pairs_[k], wires);
+    for (const std::uint32_t k : by_block_.in(block)) sample(fluid, pairs_[k], wires);
   });
   ExchangedMomentum total;
-  wet_beads_ = 0;
-  for (const Bead& bead : beads_) {
+  wet_.clear();
+  for (std::uint32_t k = 0; k < beads_.size(); ++k) {
+    const Bead& bead = beads_[k];
     if (bead.weight == 0) continue;
-    ++wet_beads_;
-    total.to_solids += bead.force;
-    particles.external_force.add(particles.index(bead.id), bead.force * fluid.units().force_to_si(1.0));
-    for (std::size_t p = bead.first_pair; p < bead.first_pair + bead.pairs; ++p) total.from_fluid -= pairs_[p].given;
+    wet_.push_back(k);
+    particles.external_force.add(particles.index(bead.id), bead.buoyancy);
+    total.to_solids += bead.given;
+    for (std::size_t p = bead.first_pair; p < bead.first_pair + bead.pairs; ++p) total.from_fluid += pairs_[p].given;
   }
+  wet_beads_ = wet_.size();
+  const std::size_t first = drags.size();
+  drags.resize(first + wet_.size());
+  parallel_for(0, wet_.size(), kBeadsPerTask,
+               [&](std::size_t n) { drags[first + n] = drag_on(fluid, particles, grains, beads_[wet_[n]]); });
   return total;
+}
+
+template <class Real>
+void WireDrag<Real>::collect(std::span<const dem::LiquidDrag> drags) {
+  require(drags.size() == wet_.size(), "WireDrag::collect: not the drags of the last step");
+  for (std::size_t n = 0; n < wet_.size(); ++n) {
+    Bead& bead = beads_[wet_[n]];
+    bead.impulse = drags[n].impulse, bead.liquid = drags[n].liquid;
+  }
+}
+
+template <class Real>
+Vec3 WireDrag<Real>::owed() const {
+  Vec3 sum = Vec3::Zero();
+  for (const Bead& bead : beads_) sum += bead.impulse;
+  return sum;
 }
 
 template <class Real>
@@ -262,31 +280,49 @@ void note_velocities(lbm::Fluid<Real>& fluid, BlockIndex b) {
 template <class Real>
 void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, SolidFields<Real>& fields) {
   auto& grid = fluid.grid();
+  wires_at_.resize(by_block_.blocks());
+  std::uint32_t in_reach = 0;
   for (std::size_t b = 0; b < by_block_.blocks(); ++b) {
     if (!by_block_.any_in(b)) continue;
+    wires_at_[b] = in_reach++;
     const auto block = static_cast<BlockIndex>(b);
     fields.reach(grid, block);
     if (fields.is_fresh(block)) note_velocities(fluid, block);
     grid.require_impulse(block);
   }
+  if (wires_.size() < in_reach) wires_.resize(in_reach);
 }
 
+template <class Real>
+void WireDrag<Real>::weigh(const lbm::Fluid<Real>& fluid, BeadInBlock& pair) const {
+  const Block<Real>& block = fluid.grid().block(pair.block);
+  Row<Real> weight(0);
+  for_rows<Real>(
+      kernels_[pair.bead], pair.lowest, [&](int row, const Row<Real>& kernel) __attribute__((always_inline)) {
+        weight += kernel * liquid_shares(block, row);
+      });
+  pair.weight = sum_in_double(weight);
+}
+
+/// Velocities are those that the cells have with what drag gives them in this step; buoyancy is balanced by pressure.
 /// Dry cells hold some finite velocity, which counts for nothing.
 template <class Real>
-void WireDrag<Real>::sample(const lbm::Fluid<Real>& fluid, BeadInBlock& pair) const {
+void WireDrag<Real>::sample(const lbm::Fluid<Real>& fluid, BeadInBlock& pair, const WiresInBlock& wires) const {
   const Block<Real>& block = fluid.grid().block(pair.block);
   const lbm::BodyFields<Real>& fields = *block.body;
-  Row<Real> weight(0), x(0), y(0), z(0);
+  Row<Real> x(0), y(0), z(0), claims(0);
   for_rows<Real>(
       kernels_[pair.bead], pair.lowest, [&](int row, const Row<Real>& kernel) __attribute__((always_inline)) {
         const Row<Real> share = kernel * liquid_shares(block, row);
-        weight += share;
-        x += share * load_aligned<Row<Real>>(fields.velocity_x + row);
-        y += share * load_aligned<Row<Real>>(fields.velocity_y + row);
-        z += share * load_aligned<Row<Real>>(fields.velocity_z + row);
+        const auto now = [&](const Real* velocity, const Real* change) __attribute__((always_inline)) {
+          return share * (load_aligned<Row<Real>>(velocity + row) + load_aligned<Row<Real>>(change + row));
+        };
+        x += now(fields.velocity_x, wires.x), y += now(fields.velocity_y, wires.y),
+            z += now(fields.velocity_z, wires.z);
+        claims += share * load_aligned<Row<Real>>(wires.claims + row);
       });
-  pair.weight = sum_in_double(weight);
   pair.velocity = Vec3(sum_in_double(x), sum_in_double(y), sum_in_double(z));
+  pair.claims = sum_in_double(claims);
 }
 
 /// Sum of the kernel's weights over wall cells.
@@ -320,85 +356,113 @@ double WireDrag<Real>::wet_share(const lbm::Fluid<Real>& fluid, const Bead& bead
   return std::min(1.0, bead.weight / std::max(open, 0.1));
 }
 
-/// Drag and buoyancy of what was sampled.
+/// Of the liquid that feels a bead's piece of wire, were there no other wire, cells.
 template <class Real>
-void WireDrag<Real>::choose_force(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
-                                  const GrainCoupling<Real>* grains, Bead& bead) const {
-  const auto& units = fluid.units();
-  bead.weight = 0, bead.force = Vec3::Zero();
-  Vec3 velocity = Vec3::Zero();
-  for (std::size_t p = bead.first_pair; p < bead.first_pair + bead.pairs; ++p)
-    bead.weight += pairs_[p].weight, velocity += pairs_[p].velocity;
-  if (bead.weight < 1e-6) bead.weight = 0;
-  if (bead.weight == 0) return bead.slip.forget();
-  const dem::ParticleIndex i = particles.index(bead.id);
-  velocity /= bead.weight;
-  if (grains)
-    velocity =
-        grains->liquid_velocity((particles.position[i] - fluid.grid().domain().origin()) / units.cell_size, velocity);
-  const double d = 2 * particles.radius[i], rho = fluid.options().density, cells = d / units.cell_size;
-  const WireInCells wire{.diameter = d,
-                         .diameter_cells = cells,
-                         .fluid = lbm::shear_law(fluid.options().rheology, fluid.options().kinematic_viscosity, rho),
-                         .screen = bead.crowding};
-  const double share = wet_share(fluid, bead);
-  const double wide =
-      kernel_scale(cells) * units.cell_size / kRomaSquares;  // the liquid that feels the wire, across it
-  const double of_liquid = share * rho * wide * wide * bead.length, inverse_mass = particles.inverse_mass[i];
-  const Vec3 drag = wire_force({.relative = units.velocity_to_si(1.0) * velocity - particles.velocity[i],
-                                .tangent = tangent_of(particles, bead),
-                                .length = bead.length,
-                                .density = rho,
-                                .share = share,
-                                .time_step = units.time_step,
-                                .inverse_mass = inverse_mass,
-                                .mass = 1 / (inverse_mass + 1 / of_liquid)},
-                               wire, bead.slip);
-  const Vec3 buoyancy = -share * rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
-  bead.force = (drag + buoyancy) * units.force_to_lu(1.0);
+double WireDrag<Real>::liquid_volume(const lbm::Fluid<Real>& fluid, const Bead& bead) const {
+  const double dx = fluid.units().cell_size, wide = kernel_scale(bead.diameter / dx) / kRomaSquares;
+  return bead.share * wide * wide * bead.length / dx;
 }
 
-/// Gives the opposite of the force to the cells, as they were sampled. The impulse of a cell is that of a full one: a
-/// cell of level F gets F of it.
+/// What the cells give for the bead: its buoyancy in the coming step, of `time_step` s, and what drag gave it in the
+/// last.
 template <class Real>
-void WireDrag<Real>::spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair) const {
+void WireDrag<Real>::choose_given(const lbm::Fluid<Real>& fluid, double time_step, dem::Particles& particles,
+                                  Bead& bead) const {
+  bead.weight = 0;
+  for (std::size_t p = bead.first_pair; p < bead.first_pair + bead.pairs; ++p) bead.weight += pairs_[p].weight;
+  if (bead.weight < 1e-6) bead.weight = 0;
+  const auto& units = fluid.units();
+  const dem::ParticleIndex i = particles.index(bead.id);
+  if (bead.weight == 0) {
+    if (bead.dragged) particles.external_force.add(i, -bead.impulse / time_step);
+    bead.dragged = false, bead.impulse = Vec3::Zero();
+    return;
+  }
+  const double d = bead.diameter, rho = fluid.options().density;
+  bead.share = wet_share(fluid, bead);
+  bead.buoyancy = -bead.share * rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
+  // Forces act over the coming step, and the fluid stretches what cells get to it; impulses are what they are.
+  bead.for_drag = units.force_to_lu(1.0) / time_step * bead.impulse;
+  bead.given = bead.for_drag + units.force_to_lu(1.0) * bead.buoyancy;
+}
+
+/// The impulse of a cell is that of a full one: a cell of level F gets F of it.
+template <class Real>
+void WireDrag<Real>::spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair, WiresInBlock& wires) const {
   const Bead& bead = beads_[pair.bead];
   pair.given.setZero();
   if (bead.weight == 0) return;
   Block<Real>& block = fluid.grid().block(pair.block);
   lbm::ImpulseFields<Real>& impulse = *block.impulse;
-  const Vec3 unit = -bead.force / bead.weight;
+  const Vec3 unit = bead.given / bead.weight, of_drag = bead.for_drag / bead.weight;
   const Row<Real> ux(static_cast<Real>(unit.x())), uy(static_cast<Real>(unit.y())), uz(static_cast<Real>(unit.z()));
+  const Row<Real> dx(static_cast<Real>(of_drag.x())), dy(static_cast<Real>(of_drag.y())),
+      dz(static_cast<Real>(of_drag.z()));
+  const Row<Real> claim(static_cast<Real>(liquid_volume(fluid, bead) / bead.weight));
   Row<Real> x(0), y(0), z(0);
   for_rows<Real>(
       kernels_[pair.bead], pair.lowest, [&](int row, const Row<Real>& kernel) __attribute__((always_inline)) {
         const Row<Real> share = kernel * liquid_shares(block, row), level = water_in(block, row / lbm::kBlockWidth);
         const Row<Real> full = select(share > Row<Real>(0), share / level, Row<Real>(0));
-        add_to_row(impulse.x + row, full * ux), add_to_row(impulse.y + row, full * uy);
-        add_to_row(impulse.z + row, full * uz);
+        add_to_row(impulse.x + row, -full * ux), add_to_row(impulse.y + row, -full * uy);
+        add_to_row(impulse.z + row, -full * uz);
+        add_to_row(wires.x + row, -full * dx), add_to_row(wires.y + row, -full * dy);
+        add_to_row(wires.z + row, -full * dz), add_to_row(wires.claims + row, full * claim);
         x += share * ux, y += share * uy, z += share * uz;
       });
   pair.given = Vec3(sum_in_double(x), sum_in_double(y), sum_in_double(z));
+}
+
+/// Drag on a bead from now on, in liquid that goes on to be accelerated as it was.
+template <class Real>
+dem::LiquidDrag WireDrag<Real>::drag_on(const lbm::Fluid<Real>& fluid, const dem::Particles& particles,
+                                        const GrainCoupling<Real>* grains, Bead& bead) const {
+  const auto& units = fluid.units();
+  const dem::ParticleIndex i = particles.index(bead.id);
+  Vec3 velocity = Vec3::Zero();
+  double claims = 0;
+  for (std::size_t p = bead.first_pair; p < bead.first_pair + bead.pairs; ++p)
+    velocity += pairs_[p].velocity / bead.weight, claims += pairs_[p].claims / bead.weight;
+  if (grains)
+    velocity =
+        grains->liquid_velocity((particles.position[i] - fluid.grid().domain().origin()) / units.cell_size, velocity);
+  const Vec3 liquid = units.velocity_to_si(1.0) * velocity;
+  if (bead.dragged)
+    bead.acceleration += kNewestShare * (liquid - bead.liquid) / units.time_step;
+  else
+    bead.acceleration = Vec3::Zero();
+  bead.dragged = true;
+  const double d = bead.diameter, rho = fluid.options().density;
+  const WireInCells wire{.diameter = d,
+                         .diameter_cells = d / units.cell_size,
+                         .fluid = lbm::shear_law(fluid.options().rheology, fluid.options().kinematic_viscosity, rho),
+                         .screen = bead.crowding};
+  dem::LiquidDrag drag;
+  drag.particle = i;
+  drag.liquid = liquid, drag.acceleration = bead.acceleration;
+  drag.liquid_mass = units.mass() * liquid_volume(fluid, bead) / std::max(1.0, claims);
+  set_laws({.slip = liquid - particles.velocity[i],
+            .tangent = tangent_of(particles, bead),
+            .length = bead.share * bead.length,
+            .density = rho},
+           wire, drag);
+  return drag;
 }
 
 template <class Real>
 void WireDrag<Real>::transfer(Archive& archive) {
   archive.value("wet_beads", wet_beads_);
   archive.value("since_look", since_look_);
-  constexpr std::size_t of_slip = DraggedSlip::kNumbers;
-  archive.pieces<double>("bead", beads_.size(), 3 + of_slip, [&](std::size_t k, double* stored) {
-    Crowding& c = beads_[k].crowding;
+  archive.pieces<double>("bead", beads_.size(), 13, [&](std::size_t k, double* stored) {
+    Bead& bead = beads_[k];
+    transfer_vectors(archive, {&bead.impulse, &bead.liquid, &bead.acceleration}, stored);
+    Crowding& c = bead.crowding;
     double* const own[] = {&c.area, &c.parallel, &c.solidity};
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (archive.loading())
-        *own[a] = stored[a];
-      else
-        stored[a] = *own[a];
-    }
+    for (std::size_t a = 0; a < 3; ++a) archive.loading() ? *own[a] = stored[9 + a] : stored[9 + a] = *own[a];
     if (archive.loading())
-      beads_[k].slip.load(stored + 3);
+      bead.dragged = stored[12] != 0;
     else
-      beads_[k].slip.store(stored + 3);
+      stored[12] = bead.dragged ? 1 : 0;
   });
 }
 

@@ -106,7 +106,7 @@ Balance balance_of(const Variant& v, int steps) {
   const auto momentum = [&] {
     Vec3 sum = Vec3::Zero();
     step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) { sum += (1 + 3 * c.pressure) * c.velocity; });
-    return sum;
+    return Vec3(sum - step.owed_to_wires());
   };
   step.advance();
   Vec3 before = momentum();

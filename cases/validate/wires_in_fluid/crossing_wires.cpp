@@ -96,7 +96,7 @@ Row ring_at_wall(int steps) {
   const auto momentum = [&] {
     Vec3 sum = Vec3::Zero();
     fluid.for_each_wet_cell([&](const lbm::WetCell& c) { sum += (1 + 3 * c.pressure) * c.velocity; });
-    return sum;
+    return Vec3(sum - step.owed_to_wires());
   };
   const auto walls = [&] {
     double sum = 0;

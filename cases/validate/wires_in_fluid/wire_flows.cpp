@@ -114,8 +114,9 @@ WireLoad measure(const WireStream& s) {
   load.side = (mean - load.drag * along).norm();
   load.spread = (high - low) / load.drag;
   load.speed = speed / samples;
-  load.audit = std::max((momentum(fluid) - start - (steps * push - given)).norm() / (start.norm() + exchanged),
-                        step.audit().relative());
+  load.audit = std::max(
+      (momentum(fluid) - step.owed_to_wires() - start - (steps * push - given)).norm() / (start.norm() + exchanged),
+      step.audit().relative());
   load.cell_updates = fluid.cell_updates();
   load.tau = fluid.tau();
   return load;

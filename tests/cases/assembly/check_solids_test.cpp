@@ -101,6 +101,13 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"coupling.solid_operator='bounce_back'", "fluid.smagorinsky=0.1"},
                   "coupling.solid_operator",
                   "a constant viscosity alone"},
+        Rejection{{"coupling.solid_operator='bounce_back'", "fluid.smagorinsky=0"},
+                  "coupling.solid_operator",
+                  "B up to 1.25"},
+        Rejection{
+            {"coupling.solid_operator='bounce_back'", "coupling.body_weighting='wall_distance'", "fluid.smagorinsky=0"},
+            "coupling.solid_operator",
+            "B up to 1.25"},
         Rejection{{"coupling.grains='averaged'", "coupling.lubrication=true"},
                   "coupling.lubrication",
                   "for what resolved grains miss"},

@@ -67,6 +67,46 @@ position_m = [0.1, 0.5, )") + z + "]\n");
   }
 }
 
+/// A packing settles in its own box. `check` looks where centres of grains may be, ever closer beside walls.
+TEST(Packings, WallsInTheirBoxAreRefused) {
+  const auto plate = [](const char* z) {
+    return std::string(R"([[wall]]
+shape = "box"
+material = "rock"
+lower_m = [-1.0, -1.0, )") +
+           z + "\n";
+  };
+  const auto text = [&](const std::string& low, const std::string& high) {
+    return scene::small_scene + plate((low + "]\nupper_m = [2.0, 2.0, " + high + "]").c_str()) + R"([[grains.packing]]
+lower_m = [0.0, 0.0, 0.0]
+upper_m = [0.2, 0.2, 0.3]
+[[grains.packing.sizes]]
+diameter_m = 0.04
+count = 60
+density_kg_m3 = 2500.0
+material = "rock"
+)";
+  };
+  for (const char* low :
+       {"0.045", "0.0531", "0.1117"}) {  // a plate of a centimetre, between points of a coarse lattice
+    const auto mistakes = scene::mistakes_in_text(text(low, std::to_string(std::stod(low) + 0.01)));
+    ASSERT_EQ(mistakes.size(), 1U) << low;
+    EXPECT_NE(mistakes[0].find("grains.packing[0] reaches"), std::string::npos) << mistakes[0];
+    EXPECT_NE(mistakes[0].find("into a wall"), std::string::npos) << mistakes[0];
+  }
+  EXPECT_TRUE(scene::mistakes_in_text(text("-1.0", "0.0")).empty()) << "they stand on it";
+  const std::string thin = text("0.0531", "0.0532");
+  ASSERT_TRUE(scene::mistakes_in_text(thin).empty()) << "thinner than `check` looks";
+  try {
+    build_solids(scene::load_text(thin));
+    FAIL() << "grains stand in the plate";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("grains.packing[0]: a grain at ("), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("reaches into a wall"), std::string::npos) << e.what();
+    EXPECT_GT(e.mistakes().front().line, 1);
+  }
+}
+
 TEST(Packings, PlaceholdersAreAsMany) {
   const scene::Scene scene = two_packings("0.2");
   EXPECT_EQ(build_solids(scene, GrainStart::placeholders).solids.particles().size(),

@@ -153,6 +153,29 @@ TEST(Check, NamesTheWeightingForGrainsThatAreCarriedAlong) {
   EXPECT_FALSE(warns(check_scene(debris), key));
 }
 
+/// Grains of few cells win energy from liquid at rest, the denser they are the less.
+TEST(Check, RestlessGrainsAreTold) {
+  scene::Scene debris = scene::debris_flow();
+  ASSERT_EQ(debris.coupling.body_weighting, scene::BodyWeighting::inertial);
+  const auto tells = [&](double cells, double density, scene::BodyWeighting weighting) {
+    debris.fluid.cell_size = smallest_grain(debris) / cells;
+    debris.coupling.body_weighting = weighting;
+    for (scene::Packing& packing : debris.grains.packings)
+      for (scene::GrainSize& size : packing.sizes) size.density = density * debris.fluid.density;
+    return warns(check_scene(debris), "may win energy");
+  };
+  using enum scene::BodyWeighting;
+  EXPECT_TRUE(tells(2.9, 1.0, wall_distance));
+  EXPECT_FALSE(tells(3.1, 1.0, wall_distance));
+  EXPECT_TRUE(tells(2.4, 1.0, inertial));
+  EXPECT_FALSE(tells(2.6, 1.0, inertial));
+  EXPECT_FALSE(tells(1.6, 2.5, wall_distance));
+  EXPECT_TRUE(tells(1.4, 2.5, wall_distance));
+  EXPECT_FALSE(tells(1.4, 1.0, solid_fraction));
+  debris.coupling.grains = scene::GrainFluid::averaged;
+  EXPECT_FALSE(tells(1.4, 1.0, wall_distance));
+}
+
 /// Grains that are averaged have no size in cells; what counts is the length over which they are.
 TEST(Check, AveragedGrainsAreJudgedByTheirLength) {
   scene::Scene debris = scene::debris_flow();

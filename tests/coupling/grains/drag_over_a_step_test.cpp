@@ -1,4 +1,4 @@
-#include "coupling/drag_over_a_step.h"
+#include "coupling/grains/drag_over_a_step.h"
 
 #include <gtest/gtest.h>
 

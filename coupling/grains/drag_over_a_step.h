@@ -1,5 +1,6 @@
 #pragma once
-// The impulse of a drag over a whole step of the fluid.
+// The impulse of a drag on an averaged grain over a whole step of the fluid. (Wires have dem/liquid_drag.h: bonds would
+// shake what is dragged by a force that is held.)
 //
 // What is held over a step would, were it the drag at its start, throw back what is light and in thick liquid: the slip
 // s would become s (1 - x), x = beta dt / m with beta the drag over the slip and m the mass that a change of the slip
@@ -7,7 +8,6 @@
 // which decays as it goes while something else (weight, bonds, the stream) drives it by a constant amount a step:
 //   ds/dt = -(x/dt) s + driven/dt:   what the drag takes off = (1 - e^-x) s + (1 - (1 - e^-x)/x) driven.
 // A drag in balance with what drives it is exact, however stiff: nothing is taken off what is held.
-#include <algorithm>
 #include <cmath>
 
 #include "core/vector.h"
@@ -32,17 +32,6 @@ class DraggedSlip {
   /// What a drag takes in this step off the slip, m/s.
   Vec3 drag(double x) {
     const Vec3 taken = decayed(x) * slip_ + held(x) * driven_;
-    dragged_ += taken;
-    return taken;
-  }
-  /// The same of a part of the slip; such parts may add up to the whole. It is no less than what decays, no more than a
-  /// drag at the start of the step that is held: a slip that jumps to and fro, as that of a bead between its bonds, is
-  /// driven by nothing that lasts.
-  Vec3 bounded_drag(double x, const Vec3& part) {
-    const double size = part.norm();
-    if (size == 0) return Vec3::Zero();
-    const Vec3 way = part / size;
-    const Vec3 taken = (decayed(x) * size + held(x) * std::clamp(driven_.dot(way), 0.0, x * size)) * way;
     dragged_ += taken;
     return taken;
   }
