@@ -32,18 +32,16 @@ void add_fast_grains(const scene::Scene& s, Warnings& list) {
         fastest, paced));
 }
 
-/// Resolved grains of few cells that the liquid at rest throws about (docs/coupling.md has the cases).
+/// Resolved grains of few cells that liquid at rest throws about (docs/decisions/0098).
 void add_restless_grains(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
   if (s.coupling.grains != scene::GrainFluid::resolved || !f.cells_per_smallest_grain || !f.lightest_grain) return;
-  constexpr double dense = 1.3;  // of the liquid: denser ones of 1.5 cells and more have not been seen to
-  const bool inertial = s.coupling.body_weighting == scene::BodyWeighting::inertial;
-  const double calm = inertial ? 2.5 : 3, cells = *f.cells_per_smallest_grain;
-  if (!lbm::by_wall_distance(s.coupling.body_weighting) || cells >= calm) return;
-  if (cells >= 1.5 && *f.lightest_grain >= dense) return;
-  list.push_back(fmt::format(
-      "the smallest grain is {:.1f} cells across: below {:g} grains about as dense as the liquid may win "
-      "energy from it where it is viscous, below 1.5 in water, too{}",
-      cells, calm, inertial ? "" : "; body_weighting = \"inertial\" with radius_shift_cells = -0.2 does less"));
+  const double cells = *f.cells_per_smallest_grain, density = *f.lightest_grain;
+  const double calm = density < 1 ? 2.5 : density < 1.5 ? 2 : 1.5;  // cells
+  if (lbm::by_wall_distance(s.coupling.body_weighting) && cells < calm)
+    list.push_back(
+        fmt::format("the smallest grain is {:.1f} cells across: below {:g}, with {:.2g} of the liquid's density, "
+                    "grains may win energy from liquid that is viscous",
+                    cells, calm, density));
 }
 
 }  // namespace

@@ -212,11 +212,14 @@ double interior_mass(double interior, double entrained, double own, lbm::BodyWei
 }
 
 /// What of it is spared while contacts or the waves between bodies jolt the body: half of what it holds alone, more
-/// where it is nearly as heavy as the liquid. A jolt that came back by more than the exchange takes at once would drive
-/// a light body on; where the exchange is soft the slip holds the jolt back, and all is spared.
-double interior_mass_in_jolts(double spared, double held, double own) {
-  constexpr double share = 0.5;
-  return std::min(spared, std::max(2 * own - spared, share * held));
+/// where it is heavy, all from three times the liquid's mass on. A jolt that came back by more than the exchange takes
+/// at once would drive a body on, the easier the lighter it is, the fewer cells it has and the more viscous the liquid
+/// between it and others is: of what it holds nothing is spared from `viscosity` (lu) 0.01 on. Where the exchange is
+/// soft the slip holds the jolt back, and all is spared.
+double interior_mass_in_jolts(double spared, double held, double own, double viscosity) {
+  constexpr double thick = 0.01;
+  const double share = 0.5 * std::max(0.0, 1 - viscosity / thick);
+  return std::min(spared, std::max((own - spared) / 2, share * held));
 }
 
 /// Calm goes from 0 to 1 in so many steps after a jolt: a step that changes the acceleration by more than half.
@@ -248,7 +251,8 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
     acceleration = (particles.velocity[i] - state.velocity) / time_step_;
     spin_up = (particles.angular_velocity[i] - state.spin) / time_step_;
     if (!state.acceleration.isZero()) state.calm = calm_after(state.calm, acceleration, state.acceleration);
-    state.acceleration = acceleration;
+    if (!state.spin_up.isZero()) state.calm_spin = calm_after(state.calm_spin, spin_up, state.spin_up);
+    state.acceleration = acceleration, state.spin_up = spin_up;
     // Of the cells that the sweep saw, from what they had before it: what they have won when they turn dry, the liquid
     // around them has lost, and the grain gets it. The slip that a cell turns wet with nobody has lost
     // (docs/decisions/0073).
@@ -259,17 +263,21 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
   state.known = true;
   const Vec3 gravity = fluid.options().gravity * units.acceleration_to_lu(1.0);
   const double to_kg = units.mass(), to_kg_m2 = to_kg * units.cell_size * units.cell_size;
+  const lbm::FluidOptions& o = fluid.options();
+  const double viscosity = units.viscosity_to_lu(
+      o.rheology.law == lbm::FlowLaw::newtonian ? o.kinematic_viscosity : o.rheology.limit_viscosity);
   // Where the slip is known, all of it: what the grain does not bring along slips back, and drives nothing
   // (docs/decisions/0063).
   const double own = particles.mass[i] / to_kg,
                interior = slips ? sum.interior : interior_mass(sum.interior, sum.entrained, own, weighting_),
-               jolted = interior_mass_in_jolts(interior, sum.held, own);
+               jolted = interior_mass_in_jolts(interior, sum.held, own, viscosity);
   const double soft = slips && sum.brought > 0 ? 1 - std::min(1.0, sum.entrained / sum.brought) : 0;
   const double spared = jolted + (interior - jolted) * std::max(state.calm, soft);
   Vec3 force = sum.force + spared * units.acceleration_to_lu(1.0) * acceleration - wet_volume * gravity;
   const double share = sum.interior > 0 ? spared / sum.interior : 1;
   force += share * slip_change + (1 - share) * (sum.slip - sum.kept);
-  const double spun = std::min({sum.interior_inertia, sum.entrained_inertia, particles.inertia[i] / to_kg_m2});
+  const double spun =
+      state.calm_spin * std::min({sum.interior_inertia, sum.entrained_inertia, particles.inertia[i] / to_kg_m2});
   Vec3 torque = sum.torque + spun * units.time_step * units.time_step * spin_up;
   force *= units.force_to_si(1.0), torque *= units.torque_to_si(1.0);
   under_relax(state.felt_force, force, relaxation_factor(particles.mass[i], to_kg * sum.entrained), sum.entrained > 0);
@@ -286,13 +294,14 @@ void ResolvedExchange<Real>::transfer(Archive& archive) {
   std::size_t particles = states_.size();
   archive.value("particles", particles);
   states_.resize(particles);
-  archive.pieces<double>("grain", particles, 20, [&](std::size_t k, double* stored) {
+  archive.pieces<double>("grain", particles, 24, [&](std::size_t k, double* stored) {
     State& s = states_[k];
-    transfer_vectors(archive, {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque, &s.acceleration, &s.slip}, stored);
+    transfer_vectors(
+        archive, {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque, &s.acceleration, &s.spin_up, &s.slip}, stored);
     if (archive.loading())
-      s.known = stored[18] != 0, s.calm = stored[19];
+      s.known = stored[21] != 0, s.calm = stored[22], s.calm_spin = stored[23];
     else
-      stored[18] = s.known ? 1 : 0, stored[19] = s.calm;
+      stored[21] = s.known ? 1 : 0, stored[22] = s.calm, stored[23] = s.calm_spin;
   });
 }
 

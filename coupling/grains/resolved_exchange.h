@@ -43,10 +43,10 @@ class ResolvedExchange final : public GrainExchange<Real> {
   struct State {
     Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();           ///< m/s, rad/s, at the last mapping
     Vec3 felt_force = Vec3::Zero(), felt_torque = Vec3::Zero();  ///< N, N m, under-relaxed
-    Vec3 acceleration = Vec3::Zero();                            ///< m/s^2, mean over the step before the last mapping
-    Vec3 slip = Vec3::Zero();  ///< N s, of the liquid in its place past the grain, after the last step
-    double calm = 1;           ///< 0 in a jolt, 1 some steps after
-    bool known = false;        ///< velocity and spin are set
+    Vec3 acceleration = Vec3::Zero(), spin_up = Vec3::Zero();    ///< m/s^2, rad/s^2, means over the step before that
+    Vec3 slip = Vec3::Zero();        ///< N s, of the liquid in its place past the grain, after the last step
+    double calm = 1, calm_spin = 1;  ///< 0 in a jolt of velocity or spin, 1 some steps after
+    bool known = false;              ///< velocity and spin are set
   };
 
   double radius_shift_;

@@ -165,12 +165,14 @@ TEST(Check, RestlessGrainsAreTold) {
     return warns(check_scene(debris), "may win energy");
   };
   using enum scene::BodyWeighting;
-  EXPECT_TRUE(tells(2.9, 1.0, wall_distance));
-  EXPECT_FALSE(tells(3.1, 1.0, wall_distance));
-  EXPECT_TRUE(tells(2.4, 1.0, inertial));
-  EXPECT_FALSE(tells(2.6, 1.0, inertial));
-  EXPECT_FALSE(tells(1.6, 2.5, wall_distance));
-  EXPECT_TRUE(tells(1.4, 2.5, wall_distance));
+  for (const auto weighting : {wall_distance, inertial}) {
+    EXPECT_TRUE(tells(2.4, 0.9, weighting));
+    EXPECT_FALSE(tells(2.6, 0.9, weighting));
+    EXPECT_TRUE(tells(1.9, 1.0, weighting));
+    EXPECT_FALSE(tells(2.1, 1.0, weighting));
+    EXPECT_TRUE(tells(1.4, 2.5, weighting));
+    EXPECT_FALSE(tells(1.6, 2.5, weighting));
+  }
   EXPECT_FALSE(tells(1.4, 1.0, solid_fraction));
   debris.coupling.grains = scene::GrainFluid::averaged;
   EXPECT_FALSE(tells(1.4, 1.0, wall_distance));
