@@ -57,29 +57,36 @@ template <class Real>
 
 /// Drag on a piece of wire in the liquid around it, SI.
 struct WirePiece {
-  Vec3 slip;       ///< velocity of the liquid, sampled, less its own
+  Vec3 slip;       ///< velocity of the liquid less its own, before what drag adds to it in this step: that of the laws
+  Vec3 slip_left;  ///< with it
   Vec3 tangent;    ///< unit
   double length;   ///< of the part that is wet
   double density;  ///< of the liquid
 };
 
-/// Coefficients of the laws across and along a wire at the slip of now, or at one so slow that the fluid creeps at its
-/// limit viscosity.
+/// Coefficients, over the slip that is left, of the laws across and along a wire at the slip of now, or at one so slow
+/// that the fluid creeps at its limit viscosity: in a steady stream each step takes the law's force off what is left.
 void set_laws(const WirePiece& piece, const WireInCells& wire, dem::LiquidDrag& drag) {
-  constexpr double slowest = 1e-9;  // m/s
-  const YieldDrag creeping = yield_drag(wire, slowest);
-  const double least = std::max(slowest, creeping.creep_speed), slip_along = piece.slip.dot(piece.tangent);
-  const double sampled_along = std::max(std::abs(slip_along), slowest);
-  const double sampled = std::max((piece.slip - slip_along * piece.tangent).norm(), least);
-  const double across = undisturbed_speed(sampled, wire, sampled_along), speed = std::hypot(across, sampled_along);
+  constexpr double slowest = 1e-9;     // m/s
+  constexpr double least_left = 0.05;  // of the slip: stiffer drag takes all in any case
+  const auto parts = [&](const Vec3& slip) {
+    const double along = slip.dot(piece.tangent);
+    return dem::AlongAndAcross{std::abs(along), (slip - along * piece.tangent).norm()};
+  };
+  const dem::AlongAndAcross of_law = parts(piece.slip), of_left = parts(piece.slip_left);
+  const double along = std::max(of_law.along, slowest);
+  const double sampled = std::max(of_law.across, std::max(slowest, yield_drag(wire, slowest).creep_speed));
+  const double left_along = std::max(of_left.along, least_left * along);
+  const double left_across = std::max(of_left.across, least_left * sampled);
+  const double across = undisturbed_speed(sampled, wire, along), speed = std::hypot(across, along);
   const double scale = piece.density * piece.length;
-  const Vec3 viscous = scale * viscous_drag(wire, across * Vec3::UnitX(), sampled_along * Vec3::UnitY());
+  const Vec3 viscous = scale * viscous_drag(wire, across * Vec3::UnitX(), along * Vec3::UnitY());
   drag.axis = piece.tangent;
-  drag.coefficient = {.along = viscous.y() / sampled_along, .across = viscous.x() / sampled};
+  drag.coefficient = {.along = viscous.y() / left_along, .across = viscous.x() / left_across};
   if (wire.fluid.yield_stress == 0) return;
   const YieldDrag yield = yield_drag(wire, speed);
   drag.friction = {.along = scale * yield.along, .across = scale * yield.across};
-  drag.creep_speed = yield.creep_speed * std::hypot(sampled, sampled_along) / speed;  // the law is of `speed`
+  drag.creep_speed = yield.creep_speed * std::hypot(left_across, left_along) / speed;  // the law is of `speed`
 }
 
 }  // namespace
@@ -304,24 +311,25 @@ void WireDrag<Real>::weigh(const lbm::Fluid<Real>& fluid, BeadInBlock& pair) con
   pair.weight = sum_in_double(weight);
 }
 
-/// Velocities are those that the cells have with what drag gives them in this step; buoyancy is balanced by pressure.
+/// Velocities as the last step left them, and what drag adds in this one; what buoyancy adds is balanced by pressure.
 /// Dry cells hold some finite velocity, which counts for nothing.
 template <class Real>
 void WireDrag<Real>::sample(const lbm::Fluid<Real>& fluid, BeadInBlock& pair, const WiresInBlock& wires) const {
   const Block<Real>& block = fluid.grid().block(pair.block);
   const lbm::BodyFields<Real>& fields = *block.body;
-  Row<Real> x(0), y(0), z(0), claims(0);
+  Row<Real> x(0), y(0), z(0), more_x(0), more_y(0), more_z(0), claims(0);
   for_rows<Real>(
       kernels_[pair.bead], pair.lowest, [&](int row, const Row<Real>& kernel) __attribute__((always_inline)) {
         const Row<Real> share = kernel * liquid_shares(block, row);
-        const auto now = [&](const Real* velocity, const Real* change) __attribute__((always_inline)) {
-          return share * (load_aligned<Row<Real>>(velocity + row) + load_aligned<Row<Real>>(change + row));
+        const auto of = [&](const Real* field) __attribute__((always_inline)) {
+          return share * load_aligned<Row<Real>>(field + row);
         };
-        x += now(fields.velocity_x, wires.x), y += now(fields.velocity_y, wires.y),
-            z += now(fields.velocity_z, wires.z);
-        claims += share * load_aligned<Row<Real>>(wires.claims + row);
+        x += of(fields.velocity_x), y += of(fields.velocity_y), z += of(fields.velocity_z);
+        more_x += of(wires.x), more_y += of(wires.y), more_z += of(wires.z);
+        claims += of(wires.claims);
       });
   pair.velocity = Vec3(sum_in_double(x), sum_in_double(y), sum_in_double(z));
+  pair.change = Vec3(sum_in_double(more_x), sum_in_double(more_y), sum_in_double(more_z));
   pair.claims = sum_in_double(claims);
 }
 
@@ -419,14 +427,15 @@ dem::LiquidDrag WireDrag<Real>::drag_on(const lbm::Fluid<Real>& fluid, const dem
                                         const GrainCoupling<Real>* grains, Bead& bead) const {
   const auto& units = fluid.units();
   const dem::ParticleIndex i = particles.index(bead.id);
-  Vec3 velocity = Vec3::Zero();
+  Vec3 velocity = Vec3::Zero(), change = Vec3::Zero();
   double claims = 0;
   for (std::size_t p = bead.first_pair; p < bead.first_pair + bead.pairs; ++p)
-    velocity += pairs_[p].velocity / bead.weight, claims += pairs_[p].claims / bead.weight;
-  if (grains)
-    velocity =
-        grains->liquid_velocity((particles.position[i] - fluid.grid().domain().origin()) / units.cell_size, velocity);
-  const Vec3 liquid = units.velocity_to_si(1.0) * velocity;
+    velocity += pairs_[p].velocity, change += pairs_[p].change, claims += pairs_[p].claims / bead.weight;
+  const auto of_liquid = [&](const Vec3& sampled) {  // between averaged grains
+    const Vec3 place = (particles.position[i] - fluid.grid().domain().origin()) / units.cell_size;
+    return Vec3(units.velocity_to_si(1.0) * (grains ? grains->liquid_velocity(place, sampled) : sampled));
+  };
+  const Vec3 before = of_liquid(velocity / bead.weight), liquid = of_liquid((velocity + change) / bead.weight);
   if (bead.dragged)
     bead.acceleration += kNewestShare * (liquid - bead.liquid) / units.time_step;
   else
@@ -441,7 +450,8 @@ dem::LiquidDrag WireDrag<Real>::drag_on(const lbm::Fluid<Real>& fluid, const dem
   drag.particle = i;
   drag.liquid = liquid, drag.acceleration = bead.acceleration;
   drag.liquid_mass = units.mass() * liquid_volume(fluid, bead) / std::max(1.0, claims);
-  set_laws({.slip = liquid - particles.velocity[i],
+  set_laws({.slip = before - particles.velocity[i],
+            .slip_left = liquid - particles.velocity[i],
             .tangent = tangent_of(particles, bead),
             .length = bead.share * bead.length,
             .density = rho},

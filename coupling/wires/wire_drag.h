@@ -79,6 +79,7 @@ class WireDrag {
     Vec3i lowest;                  ///< first cell of the block as the bead sees it: past the end of a periodic axis
     double weight = 0;             ///< sum of kernel weights over wet cells, by liquid content
     Vec3 velocity = Vec3::Zero();  ///< the same sum of velocities, lu
+    Vec3 change = Vec3::Zero();    ///< and of what drag adds to them in this step
     double claims = 0;             ///< and of the claims of all wires
     Vec3 given = Vec3::Zero();     ///< momentum that the cells give, lu
   };
