@@ -115,6 +115,20 @@ void check_body_weighting(const Scene& scene, Findings& findings) {
         "allows, which says little of mud, expected \"wall_distance\" with this fluid.rheology.law");
 }
 
+/// More is a slip of the pen: a run that takes years.
+void check_substeps(const Scene& scene, Findings& findings) {
+  constexpr double most = 1e6;
+  if (!scene.fluid.enabled || !scene.has_solids() ||
+      !findings.sound({"fluid", "solids", "grains", "barrier", "materials", "contact", "domain", "gravity", "run"}))
+    return;
+  const double fluid = cases::fluid_time_step(scene), solids = cases::solids_time_step(scene);
+  if (fluid / solids <= most) return;
+  const char* const key = scene.solids.time_step > 0 ? "solids.time_step_s" : "solids.contact_safety";
+  findings.mistake(key, fmt::format("{}: a step of the fluid takes {:.2g} of the particles', of {:.2g} s each, "
+                                    "expected at most {:g}",
+                                    key, fluid / solids, solids, most));
+}
+
 }  // namespace
 
 void check_uses(const Scene& scene, Findings& findings) {
@@ -127,6 +141,7 @@ void check_uses(const Scene& scene, Findings& findings) {
   }
   if (scene.coupling.enabled && scene.coupling.grains == GrainFluid::averaged && findings.sound({"coupling", "fluid"}))
     check_averaged(scene, findings);
+  check_substeps(scene, findings);
   if (scene.coupling.enabled) check_solid_operator(scene, findings), check_body_weighting(scene, findings);
   if (!scene.fluid.enabled && !scene.has_solids() && findings.sound({"fluid", "grains", "barrier"}))
     findings.mistake("scene", "the scene is empty, expected a fluid, grains or a barrier");

@@ -108,6 +108,7 @@ INSTANTIATE_TEST_SUITE_P(
             {"coupling.solid_operator='bounce_back'", "coupling.body_weighting='wall_distance'", "fluid.smagorinsky=0"},
             "coupling.solid_operator",
             "B up to 1.25"},
+        Rejection{{"solids.time_step_s=1e-13"}, "solids.time_step_s", "expected at most 1e+06"},
         Rejection{{"coupling.grains='averaged'", "coupling.lubrication=true"},
                   "coupling.lubrication",
                   "for what resolved grains miss"},
