@@ -3,8 +3,10 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <thread>
 
@@ -93,7 +95,10 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int(
     fmt::print(stderr, "command line:1:1: {}, expected what --help shows\n", first_line(e.what()));
     return exit_bad_input;
   }
-  return guarded(command);
+  const int code = guarded(command);
+  if (code != exit_done || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)) return code;
+  fmt::print(stderr, "error: standard output: {}\n", std::strerror(errno));
+  return exit_bug;
 }
 
 }  // namespace lahar::cases

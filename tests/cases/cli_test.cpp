@@ -54,6 +54,12 @@ TEST_F(Cli, ChecksAGoodSceneAndWritesNothing) {
   EXPECT_EQ(files(), 0u);
 }
 
+/// What is printed may be lost to a full disk: that is no success.
+TEST_F(Cli, AnOutputThatIsFullIsAFailure) {
+  for (const std::string& command : {std::string("keys"), "check '" + case_file("dam_break/scene.toml").string() + "'"})
+    EXPECT_EQ(run(command + " > /dev/full #").code, 1) << command;
+}
+
 TEST_F(Cli, QuietIsQuiet) {
   const Outcome o = run("check --quiet '" + case_file("dam_break/scene.toml").string() + "'");
   EXPECT_EQ(o.code, 0);
