@@ -185,10 +185,12 @@ void for_points_of(const FluidView& fluid, const SectionFrame& frame, const Exte
       const Vec3 p = frame.centre + (extent.left + (i + 0.5) * wide) * frame.across +
                      (extent.bottom + (k + 0.5) * high) * frame.up;
       if (!domain.contains(p)) continue;
-      const bool both = exists_in(domain, p - half_way) && exists_in(domain, p + half_way);
+      const Vec3 sides[] = {p - half_way, p + half_way};
+      const bool inside[] = {exists_in(domain, sides[0]), exists_in(domain, sides[1])};
       for (const int side : {0, 1})
-        if (const auto cell = fluid.cell_at(side == 0 ? Vec3(p - half_way) : Vec3(p + half_way)))
-          visit(*cell, (both ? 0.5 : 1.0) * wide * high, p);
+        if (inside[side])  // where the domain ends within a cell both sides are in that
+          if (const auto cell = fluid.cell_at(sides[side]))
+            visit(*cell, (inside[0] && inside[1] ? 0.5 : 1.0) * wide * high, p);
     }
 }
 

@@ -179,6 +179,19 @@ TEST(Sections, AreaThatGrainsTake) {
   EXPECT_NEAR(grain_area(p, frame), std::numbers::pi * (4e-4 - 1.44e-4), 1e-12);
 }
 
+/// Where the domain is no whole number of cells its last face lies within one, and all that goes through that counts
+/// once.
+TEST(Sections, AFaceWithinACellCountsOnce) {
+  const scene::Scene scene = scene::load_text(dam, {"domain.upper_m=[1.005, 0.16, 0.5]"});
+  lbm::Fluid<double> fluid(fluid_options(scene));
+  const auto view = view_of(fluid);
+  fluid.fill_everything([](const Vec3&) { return Vec3(0.05, 0, 0); }, [](const Vec3&) { return 0.0; });
+  const double speed = fluid.units().velocity_to_si(0.05);
+  const SectionFrame face = frame_of({"s", Vec3(1.005, 0.08, 0.2), Vec3::UnitX(), 0.08, 0.2}, scene.domain);
+  EXPECT_NEAR(liquid_flux(*view, velocity_of, nullptr, face, scene.domain, Vec3::UnitZ(), 0.2).volume,
+              speed * 0.08 * 0.2, 1e-9 * speed);
+}
+
 TEST(Sections, OnlyTheRectangleCounts) {
   const scene::Scene scene = scene::load_text(dam);
   lbm::Fluid<double> fluid(fluid_options(scene));
