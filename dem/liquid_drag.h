@@ -20,6 +20,7 @@ struct AlongAndAcross {
   double along = 0, across = 0;
 };
 
+/// Drag on a particle, and the liquid around it.
 struct LiquidDrag {
   ParticleIndex particle = 0;
   Vec3 axis = Vec3::UnitX();         ///< unit

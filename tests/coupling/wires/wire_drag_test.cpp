@@ -306,6 +306,29 @@ TEST(WireDrag, ANetInThickLiquidComesToRest) {
   }
 }
 
+/// The cells give what drag gave a wire a step later. One that has left the liquid by then gives it back.
+TEST(WireDrag, AWireThatHasLeftTheLiquidGivesBackWhatNoCellGave) {
+  lbm::Fluid<double> fluid(tank(Vec3(0.32, 0.32, 0.64), 0.02, 2e-4));
+  fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.2)}});
+  StraightWire wire(10, 0.006, Vec3(0.1, 0.16, 0.1), Vec3::UnitX());
+  for (dem::ParticleIndex i = 0; i < 10; ++i) wire.particles.velocity.set(i, Vec3(0, 0, 3));
+  WireDrag<double> drag(wire.particles, wire.bonds);
+  SolidFields<double> fields;
+  apply(drag, fluid, wire, fields);
+  const Vec3 owed = drag.owed();
+  EXPECT_LT(owed.z(), -1e-6);
+  EXPECT_LT(
+      (sum_of_forces(wire) - owed / 2e-4 - Vec3(0, 0, 10 * 0.006 * 1000 * 9.81 * std::numbers::pi / 4 * 3.6e-5)).norm(),
+      0.1 * owed.norm() / 2e-4);
+  for (dem::ParticleIndex i = 0; i < 10; ++i)
+    wire.particles.position.set(i, wire.particles.position[i] + Vec3(0, 0, 0.4));
+  const ExchangedMomentum given = apply(drag, fluid, wire, fields);
+  EXPECT_EQ(given.to_solids, Vec3::Zero());
+  EXPECT_EQ(given.from_fluid, Vec3::Zero());
+  EXPECT_LT((sum_of_forces(wire) + owed / 2e-4).norm(), 1e-12 * owed.norm() / 2e-4);
+  EXPECT_EQ(drag.owed(), Vec3::Zero());
+}
+
 TEST(WireDrag, DryWireFeelsNothing) {
   lbm::Fluid<float> fluid(tank(Vec3(0.32, 0.32, 0.64), 0.02, 2e-4));
   fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.1)}});
