@@ -317,9 +317,7 @@ TEST(WireDrag, AWireThatHasLeftTheLiquidGivesBackWhatNoCellGave) {
   apply(drag, fluid, wire, fields);
   const Vec3 owed = drag.owed();
   EXPECT_LT(owed.z(), -1e-6);
-  EXPECT_LT(
-      (sum_of_forces(wire) - owed / 2e-4 - Vec3(0, 0, 10 * 0.006 * 1000 * 9.81 * std::numbers::pi / 4 * 3.6e-5)).norm(),
-      0.1 * owed.norm() / 2e-4);
+  EXPECT_NEAR(sum_of_forces(wire).z() / (owed.z() / 2e-4), 1, 0.05) << "the rest is buoyancy";
   for (dem::ParticleIndex i = 0; i < 10; ++i)
     wire.particles.position.set(i, wire.particles.position[i] + Vec3(0, 0, 0.4));
   const ExchangedMomentum given = apply(drag, fluid, wire, fields);
