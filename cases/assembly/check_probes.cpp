@@ -35,6 +35,11 @@ void check_probe(const Scene& scene, std::size_t i, Findings& findings) {
     findings.mistake(path, path + " without grains, expected a table of [grains]");
   if (!scene.domain.contains(probe.position))
     findings.mistake(path + ".position_m", path + ".position_m lies outside the domain, expected it inside [domain]");
+  const double most = (scene.domain.upper - scene.domain.lower).maxCoeff();
+  if (probe.diameter > most)
+    findings.mistake(path + ".diameter_m", fmt::format("{}.diameter_m is {:g}, expected at most the largest extent of "
+                                                       "the domain, {:g}",
+                                                       path, probe.diameter, most));
 }
 
 void check_flux_section(const Scene& scene, std::size_t i, Findings& findings) {

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
+#include "cases/assembly/cells_inside.h"
 #include "cases/assembly/cross_checks.h"
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
@@ -91,21 +93,17 @@ double start_of(const Inflow& in) {
 }
 
 /// Cells of an inflow's box outside walls that stand when it begins, both by their centres
-/// (lbm/free_surface/inflow.h), counted up to `enough`.
-double free_cells(const Inflow& in, const Scene& scene, double enough) {
+/// (lbm/free_surface/inflow.h).
+double free_cells(const Inflow& in, const Scene& scene) {
   const double dx = scene.fluid.cell_size;
   Walls walls = make_walls(scene);
   walls.open_by(start_of(in));
   const auto cell_from = [&](const Vec3& p) {
     return Vec3i(((p - scene.domain.lower) / dx - Vec3::Constant(0.5 + 1e-9)).array().ceil().cast<int>());
   };
-  const Vec3i first = cell_from(in.lower), end = cell_from(in.upper);
-  double cells = 0;
-  for (int x = first.x(); x < end.x(); ++x)
-    for (int y = first.y(); y < end.y(); ++y)
-      for (int z = first.z(); z < end.z() && cells < enough; ++z)
-        if (walls.nearest(scene.domain.lower + dx * (Vec3(x, y, z) + Vec3::Constant(0.5))).distance >= 0) cells += 1;
-  return cells;
+  const CellBox box{cell_from(in.lower), cell_from(in.upper), scene.domain.lower, dx};
+  constexpr double all = std::numeric_limits<double>::infinity();
+  return box.cells() - cells_inside(box, all, [&](const Vec3& p) { return walls.nearest(p).distance; });
 }
 
 void check_inflow(const Scene& scene, std::size_t i, Findings& findings) {
@@ -128,7 +126,7 @@ void check_inflow(const Scene& scene, std::size_t i, Findings& findings) {
   if (!findings.sound({"fluid", "domain", "gravity", "run", "wall"})) return;
   const double largest = cases::peak_discharge(in);
   const double cell_takes = lbm::kLargestDose * std::pow(scene.fluid.cell_size, 3) / cases::fluid_time_step(scene);
-  const double needed = std::ceil(largest / cell_takes * (1 - 1e-9)), cells = free_cells(in, scene, needed);
+  const double needed = std::ceil(largest / cell_takes * (1 - 1e-9)), cells = free_cells(in, scene);
   if (cells < needed)
     findings.mistake(path + ".discharge_m3_s",
                      fmt::format("{}.discharge_m3_s reaches {:g} m^3/s, expected at most the {:.3g} m^3/s that "
@@ -186,16 +184,20 @@ void check_cells(const Scene& scene, Findings& findings) {
     return findings.mistake(path, fmt::format("{} is {:g}: {:.3g} cells along the domain, expected at most {:.0f}",
                                               path, dx, extent.maxCoeff() / dx, most_along_axis));
   if (!findings.sound({"fluid.region", "wall"})) return;
-  const double nodes = findings.sound({"coupling"}) ? averaging_nodes(scene) * kBytesPerNode : 0;
-  const double need = liquid_cells(scene) * static_cast<double>(fluid_bytes_per_cell(scene.run.precision)) + nodes;
+  const double of_domain = findings.sound({"coupling"}) ? bytes_of_domain(scene) : 0;
+  const double need = liquid_cells(scene) * static_cast<double>(fluid_bytes_per_cell(scene.run.precision)) + of_domain;
   const auto have = static_cast<double>(physical_memory());
+  constexpr double least_in_files = 1.5e-5;  // m: OpenVDB takes cells of less than 3e-15 m^3 for none
   if (need > have)
     findings.mistake(
-        path, fmt::format("{} is {:g}: the liquid alone takes {:.3g} cells{} and {:.1f} GB, expected at most "
-                          "the {:.1f} GB of this machine",
-                          path, dx, liquid_cells(scene),
-                          nodes > 0 ? fmt::format(", averages {:.3g} nodes", averaging_nodes(scene)) : "", need * 1e-9,
-                          have * 1e-9));
+        path, fmt::format("{} is {:g}: the liquid of the start takes {:.3g} cells, what is kept for the whole domain "
+                          "{:.1f} GB, both {:.1f} GB, expected at most the {:.1f} GB of this machine",
+                          path, dx, liquid_cells(scene), of_domain * 1e-9, need * 1e-9, have * 1e-9));
+  else if (dx < least_in_files && scene.run.output_interval > 0 && findings.sound({"run.output_interval_s"}))
+    findings.mistake("run.output_interval_s",
+                     fmt::format("run.output_interval_s is {:g}, but fluid_NNNNNN.vdb can hold no cells of {:g} m, "
+                                 "expected 0 with a fluid.cell_size_m of less than {:g}",
+                                 scene.run.output_interval, dx, least_in_files));
 }
 
 void check_periodic(const Scene& scene, Findings& findings) {

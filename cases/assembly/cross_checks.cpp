@@ -19,6 +19,10 @@ bool plain(const std::string& name) {
   });
 }
 
+bool holds_control(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](char c) { return std::iscntrl(static_cast<unsigned char>(c)); });
+}
+
 void check_plain(const std::string& name, const std::string& path, Findings& findings) {
   if (findings.sound({path}) && !plain(name))
     findings.mistake(path, fmt::format("{} is \"{}\", expected letters, digits, \"_\" and \"-\"", path, name));
@@ -52,6 +56,8 @@ void check_pairs(const Scene& scene, Findings& findings) {
 
 void check_names(const Scene& scene, Findings& findings) {
   check_plain(scene.identity.name, "scene.name", findings);
+  if (findings.sound({"scene.title"}) && holds_control(scene.identity.title))
+    findings.mistake("scene.title", "scene.title holds a control character, expected one line of text");
   for (std::size_t i = 0; i < scene.fluid.inflows.size(); ++i)
     check_plain(scene.fluid.inflows[i].name, fmt::format("fluid.inflow[{}].name", i), findings);
   std::set<std::string> seen;

@@ -27,6 +27,11 @@ double averaging_nodes(const Scene& scene) {
   return nodes;
 }
 
+double bytes_of_domain(const Scene& scene) {
+  const Vec3 cells = ((scene.domain.upper - scene.domain.lower) / scene.fluid.cell_size).array().ceil();
+  return averaging_nodes(scene) * kBytesPerNode + cells.x() * cells.y() * sizeof(int);
+}
+
 LiquidOfRegion liquid_of_region(const Scene& scene, const Walls& walls, std::size_t region, double margin) {
   const FluidRegion& r = scene.fluid.regions[region];
   const auto body = make_body(r);

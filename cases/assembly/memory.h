@@ -16,8 +16,11 @@ inline constexpr double kBytesPerParticle = 1000;
 /// Nodes of the averaged coupling, which stand in the whole domain; 0 without it.
 double averaging_nodes(const Scene& scene);
 
-/// Bytes that a node of the averaged coupling takes in memory (AveragedExchange::Node) and in a checkpoint.
+/// Bytes that such a node takes in memory (AveragedExchange::Node) and in a checkpoint.
 inline constexpr double kBytesPerNode = 104, kStoredBytesPerNode = 40;
+
+/// Bytes of what is kept for the whole domain, wet or dry: those nodes, and the bed of each column of cells.
+double bytes_of_domain(const Scene& scene);
 
 /// What becomes liquid of the box around a region: what its shape holds outside walls and of no region before it.
 struct LiquidOfRegion {

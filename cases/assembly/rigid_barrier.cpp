@@ -17,6 +17,12 @@ void build_rigid_barrier(Scene& scene, Findings& findings) {
                             fmt::format("rigid_barrier.slits: {} slits of {:g} m leave nothing of a width of {:g} m, "
                                         "expected fewer or narrower ones",
                                         rigid.slits, rigid.slit_width, rigid.width));
+  const bool needed = scene.has_solids() || !rigid.material.empty();
+  if (needed && findings.sound({"materials"}) && material_index(scene, rigid.material) < 0)
+    return findings.mistake("rigid_barrier.material",
+                            fmt::format("rigid_barrier.material is \"{}\", expected the name of a table "
+                                        "[materials.NAME]",
+                                        rigid.material));
   for (std::int64_t k = 0; k <= rigid.slits; ++k) {
     WallSettings wall;
     wall.name = fmt::format("rigid_barrier_{}", k);

@@ -106,12 +106,11 @@ void ParticleWriter::transfer(Archive& archive) {
   archive.value("frames", frames_);
   archive.text("particle_grids", particle_grids_);
   archive.text("bond_grids", bond_grids_);
-  if (!archive.loading()) return;
-  constants_from_ = frames_;
-  if (frames_ > 0) open_earlier();
 }
 
-void ParticleWriter::open_earlier() {
+void ParticleWriter::take_up() {
+  constants_from_ = frames_;
+  if (frames_ == 0) return;
   try {
     grown_.take_up();
     file_ = Hdf5File::open_for_appending(grown_.open_name());

@@ -29,10 +29,12 @@ class ParticleWriter {
   ParticleWriter& operator=(const ParticleWriter&) = delete;
   ~ParticleWriter();
 
-  /// State of a checkpoint. Loading goes on with the file in the directory: frames that came later are dropped,
-  /// constants are stored again with the next frame. If it cannot be read it is set aside, the frames begin anew, and
-  /// lost() tells so. Throws FileError.
+  /// State of a checkpoint.
   void transfer(Archive& archive);
+  /// After loading: goes on with the file in the directory. Frames that came later are dropped, constants are stored
+  /// again with the next frame. If it cannot be read it is set aside, the frames begin anew, and lost() tells so.
+  /// Throws FileError.
+  void take_up();
   /// What of the earlier run could not be read; empty if all could.
   [[nodiscard]] const std::string& lost() const { return lost_; }
 
@@ -51,7 +53,6 @@ class ParticleWriter {
   XdmfArray store_scalars(const std::string& name, const std::vector<double>& values, const char* unit);
   void write_constants(const dem::Particles& particles, const dem::Bonds& bonds);
   void write_particles(const std::string& group, XdmfGrid& grid, const dem::Particles& particles);
-  void open_earlier();
   void drop_later_frames();
   void write_xdmf() const;
   void write_bonds(const std::string& group, XdmfGrid& grid, const dem::Bonds& bonds);

@@ -143,6 +143,7 @@ FlowFigures look_at_flow(const Observed& run, const Bed& bed) {
   f.front = look.lower.x();
   if (wet_rows == 0) return f;
   for (const double x : profile.foremost) f.front += x / static_cast<double>(wet_rows);
+  f.front = std::min(f.front, run.scene.domain.upper.x());  // where that is no whole cell the last one ends beyond it
   find_deepest(profile, look.dx, wet_rows, f);
   return f;
 }

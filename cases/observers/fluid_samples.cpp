@@ -13,8 +13,7 @@ double depth_over(const FluidView& fluid, const Vec3& point, double top) {
   constexpr double rounding = 1e-6;  // of a cell: a point on a face is at the foot of the cell above
   Vec3i cell = domain.cell_at(point);
   for (const int a : {0, 1})  // a point on the face at the end of the domain is over the last cell
-    if (domain.period()[a] == 0)
-      cell[a] = std::clamp(cell[a], domain.first()[a], domain.first()[a] + domain.cells()[a] - 1);
+    if (domain.period()[a] == 0) cell[a] = std::clamp(cell[a], domain.first()[a], domain.last_within()[a]);
   cell.z() = static_cast<int>(std::floor((point.z() - domain.origin().z()) / dx + 0.5 + rounding));
   const auto below_top = [&] { return domain.centre(cell).z() < top; };
   while (below_top() && domain.classify(cell) == lbm::CellType::wall) ++cell.z();  // below the ground

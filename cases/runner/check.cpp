@@ -103,9 +103,9 @@ FluidFigures fluid_figures(const scene::Scene& scene) {
   f.start_blocks = blocks_at_start(scene);
   const double all_blocks = cells.unaryExpr([](double n) { return std::ceil((n + 2) / 8); }).prod();
   f.expected_blocks = std::min(all_blocks, spreading * (f.start_blocks + f.inflow_cells / 512));
-  const double node_bytes = scene::averaging_nodes(scene) * scene::kBytesPerNode;
-  f.start_bytes = f.start_blocks * bytes_per_block + node_bytes;
-  f.expected_bytes = f.expected_blocks * bytes_per_block + node_bytes;
+  const double of_domain = scene::bytes_of_domain(scene);
+  f.start_bytes = f.start_blocks * bytes_per_block + of_domain;
+  f.expected_bytes = f.expected_blocks * bytes_per_block + of_domain;
   f.max_speed = expected_max_speed(scene);
   f.time_step = fluid_time_step(scene);
   f.steps = std::ceil(scene.run.duration / f.time_step);

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
 #include <thread>
 
 #include "cases/runner/interrupt.h"
@@ -19,6 +20,17 @@ namespace lahar::cases {
 namespace {
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Of a program of several commands, what is said of a word in the place of one; empty if there is none.
+std::string unknown_command(const CLI::App& app) {
+  const std::vector<std::string> words = app.remaining();
+  if (app.get_require_subcommand_min() == 0 || !app.get_subcommands().empty() || words.empty()) return "";
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands(nullptr)) known.push_back(command->get_name());
+  const std::string nearest = scene::nearest_name(words.front(), known);
+  const std::string hint = nearest.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", nearest);
+  return fmt::format("\"{}\" is no command{}, expected one of {}", words.front(), hint, fmt::join(known, ", "));
+}
 
 }  // namespace
 
@@ -80,6 +92,9 @@ int guarded(const std::function<int()>& command) {
   } catch (const NumericalFailure& e) {
     fmt::print(stderr, "numerical failure: {}\n", e.what());
     return exit_numerical_failure;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "error: there is not enough memory (lahar check says what a scene takes)\n");
+    return exit_bug;
   } catch (const std::exception& e) {
     fmt::print(stderr, "error: {}\n", e.what());
     return exit_bug;
@@ -92,7 +107,9 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int(
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
-    fmt::print(stderr, "command line:1:1: {}, expected what --help shows\n", first_line(e.what()));
+    const std::string unknown = unknown_command(app);
+    fmt::print(stderr, "command line:1:1: {}\n",
+               unknown.empty() ? first_line(e.what()) + ", expected what --help shows" : unknown);
     return exit_bad_input;
   }
   const int code = guarded(command);

@@ -105,6 +105,7 @@ void Outputs::transfer(Archive& archive) {
   archive.part("force_maps", force_maps_);
   archive.part("particles", particles_);
   if (!archive.loading()) return;
+  if (frames_.runs()) particles_.take_up();
   if (volumes_) volumes_.emplace(folder_, static_cast<std::uint64_t>(frames_.done()));
   remove_later_files();
 }
@@ -115,7 +116,7 @@ void Outputs::remove_later_files() const {
   for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
     const std::string name = entry.path().filename().string();
     const auto is_later = [&](const char* stem, const char* ending, const Schedule& schedule) {
-      return number_of_file(name, stem, ending) >= schedule.done();
+      return schedule.runs() && number_of_file(name, stem, ending) >= schedule.done();
     };
     if (is_later("fluid_", ".vdb", frames_) || is_later("image_", ".png", pictures_) ||
         is_later("forces_", ".png", force_maps_))

@@ -21,7 +21,8 @@ class Outputs {
   void finish(Simulation& run);
   /// Puts all that was written into the files. Throws FileError.
   void flush() { particles_.flush(); }
-  /// Frame numbers of a checkpoint. Loading drops frames that came later: they will be written again.
+  /// Frame numbers of a checkpoint. Loading drops frames that came later, as they will be written again; of what is no
+  /// longer asked for all are kept.
   void transfer(Archive& archive);
   /// What of an earlier part of the run could not be read; empty if all could.
   [[nodiscard]] std::string lost() const { return particles_.lost(); }
@@ -35,7 +36,7 @@ class Outputs {
   const scene::Scene& scene_;
   std::filesystem::path folder_;
   Walls walls_;
-  ParticleWriter particles_;  ///< also where no frames are due, so that it keeps those that there are
+  ParticleWriter particles_;
   std::optional<VdbWriter> volumes_;
   Schedule frames_, pictures_, force_maps_;
 };

@@ -13,11 +13,13 @@ class Schedule {
   /// Every `interval` s of simulated time from 0 on; never for 0.
   explicit Schedule(double interval) : interval_(interval) {}
 
+  /// Whether any are asked for.
+  [[nodiscard]] bool runs() const { return interval_ > 0; }
   [[nodiscard]] bool due(double time) const {
-    return interval_ > 0 && time + kRounding >= from_ + static_cast<double>(since_) * interval_;
+    return runs() && time + kRounding >= from_ + static_cast<double>(since_) * interval_;
   }
   /// Whether the end of a run at `time` has none of its own yet.
-  [[nodiscard]] bool wants_last(double time) const { return interval_ > 0 && is_behind(time); }
+  [[nodiscard]] bool wants_last(double time) const { return runs() && is_behind(time); }
   /// Whether none was written at `time` or later.
   [[nodiscard]] bool is_behind(double time) const { return last_ < time; }
   /// One was written.

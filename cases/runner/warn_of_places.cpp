@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "cases/assembly/cells_inside.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/memory.h"
 #include "cases/runner/warnings_by_part.h"
@@ -93,16 +94,14 @@ bool has_a_cell(const scene::WallSettings& solid, const Bounds& bounds, const sc
   const double dx = s.fluid.cell_size;
   const Vec3 lower = bounds.lower.cwiseMax(s.domain.lower), upper = bounds.upper.cwiseMin(s.domain.upper);
   if (!(lower.array() < upper.array()).all()) return false;
-  const Vec3i first = ((lower - s.domain.lower) / dx - Vec3::Constant(0.5)).array().ceil().cast<int>();
-  const Vec3i end = ((upper - s.domain.lower) / dx - Vec3::Constant(0.5)).array().ceil().cast<int>();
+  const auto cell_from = [&](const Vec3& p) {
+    return Vec3i(((p - s.domain.lower) / dx - Vec3::Constant(0.5)).array().ceil().cast<int>());
+  };
+  const scene::CellBox box{cell_from(lower), cell_from(upper), s.domain.lower, dx};
   const Shape shape = scene::make_wall(solid, -1).shape;
-  for (int z = first.z(); z < end.z(); ++z)
-    for (int y = first.y(); y < end.y(); ++y)
-      for (int x = first.x(); x < end.x(); ++x) {
-        const Vec3 centre = s.domain.lower + dx * (Vec3(x, y, z) + Vec3::Constant(0.5));
-        if (std::visit([&](const auto& body) { return body.distance(centre); }, shape) < 0) return true;
-      }
-  return false;
+  return scene::cells_inside(box, 1, [&](const Vec3& p) {
+           return std::visit([&](const auto& body) { return body.distance(p); }, shape);
+         }) > 0;
 }
 
 /// Walls that stand beside the domain, and shapes that are sampled more coarsely than the cells.
@@ -146,12 +145,14 @@ void add_rounded_walls(const scene::Scene& s, Warnings& list) {
     if (!is_wall(beside() - free)) face -= free;
     return from + dx * face;
   };
+  int found = 0;
+  constexpr int most_told = 12;
   const auto tell = [&](const std::string& what, double x, int axis, double free) {
     constexpr double bearable = 0.01;  // of a cell
     if (x < s.domain.lower[axis] || x > s.domain.upper[axis]) return;
-    if (std::abs(acts_at(x, axis, free) - x) > bearable * s.fluid.cell_size)
-      list.push_back(fmt::format("{} at {} = {:.6g} m acts on the liquid at {:.6g} m, the nearest faces of cells", what,
-                                 "xyz"[axis], x, acts_at(x, axis, free)));
+    if (std::abs(acts_at(x, axis, free) - x) <= bearable * s.fluid.cell_size || ++found > most_told) return;
+    list.push_back(fmt::format("{} at {} = {:.6g} m acts on the liquid at {:.6g} m, the nearest faces of cells", what,
+                               "xyz"[axis], x, acts_at(x, axis, free)));
   };
   const auto is_between_cells = [&](WallSlip slip) {
     return s.fluid.wall_placement == scene::WallPlacement::half_way || slip != WallSlip::no_slip;
@@ -170,6 +171,9 @@ void add_rounded_walls(const scene::Scene& s, Warnings& list) {
         tell(what, w.lower[axis], axis, -1), tell(what, w.upper[axis], axis, 1);
     }
   }
+  if (found > most_told)
+    list.push_back(
+        fmt::format("{} more faces of walls act on the liquid elsewhere than where they stand", found - most_told));
 }
 
 void add_late_gates(const scene::Scene& s, Warnings& list) {

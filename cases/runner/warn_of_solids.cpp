@@ -5,6 +5,7 @@
 #include <numbers>
 #include <set>
 
+#include "barrier/ring.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/runner/warnings_by_part.h"
 
@@ -69,6 +70,24 @@ void add_barrier(const scene::Scene& s, Warnings& list) {
     list.push_back("barrier.anchors.cable_places is empty: no end of a cable is fixed");
 }
 
+/// Beads of a ring that overlap press on each other from the moment when the bond between them breaks.
+void add_breaking_rings(const scene::Scene& s, Warnings& list) {
+  const scene::Net& net = s.barrier.net;
+  const scene::BarrierBonds& bonds = s.barrier.bonds;
+  if (net.kind != scene::NetKind::rings || (bonds.ring_tensile_strength == 0 && bonds.ring_shear_strength == 0)) return;
+  const auto apart = [&](std::int64_t beads) {
+    return barrier::bead_spacing({net.ring_diameter, static_cast<int>(beads)}) / net.wire_diameter;
+  };
+  constexpr double rounding = 0.005;
+  std::int64_t most = net.beads_per_ring;
+  while (most > 8 && apart(most) < 1 - rounding) --most;
+  if (most < net.beads_per_ring)
+    list.push_back(
+        fmt::format("barrier.net.beads_per_ring is {}: beads stand {:.2f} diameters apart, and where a ring breaks "
+                    "they press apart, which makes energy (bonds_lost_J falls); {} do not overlap",
+                    net.beads_per_ring, apart(net.beads_per_ring), most));
+}
+
 std::set<std::string> materials_in_use(const scene::Scene& s) {
   std::set<std::string> names;
   for (const auto& w : s.walls) names.insert(w.material);
@@ -122,7 +141,7 @@ void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& lis
   if (s.walls.empty() && f.grains > 0) list.push_back("there are grains but no walls: nothing holds them");
   if (!s.walls.empty() && f.grains > 0) add_leaks(s, list);
   if (f.grains > 0) add_soft_grains(s, list);
-  if (s.barrier.enabled) add_barrier(s, list);
+  if (s.barrier.enabled) add_barrier(s, list), add_breaking_rings(s, list);
 }
 
 void warn_of_contacts(const scene::Scene& s, Warnings& list) {

@@ -75,9 +75,10 @@ template <class V>
 }
 
 /// A tangential damper (N s/m) that the step can follow, beside a normal one: it acts on the velocity that the forces
-/// of the step before predict. A newton of it changes the slip at the end of the step by h/m at most if the contact is
-/// alone, h = dt/2, by h (C_i/m_i + C_j/m_j)/c if all contacts of its bodies change by the like of it (see
-/// set_normal_force), times 7/2, as a sphere's surface also yields by turning: of which half is let through. None
+/// of the step before predict. A newton of it changes the slip in half a step by h/m at most if the contact is alone,
+/// h = dt/2, by h (C_i/m_i + C_j/m_j)/c if all contacts of its bodies change by the like of it (see set_normal_force),
+/// times 7/2, as a sphere's surface also yields by turning. Of a slip it may so take half in a whole step: with the
+/// spring beside it, of 7/2 k dt^2/m = K, the slip turns round from step to step for ever where it takes 1 - K/4. None
 /// without a step.
 template <class V>
 [[gnu::always_inline]] inline V within_step(const ContactStateOf<V>& s, const V& tangential, const V& normal,
@@ -87,7 +88,7 @@ template <class V>
   const V per_force = select(s.tangential_mass > 0, 0.5 * dt / s.tangential_mass, V{});
   const V lumped = max(V(per_force * normal), V(0.5 * dt * s.tangential_damping_rate));
   const V mobility = select(normal > 0, lumped / normal, per_force);
-  return min(tangential, V((0.5 / 3.5) / max(mobility, V(tiny))));
+  return min(tangential, V(0.25 / 3.5 / max(mobility, V(tiny))));
 }
 
 }  // namespace lahar::dem

@@ -20,11 +20,13 @@
 //
 // A wall with a wall model moves so that the traction of its links is the stress of the law (wall_model.h). Over all
 // links through an area with the normal n, along the tangent t,
-//   traction = rho M (v - u) . t - P,  M = 6 sum w_i |c_i . n| (c_i . t)^2,  P = 9 sum w_i |c_i . n| (c_i . t) c_i . Pi
-//   . c_i,
-// sums over the velocities into the wall, Pi the outgoing second moments, u the velocity half a step on, which is the
-// outgoing one less grad p / (2 rho) (docs/decisions/0076): solved for v. In a linear profile with the stress nu u / y
-// the wall then stands still. Free slip and wall model are half-way.
+//   traction = rho M v . t - Q,  M = 6 sum w_i |c_i . n| (c_i . t)^2,
+// sums over the velocities into the wall, Q what bounce-back off a wall at rest brings: at a wall along the lattice
+// twice what the cell sends, else as its second moments Pi say,
+//   Q = rho M u . t + P,  P = 9 sum w_i |c_i . n| (c_i . t) c_i . Pi . c_i,
+// u the velocity of the cell; v is that less grad p / (2 rho), for half a step (docs/decisions/0076). In a linear
+// profile with the stress nu u / y the wall then stands still. Across the stream it exerts nothing. Free slip and wall
+// model are half-way.
 #include <array>
 
 #include "lbm/boundary/wall_load.h"

@@ -2,6 +2,7 @@
 // The velocity of a wall whose links exert a given stress on the fluid (wall_reflection.h, "wall model"), or none.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/boundary/wall_model.h"
@@ -235,22 +236,40 @@ WallSample sample_above(FluidGrid<Real>& grid, CellPlace place, const WallCell& 
   return sample;
 }
 
-/// What links can do to a cell along a wall: traction = rho M (v - u) . t - P (wall_reflection.h).
-struct LinkTraction {
-  double mobility = 0, carried = 0;  // M, P
-
-  template <class Real>
-  LinkTraction(const OutgoingStress<Real>& stress, const Vec3& n, const Vec3& t) {
+/// What links can do to a cell along the unit vector t of a wall: traction = rho M v . t - Q (wall_reflection.h), where
+/// Q is what they bring if the wall stands still: at a wall along the lattice twice what the cell sends, else rho M u .
+/// t + P, as a cell of a step has some of the links alone.
+template <class Real>
+class LinkTraction {
+ public:
+  LinkTraction(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity, const CellMoments<Real>& m,
+               const Vec3& t)
+      : density_(1 + static_cast<double>(m.drho)) {
+    const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
+    std::optional<OutgoingStress<Real>> stress;
+    if (is_in_steps(wall)) stress.emplace(grid, place, parity, static_cast<double>(m.drho));
     for (int i = 1; i < D3Q19::q; ++i) {
       const auto& c = D3Q19::c[i];
       const Vec3 velocity(c[0], c[1], c[2]);
       const double into = -velocity.dot(n), ct = velocity.dot(t);
-      if (into <= 0) continue;
+      if (into < 1e-6) continue;
       const double weight = D3Q19::w(i) * into * ct;
-      mobility += 6 * weight * ct;
-      carried += 9 * weight * stress.along(c);
+      mobility_ += 6 * weight * ct;
+      if (stress) {
+        brought_ += 9 * weight * stress->along(c);
+        continue;
+      }
+      const int a = i % 2 == 1 ? i : i - 1;
+      const auto pair = grid.access(place, a, parity);
+      brought_ += 2 * ct * static_cast<double>(i == a ? *pair.outgoing_a : *pair.outgoing_b);
     }
+    if (stress) brought_ += density_ * mobility_ * velocity_of(m).dot(t);
   }
+  /// Velocity along t of the wall that brakes the cell by `stress`, over density.
+  [[nodiscard]] double velocity_for(double stress) const { return (brought_ / density_ - stress) / mobility_; }
+
+ private:
+  double density_, mobility_ = 0, brought_ = 0;  // rho, M, Q
 };
 
 /// The cell's velocity along a wall, relative to it; lu.
@@ -260,23 +279,25 @@ Vec3 slip_of(const WallCell& wall, const CellMoments<Real>& m) {
 }
 
 /// Velocity of a wall whose links brake a cell by `stress`, over density, along the unit vector t, at the speed `speed`
-/// that the stress is of; lu.
+/// that the stress is of, and exert none across t; lu. (A wall that stood still across t would turn round what crosses
+/// the way of the stream in every step, which grows where viscosity is small.)
 template <class Real>
 std::array<Real, 3> braking_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                      const CellMoments<Real>& m, const Vec3& t, double speed, double stress) {
-  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
-  const LinkTraction links(OutgoingStress<Real>(grid, place, parity, static_cast<double>(m.drho)), n, t);
-  const double own = (slip_of(wall, m) + half_a_step_of_pressure(grid, place, parity, m)).dot(t);
-  const double wanted = own + (links.carried / (1 + static_cast<double>(m.drho)) - stress) / links.mobility;
+  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]), b = n.cross(t);
+  const Vec3 moving(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
+  const Vec3 pressure = half_a_step_of_pressure(grid, place, parity, m), own = slip_of(wall, m) + pressure;
+  const auto wanted = [&](const Vec3& way, double braking) {
+    return LinkTraction<Real>(grid, place, wall, parity, m, way).velocity_for(braking) + (pressure - moving).dot(way);
+  };
   // Where the cells are too coarse for any profile. Walls in steps never push: P is noise too, which they would feed.
-  const double most = is_in_steps(wall) ? std::clamp(own, -2 * speed, 2 * speed) : 2 * speed;
-  const double bounded = std::clamp(wanted, -2 * speed, most);
-  std::array<Real, 3> v;
-  for (int k = 0; k < 3; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    v[at] = static_cast<Real>(wall.wall_velocity[at] + bounded * t[k]);
-  }
-  return v;
+  const double limit = 2 * speed;
+  const bool steps = is_in_steps(wall);
+  const double most = steps ? std::clamp(own.dot(t), -limit, limit) : limit;
+  const double most_across = steps ? std::min(std::abs(own.dot(b)), limit) : limit;
+  const Vec3 v = moving + std::clamp(wanted(t, stress), -limit, most) * t +
+                 std::clamp(wanted(b, 0), -most_across, most_across) * b;
+  return {static_cast<Real>(v.x()), static_cast<Real>(v.y()), static_cast<Real>(v.z())};
 }
 
 /// A wall that does not brake.

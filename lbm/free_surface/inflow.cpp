@@ -17,6 +17,8 @@ namespace {
 constexpr double kNothingDue = 1e-6;  // cells: more than stored masses are rounded by, even in float
 constexpr int kReachOfWalls = 2;      // cells: beside liquid cells there are interface cells, which walls hold
 constexpr double kLeastHeld = 1e-3;   // cells: of what little a column holds
+/// Mean density of the box over that of the liquid, less one: 33 times the stagnation pressure of a stream of 0.1 lu.
+constexpr double kMostCompressed = 0.5;
 
 /// The horizontal axis that liquid comes along, by the larger component of its velocity; -1 if it comes vertically.
 int stream_axis(const Vec3& velocity) {
@@ -114,6 +116,19 @@ void Inflow<Real>::feed(FluidLevel<Real>& level, CellConversion<Real>& conversio
   for (const Column& column : columns_) arrived += dose(level, column, std::min(share, largest_dose(column)));
   owed_ -= arrived;
   account.inflow += arrived;
+  require_room(step);
+}
+
+/// Liquid that can flow off nowhere, as in a tank that is full, is compressed: no liquid is.
+template <class Real>
+void Inflow<Real>::require_room(std::int64_t step) const {
+  double compressed = 0, cells = 0;
+  for (const Taker& t : cells_)
+    if (t.liquid) compressed += static_cast<double>(t.moments.drho), ++cells;
+  if (compressed > kMostCompressed * cells)
+    throw NumericalFailure("inflow " + options_.name, step,
+                           "what is in its box can flow off nowhere and is compressed to more than 1.5 times its "
+                           "density; give it room, or less discharge");
 }
 
 /// What a column gets of what is due; those that cannot take as much get their largest dose.

@@ -63,6 +63,7 @@ class Inflow {
   void collect(FluidLevel<Real>& level, CellConversion<Real>& conversion, const std::vector<Eigen::Vector2i>& places);
   [[nodiscard]] double share_of_column() const;
   static double largest_dose(const Column& column);
+  void require_room(std::int64_t step) const;
   double dose(FluidLevel<Real>& level, const Column& column, double mass);
   static void share_out(std::span<Taker> takers, double mass);
   static double put_in(FluidGrid<Real>& grid, const Taker& t, const Vec3& change);

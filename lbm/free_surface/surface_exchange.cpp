@@ -263,9 +263,15 @@ class RowExchange {
   template <class Mask>
   SurfacePressure surface_pressure(int row, const Sight<V>& sight, const Mask& open) const {
     if (largest_gradient_ <= 0) return {V(0), V(0), V(0), V(0)};
-    const Mask layer = capillary_ ? Mask::all(false) : on_a_layer(row, sight);
+    Mask layer = on_a_layer(row, sight);
+    V surface = gas_drho_;
+    if (capillary_) {  // not on drops: there the fit would follow what is wrong in the curvature from cell to cell
+      const V drho = load<V>(capillary_ + 8 * row);
+      surface += drho;
+      layer = layer && drho * drho < V(9) * squared(gravity_);  // less than the weight of a cell
+    }
     const PressureFit<V> fit =
-        pressure_gradient(sight, KnownPressure<V>{layer, gas_drho_, {gravity_[0], gravity_[1], gravity_[2]}});
+        pressure_gradient(sight, KnownPressure<V>{layer, surface, {gravity_[0], gravity_[1], gravity_[2]}});
     const V fill = fill_of_now(row), largest(largest_gradient_);
     V a[3] = {fit.at_surface[0], fit.at_surface[1], fit.at_surface[2]};
     if (any(layer && open)) {

@@ -29,6 +29,15 @@ Domain::Domain(DomainSpec spec) : spec_(std::move(spec)) {
   }
 }
 
+Vec3i Domain::last_within() const {
+  constexpr double rounding = 1e-6;
+  return ((spec_.upper - origin_) / spec_.cell_size)
+      .array()
+      .unaryExpr([](double end) { return std::floor(end - 0.5 + rounding); })
+      .matrix()
+      .cast<int>();
+}
+
 bool Domain::outside_open_face(const Vec3i& cell) const {
   for (int axis = 0; axis < 3; ++axis) {
     const auto low = static_cast<std::size_t>(2 * axis);

@@ -52,6 +52,9 @@ class Domain {
   /// First cell inside the domain and number of cells, per axis.
   [[nodiscard]] const Vec3i& first() const { return first_; }
   [[nodiscard]] const Vec3i& cells() const { return cells_; }
+  /// Last cell, per axis, whose centre is not beyond DomainSpec::upper: where that is no whole cell the last of `cells`
+  /// may be.
+  [[nodiscard]] Vec3i last_within() const;
   /// Number of blocks after which an axis repeats, 0 for none.
   [[nodiscard]] const Vec3i& period() const { return period_; }
   /// See Walls.

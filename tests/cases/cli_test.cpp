@@ -60,6 +60,14 @@ TEST_F(Cli, AnOutputThatIsFullIsAFailure) {
     EXPECT_EQ(run(command + " > /dev/full #").code, 1) << command;
 }
 
+TEST_F(Cli, AnUnknownCommandIsNamed) {
+  const Outcome o = run("chek scene.toml");
+  EXPECT_EQ(o.code, 2);
+  EXPECT_EQ(o.err,
+            "command line:1:1: \"chek\" is no command (did you mean \"check\"?), expected one of run, resume, check, "
+            "quantities, keys\n");
+}
+
 TEST_F(Cli, QuietIsQuiet) {
   const Outcome o = run("check --quiet '" + case_file("dam_break/scene.toml").string() + "'");
   EXPECT_EQ(o.code, 0);

@@ -54,6 +54,9 @@ TEST(RigidBarrier, RefusesSlitsThatLeaveNothing) {
   expect_rejection(file, {with(kSlits, "rigid_barrier.slit_width_m=0.2"), "rigid_barrier.slits", "leave nothing"});
   expect_rejection(file, {with(kSlits, "rigid_barrier.slit_width_m=0"), "rigid_barrier.slit_width_m", "is 0"});
   expect_rejection(file, {with(kSlits, "rigid_barrier.height_m=0"), "rigid_barrier.height_m", "above 0"});
+  for (const char* material : {"", "stel"})
+    expect_rejection(file, {with(kSlits, std::string("rigid_barrier.material=") + (*material ? material : "''")),
+                            "rigid_barrier.material", "expected the name of a table [materials.NAME]"});
 }
 
 }  // namespace

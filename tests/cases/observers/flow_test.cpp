@@ -29,6 +29,13 @@ TEST_F(FlowOfHeap, HasArrivedAtASectionWithinIt) {
   EXPECT_NEAR(f.outflow_rate, 1000 * 0.5 * 0.16 * 0.3, 0.01 * f.outflow_rate);
 }
 
+/// The last cells of a domain of no whole cells end beyond it.
+TEST_F(FlowOfHeap, FrontsEndWithTheDomain) {
+  first_row({"domain.upper_m=[0.395, 0.16, 0.5]", "measure.section_x_m=0.2",
+             "fluid.region=[{lower_m = [0, 0, 0], upper_m = [0.395, 0.16, 0.3]}]"});
+  EXPECT_NEAR(observers_->find<Flow>()->now().front, 0.395, 1e-9);
+}
+
 /// A channel of half the domain's width, its floor 0.1 m above the domain's: front and depth are those of the channel.
 TEST_F(FlowOfHeap, ChannelsMayBeNarrowAndHigh) {
   first_row(

@@ -35,6 +35,21 @@ TEST(FluidSamples, PressureInsideAndAtWalls) {
     EXPECT_NEAR(depth_over(*view, at_the_end, 0.4), 0.3, 1e-3) << at_the_end;
 }
 
+/// The last cells of a domain of no whole cells may lie in its wall: a point on that is over the last but one.
+TEST(FluidSamples, DepthAtTheEndOfNoWholeCells) {
+  for (const char* upper : {"[0.323, 0.163, 0.4]", "[0.327, 0.167, 0.4]"}) {
+    const scene::Scene scene =
+        scene::load_text(tank_of_water, {std::string("domain.upper_m=") + upper,
+                                         std::string("fluid.region[0].upper_m=") + std::string(upper, 14) + "0.3]"});
+    lbm::Fluid<double> fluid(fluid_options(scene));
+    const auto view = view_of(fluid);
+    fluid.fill(liquid_regions(scene));
+    const Vec3 end = scene.domain.upper;
+    for (const Vec3& p : {Vec3(end.x(), 0.05, 0), Vec3(0.05, end.y(), 0), Vec3(end.x(), end.y(), 0)})
+      EXPECT_NEAR(depth_over(*view, p, 0.4), 0.3, 1e-3) << p;
+  }
+}
+
 /// A drop in the air is no depth; a bubble of one cell does not end the water.
 TEST(FluidSamples, DepthWithoutDrops) {
   const scene::Scene scene = scene::load_text(tank_with_ball);

@@ -148,12 +148,22 @@ TEST_F(Resume, FramesAreKeptWhileNoneAreAskedFor) {
                             {"run.duration_s=0.11", "run.output_interval_s=0.05"}),
                 {.out = folder("out"), .threads = 1, .quiet = true}, run_scene);
   resume("out", {"run.duration_s=0.2", "run.output_interval_s=0"});
+  EXPECT_EQ(Hdf5File::open_for_reading(folder("out") / "particles.h5").members("/frames").size(), 4U);  // 0.11 s, too
   resume("out", {"run.duration_s=0.3", "run.output_interval_s=0.05"});
   const Hdf5File file = Hdf5File::open_for_reading(folder("out") / "particles.h5");
   const std::vector<std::string> frames = file.members("/frames");
   ASSERT_GE(frames.size(), 5U);
   EXPECT_NEAR(file.number_attribute("/frames/" + frames.front(), "time_s"), 0, 1e-9);
   EXPECT_NEAR(file.number_attribute("/frames/" + frames.back(), "time_s"), 0.3, 0.01);
+}
+
+/// The last picture is of the end of the first part, which is in no checkpoint.
+TEST_F(Resume, PicturesAreKeptWhileNoneAreAskedFor) {
+  run("out", {"run.duration_s=0.03", "run.image_interval_s=0.02"});
+  ASSERT_TRUE(std::filesystem::exists(folder("out") / "image_000002.png"));
+  resume("out", {"run.duration_s=0.05", "run.image_interval_s=0", "run.output_interval_s=0"});
+  EXPECT_TRUE(std::filesystem::exists(folder("out") / "image_000002.png"));
+  EXPECT_TRUE(std::filesystem::exists(folder("out") / "fluid_000001.vdb"));
 }
 
 /// A run that was to replace it was killed while it prepared: the former one is there to go on with.

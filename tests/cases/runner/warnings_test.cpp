@@ -134,6 +134,18 @@ TEST(Warnings, Solids) {
   EXPECT_FALSE(warns(rolling(dem::WireContacts::beads), "does not act on wires"));
 }
 
+TEST(Warnings, RingsThatBreakWhereTheirBeadsOverlap) {
+  const auto report = [](std::vector<std::string> set) {
+    return check_scene(load(case_file("hanging_net/scene.toml"), set));
+  };
+  const std::string breaks = "barrier.bonds.ring_tensile_strength_Pa=1e9";
+  EXPECT_TRUE(warns(report({breaks, "barrier.net.beads_per_ring=40"}),
+                    "beads_per_ring is 40: beads stand 0.90 diameters apart"));
+  EXPECT_TRUE(warns(report({breaks, "barrier.net.beads_per_ring=40"}), "36 do not overlap"));
+  EXPECT_FALSE(warns(report({breaks}), "do not overlap"));
+  EXPECT_FALSE(warns(report({"barrier.net.beads_per_ring=40"}), "do not overlap"));
+}
+
 TEST(Warnings, WallsBetweenCells) {
   const auto report = [](std::vector<std::string> set) {
     return check_scene(load(case_file("dam_break/scene.toml"), set));
@@ -166,6 +178,16 @@ normal = )" + std::string(normal)));
   };
   EXPECT_TRUE(warns(half_way("[0, 0, -1]"), "z = 0.8125 m acts on the liquid at 0.875 m"));
   EXPECT_TRUE(warns(half_way("[0, 0, 1]"), "z = 0.8125 m acts on the liquid at 0.75 m"));
+}
+
+TEST(Warnings, ManyWallsBetweenCellsAreCounted) {
+  std::string walls = "wall=[";
+  for (int k = 0; k < 40; ++k)
+    walls += fmt::format("{{name='pier_{}', shape='box', lower_m=[1, 0, {}], upper_m=[1.2, 0.3, {}]}},", k,
+                         0.003 + 0.02 * k, 0.013 + 0.02 * k);
+  const CheckReport report = check_scene(load(case_file("dam_break/scene.toml"), {walls + "]"}));
+  EXPECT_TRUE(warns(report, "68 more faces of walls act on the liquid elsewhere"));
+  EXPECT_LT(report.warnings.size(), 20U);
 }
 
 /// Of viscosity, of places far from the origin, of a floor that ends at the domain.

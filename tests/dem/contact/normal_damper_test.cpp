@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sphere.h"
 #include "core/worst.h"
+#include "dem/packing/packing.h"
 #include "dem/solids.h"
 #include "dem/time_step.h"
 #include "tests/dem/small_scenes.h"
@@ -146,17 +148,44 @@ TEST(NormalDamper, FirstValuesCountForTheTimeInContact) {
   EXPECT_EQ(share_since_touch(s, none, 1e-6), 2);
 }
 
-TEST(NormalDamper, TangentialDampersLeaveHalfOfAForce) {
+TEST(NormalDamper, TangentialDampersTakeHalfOfASlip) {
   ContactState s;
   s.tangential_mass = 1;
   s.effective_mass = 10;  // held along the normal: of no account
   EXPECT_EQ(within_step(s, 2.0, 1.0, 2e-3), 2.0);
-  EXPECT_DOUBLE_EQ(3.5 * 0.2 * within_step(s, 1e6, 1.0, 0.4), 0.5);
-  EXPECT_DOUBLE_EQ(3.5 * 0.2 * within_step(s, 1e6, 0.0, 0.4), 0.5);
+  EXPECT_DOUBLE_EQ(3.5 * 0.2 * within_step(s, 1e6, 1.0, 0.4), 0.25);
+  EXPECT_DOUBLE_EQ(3.5 * 0.2 * within_step(s, 1e6, 0.0, 0.4), 0.25);
   EXPECT_EQ(within_step(s, 2.0, 1.0, 0.0), 0.0);  // no step, no damper
   s.tangential_damping_rate = 10;                 // ten such contacts on the same bodies
-  EXPECT_DOUBLE_EQ(3.5 * 2 * within_step(s, 1e6, 1.0, 0.4), 0.5);
+  EXPECT_DOUBLE_EQ(3.5 * 2 * within_step(s, 1e6, 1.0, 0.4), 0.25);
   EXPECT_EQ(within_step(ContactState{}, 5.0, 1.0, 0.4), 5.0);  // both held
+}
+
+/// A pack that has come to rest, of spheres that lose nearly all in an impact.
+TEST(NormalDamper, APackAtRestWinsNothing) {
+  PackingSpec spec;
+  spec.upper = Vec3(0.12, 0.12, 0.6);
+  spec.classes = {{0.02, 100, 2500, 0}};
+  Particles p;
+  for (const ParticleSpec& sphere : pack(spec)) p.add(sphere);
+  Materials m;
+  m.add({"soft", 1e6, 0.3});
+  m.set_pair(0, 0, 0.5, 0.1);
+  Walls walls;
+  for (const auto& [point, normal] :
+       {std::pair(Vec3(0, 0, 0), Vec3(0, 0, 1)), std::pair(Vec3(0, 0, 0), Vec3(1, 0, 0)),
+        std::pair(Vec3(0.12, 0, 0), Vec3(-1, 0, 0)), std::pair(Vec3(0, 0, 0), Vec3(0, 1, 0)),
+        std::pair(Vec3(0, 0.12, 0), Vec3(0, -1, 0))})
+    walls.add({.name = "side", .shape = HalfSpace{point, normal}});
+  SolidsOptions options = testing::options(0.3 * rayleigh_time_step(p, m), Vec3(0, 0, -9.81));
+  options.watchdog.overlap_limit = 1;
+  Solids s{p, {}, m, walls, options};
+  while (s.time() < 0.4) s.advance(10);
+  const double damped = s.ledger().contact_damping, total = s.ledger().total();
+  while (s.time() < 0.6) s.advance(10);
+  const double fall = 100 * sphere_volume(0.01) * 2500 * 9.81 * 0.01;  // of all by a radius, J
+  EXPECT_LT(s.ledger().contact_damping - damped, 1e-3 * fall);
+  EXPECT_LT(std::abs(s.ledger().total() - total), 1e-4 * fall);
 }
 
 }  // namespace

@@ -163,5 +163,16 @@ TEST(Inflow, RefusesWhatItsBoxCannotTake) {
   EXPECT_THROW(Fluid<double>{o}, std::logic_error);
 }
 
+/// 2.4 litres into a closed box of half a litre.
+TEST(Inflow, StopsWhereWhatComesCanFlowOffNowhere) {
+  FluidOptions o = filling(Vec3(0.0, 0.0, 0.0), Vec3(0.04, 0.08, 0.04), Vec3(0.5, 0, 0));
+  o.domain.upper = Vec3(0.08, 0.08, 0.08);
+  o.domain.faces = {};  // all closed
+  Fluid<float> fluid(o);
+  const double full = 1000 * 0.08 * 0.08 * 0.08;
+  EXPECT_THROW(while (fluid.time() < 0.5) fluid.step(), NumericalFailure);
+  EXPECT_NEAR(fluid.liquid_mass() / full, 1.5, 0.1);
+}
+
 }  // namespace
 }  // namespace lahar::lbm

@@ -21,6 +21,16 @@ TEST(Domain, CellsLieInsideTheBox) {
   EXPECT_EQ(d.cell_at(Vec3(1.05, 2.05, 3.05)), d.first());
 }
 
+TEST(Domain, TheLastCellsMayLieInTheWall) {
+  DomainSpec s = tank();
+  s.upper = Vec3(2.03, 3.07, 4);
+  const Domain d(s);
+  EXPECT_EQ(d.cells(), Vec3i(11, 11, 10));
+  EXPECT_EQ(d.last_within(), Vec3i(10, 11, 10));
+  EXPECT_EQ(d.classify({10, 11, 1}), CellType::gas);
+  EXPECT_EQ(d.classify({11, 11, 1}), CellType::wall);
+}
+
 TEST(Domain, FacesAreWallsOrSinks) {
   const Domain d(tank());
   EXPECT_EQ(d.classify({1, 1, 1}), CellType::gas);
