@@ -16,23 +16,31 @@ double spring_energy(double force_squared, double stiffness) {
   return stiffness > 0 ? 0.5 * force_squared / stiffness : 0.0;
 }
 
-/// Energy of one bond, with the stiffnesses of Potyondy & Cundall (2004), Eqs. 14 and 15: k_n A, k_s A, k_n I, k_s J.
+/// What plastic elongation has dissipated, in a broken bond too, J.
+double plastic_energy(const dem::Bonds& bonds, std::size_t b) {
+  const dem::BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
+  if (!sort.axial.plastic_unloading) return 0;
+  const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius;
+  return dem::plastic_work(dem::axial_curve(sort.axial, area), bonds.plastic_elongation[b]);
+}
+
+/// Energy that one bond holds, with the stiffnesses of Potyondy & Cundall (2004), Eqs. 14 and 15: k_n A, k_s A, k_n I,
+/// k_s J.
 dem::BondEnergy bond_energy(const dem::Bonds& bonds, std::size_t b) {
   const dem::BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
   const double r2 = sort.bond_radius * sort.bond_radius, area = std::numbers::pi * r2, inertia = 0.25 * area * r2;
   const dem::AxialCurve curve = dem::axial_curve(sort.axial, area);
-  const bool plastic = sort.axial.plastic_unloading;
   dem::BondEnergy e;
-  e.axial = plastic ? spring_energy(bonds.axial_force[b] * bonds.axial_force[b], curve.k1)
-                    : dem::curve_energy(curve, bonds.elongation[b]);
+  e.axial = sort.axial.plastic_unloading ? spring_energy(bonds.axial_force[b] * bonds.axial_force[b], curve.k1)
+                                         : dem::curve_energy(curve, bonds.elongation[b]);
   e.shear = spring_energy(bonds.shear_force[b].squaredNorm(), sort.shear_stiffness * area);
   e.bending = spring_energy(bonds.moment[b].squaredNorm(), sort.axial.stiffness[0] * inertia);
   e.torsion = spring_energy(bonds.torsion_moment[b] * bonds.torsion_moment[b], sort.shear_stiffness * 2 * inertia);
-  if (plastic) e.plastic = dem::plastic_work(curve, bonds.plastic_elongation[b]);
   return e;
 }
 
 void add_bond(std::size_t b, const dem::Bonds& bonds, ComponentResponse& sum) {
+  sum.energy.plastic += plastic_energy(bonds, b);
   if (!bonds.intact[b]) {
     ++sum.broken_bonds;
     return;

@@ -16,9 +16,6 @@ struct RateShare {
   const std::uint8_t* slow = nullptr;     ///< per particle, 1 for slow ones; not used with Rate::all
   const std::uint8_t* covered = nullptr;  ///< per particle, 1 for those in no pair at all (beads of smooth wires)
 
-  [[nodiscard]] bool pair(std::size_t i, std::size_t j) const {
-    return rate == Rate::all || ((slow[i] != 0 && slow[j] != 0) == (rate == Rate::slow));
-  }
   /// Whether what acts on one particle alone (walls, gravity) belongs here.
   [[nodiscard]] bool single(std::size_t i) const { return rate == Rate::all || (slow[i] != 0) == (rate == Rate::slow); }
   /// Whether anything here is about a particle.

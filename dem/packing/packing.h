@@ -34,7 +34,7 @@ struct PackingReport {
 /// below 1e-3 of a radius, at rest, fixed by the seed whatever the number of threads. The order is that of the classes.
 /// If a target height is given and the mean surface stands higher, the packing is tapped a limited number of times;
 /// what it then has reached is the caller's to check (measure_packing). Throws InputError if the spec makes no sense or
-/// the spheres do not fit below the top of the box.
+/// the spheres do not fit below the top of the box, but for the highest 0.5 % (PackingReport::height).
 [[nodiscard]] std::vector<ParticleSpec> pack(const PackingSpec& spec);
 
 [[nodiscard]] PackingReport measure_packing(const PackingSpec& spec, const std::vector<ParticleSpec>& spheres);

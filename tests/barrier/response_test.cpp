@@ -95,6 +95,18 @@ TEST(Response, EnergiesAreThoseOfTheSprings) {
   EXPECT_DOUBLE_EQ(dissipator_elongation(b.net, b.bonds, 0), knee + 1e-4);
 }
 
+/// What plastic elongation took stays taken when the bond breaks.
+TEST(Response, BrokenBondsKeepTheirPlasticWork) {
+  Built b;
+  const std::size_t brake = b.net.dissipators[0];
+  b.bonds.sorts[static_cast<std::size_t>(b.bonds.sort[brake])].axial.plastic_unloading = true;
+  b.bonds.plastic_elongation[brake] = 1e-4;
+  const double whole = b.look()[Component::upper_cable].energy.plastic;
+  EXPECT_GT(whole, 0);
+  b.bonds.intact[brake] = 0;
+  EXPECT_EQ(b.look()[Component::upper_cable].energy.plastic, whole);
+}
+
 TEST(Response, MotionOfTheBeads) {
   Built b;
   const std::size_t bead = b.net.rings[5].first_bead;
