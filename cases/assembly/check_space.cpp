@@ -211,7 +211,8 @@ void check_periodic(const Scene& scene, Findings& findings) {
     if (!scene.fluid.enabled || !findings.sound({"fluid.cell_size_m"})) continue;
     const double blocks = (scene.domain.upper - scene.domain.lower)[k] / (8 * scene.fluid.cell_size);
     if (std::abs(blocks - std::round(blocks)) > 1e-6 || blocks < 0.5)
-      findings.mistake(path, path + ": the axis is not a multiple of 8 cells long, expected one");
+      findings.mistake(
+          path, fmt::format("{}: \"{}\" is {:g} cells long, expected a multiple of 8", path, "xyz"[k], 8 * blocks));
   }
 }
 

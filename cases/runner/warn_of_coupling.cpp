@@ -44,6 +44,20 @@ void add_restless_grains(const scene::Scene& s, const SolidsFigures& f, Warnings
                     cells, calm, density));
 }
 
+/// The fluid's force on mapped wires is held over its step, as that of the drag law was before
+/// docs/decisions/0097.
+void add_shaken_wires(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
+  constexpr double calm = 0.3;
+  if (!f.cells_per_wire || !s.coupling.resolve_wires_from_cells || s.solids.bond_damping_ratio >= calm ||
+      *f.cells_per_wire < *s.coupling.resolve_wires_from_cells || !lbm::by_wall_distance(s.coupling.body_weighting))
+    return;
+  list.push_back(fmt::format(
+      "wires of {:.1f} cells are resolved (coupling.resolve_wires_from_cells), and solids.bond_damping_ratio "
+      "is {:g}: stiff nets may shake themselves even in liquid at rest; {:g}, or body_weighting = "
+      "\"noble_torczynski\", bears it",
+      *f.cells_per_wire, s.solids.bond_damping_ratio, calm));
+}
+
 }  // namespace
 
 void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
@@ -52,6 +66,7 @@ void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& l
     list.push_back(fmt::format("the smallest grain is {:.1f} cells across: its drag is uncertain below about 4",
                                *f.cells_per_smallest_grain));
   add_restless_grains(s, f, list);
+  add_shaken_wires(s, f, list);
   constexpr double light = 0.2;  // docs/decisions/0034
   if (f.lightest_grain && *f.lightest_grain < light)
     list.push_back(

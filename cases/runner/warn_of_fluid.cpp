@@ -105,9 +105,14 @@ void warn_of_fluid(const scene::Scene& s, const FluidFigures& f, Warnings& list)
         fmt::format("tau - 1/2 {}is {:.3g}: what is so viscous flows too fast where it is few cells thick; a "
                     "lower fluid.lattice_velocity shortens the step, and collision = \"trt\" bears 10",
                     tau > f.tau ? "at fluid.rheology.limit_viscosity_m2_s " : "", tau - 0.5));
-  if (fragile && f.tau - 0.5 < 1e-3)
-    list.push_back(fmt::format("tau - 1/2 is {:.2g}: this collision operator is unstable there without smagorinsky > 0",
-                               f.tau - 0.5));
+  constexpr double firm = 1e-2;  // of tau - 1/2: at half of it TRT ran away in a dam break
+  const LatticeUnits units{s.fluid.cell_size, f.time_step, s.fluid.density};
+  const double flowing =  // a flow law's tau - 1/2 where the liquid shears fastest
+      f.least_limit_viscosity ? 3 * units.viscosity_to_lu(*f.least_limit_viscosity) : f.tau - 0.5;
+  if (fragile && flowing < firm)
+    list.push_back(fmt::format("tau - 1/2 {}is {:.2g}: this collision operator may be unstable there{}",
+                               f.least_limit_viscosity ? "of the liquid that shears fastest " : "", flowing,
+                               f.least_limit_viscosity ? "" : " without smagorinsky > 0"));
   if (f.mach > 0.3)
     list.push_back(
         fmt::format("Ma = {:.2f}: errors of compressibility reach {:.0f} %", f.mach, 100 * f.compressibility_error));

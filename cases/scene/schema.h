@@ -84,7 +84,10 @@ void describe(V& v, Domain& s) {
           "Grains are held by [[wall]] alone and removed once they have left the domain, but for its top.");
   v.value("slip", s.slip, {},
           "How water slides along the faces that are walls, smooth ones. A [[wall]] in the same place goes before.");
-  v.value("periodic_axes", s.periodic_axes, {}, "Axes along which the fluid repeats; only without grains and barrier.");
+  v.value(
+      "periodic_axes", s.periodic_axes, {},
+      "Axes along which the fluid repeats, each a multiple of 8 cells long; only without grains and barrier. Walls do "
+      "not repeat: one that reaches over such a face ends there.");
 }
 
 /// Keys of a shape from a file; they stand in the table of the wall or region.

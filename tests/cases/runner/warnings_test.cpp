@@ -146,6 +146,32 @@ TEST(Warnings, RingsThatBreakWhereTheirBeadsOverlap) {
   EXPECT_FALSE(warns(report({"barrier.net.beads_per_ring=40"}), "do not overlap"));
 }
 
+TEST(Warnings, OperatorsThatSmallViscositiesUpset) {
+  const auto report = [](std::vector<std::string> set) {
+    set.insert(set.end(), {"fluid.collision=trt", "fluid.smagorinsky=0"});
+    return check_scene(load(case_file("dam_break/scene.toml"), set));
+  };
+  EXPECT_TRUE(warns(report({"fluid.kinematic_viscosity_m2_s=1e-3"}), "operator may be unstable there without"));
+  EXPECT_FALSE(warns(report({"fluid.kinematic_viscosity_m2_s=0.02"}), "may be unstable"));
+  const auto mud = [&](const std::string& consistency) {
+    return report({"fluid.rheology.law=herschel_bulkley", "fluid.rheology.yield_stress_Pa=10",
+                   "fluid.rheology.limit_viscosity_m2_s=1", "fluid.rheology.exponent=0.5",
+                   "fluid.rheology.consistency_Pa_s_n=" + consistency, "fluid.kinematic_viscosity_m2_s=0.02"});
+  };
+  EXPECT_TRUE(warns(mud("1"), "of the liquid that shears fastest is"));
+  EXPECT_FALSE(warns(mud("500"), "may be unstable"));
+}
+
+TEST(Warnings, MappedWiresThatShake) {
+  const auto warned = [](std::vector<std::string> set) {
+    set.insert(set.end(), {"coupling.resolve_wires_from_cells=2", "fluid.cell_size_m=0.003"});
+    return warns(check_scene(load(case_file("tutorial/net.toml"), set)), "may shake themselves");
+  };
+  EXPECT_TRUE(warned({"coupling.body_weighting=wall_distance"}));
+  EXPECT_FALSE(warned({"coupling.body_weighting=wall_distance", "solids.bond_damping_ratio=0.3"}));
+  EXPECT_FALSE(warned({"coupling.body_weighting=noble_torczynski"}));
+}
+
 TEST(Warnings, WallsBetweenCells) {
   const auto report = [](std::vector<std::string> set) {
     return check_scene(load(case_file("dam_break/scene.toml"), set));
