@@ -16,7 +16,10 @@ namespace {
 
 constexpr double kNothingDue = 1e-6;  // cells: more than stored masses are rounded by, even in float
 constexpr int kReachOfWalls = 2;      // cells: beside liquid cells there are interface cells, which walls hold
-constexpr double kLeastHeld = 1e-3;   // cells: of what little a column holds
+/// Cells: what a column is taken to hold at least. The populations of a cell at the surface are those of a full one: a
+/// column that has run dry and takes the stream's velocity in one step throws what stands beside it, the harder the
+/// shorter the step.
+constexpr double kLeastHeld = 0.25;
 /// Mean density of the box over that of the liquid, less one: 33 times the stagnation pressure of a stream of 0.1 lu.
 constexpr double kMostCompressed = 0.5;
 
