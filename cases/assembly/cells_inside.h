@@ -1,9 +1,5 @@
 #pragma once
 // How many cells have their centre inside a solid, without a look at each.
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
 #include "core/vector.h"
 
 namespace lahar::scene {
@@ -28,8 +24,8 @@ double cells_inside(const CellBox& box, double enough, const Distance& distance)
   const Vec3 middle = 0.5 * (box.first + box.end).cast<double>();
   const double reach = 0.5 * steepest * box.cell_size * (box.end - box.first - Vec3i::Ones()).cast<double>().norm();
   const double d = distance(Vec3(box.origin + box.cell_size * middle));
-  if (d >= reach) return 0;  // so one cell is in or out
-  if (d < -reach || box.cells() == 1) return box.cells();
+  if (d >= reach) return 0;
+  if (d < -reach || box.cells() == 1) return box.cells();  // one cell, of reach 0, is in or out
   Eigen::Index axis = 0;
   (box.end - box.first).maxCoeff(&axis);
   CellBox low = box, high = box;
