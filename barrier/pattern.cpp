@@ -129,6 +129,25 @@ bool all_threaded(const NetLayout& layout, const std::vector<Polyline>& rings, c
   return true;
 }
 
+/// True if the rings that a lateral cable threads cross its line between its ends: beyond them they would not lie
+/// around it.
+bool cables_reach(const NetLayout& layout, const RingPattern& pattern, const std::vector<Polyline>& rings) {
+  for (const Side side : {Side::left, Side::right}) {
+    const auto [start, end] = cable_ends(layout, pattern, side);
+    for (std::size_t r = 0; r < rings.size(); ++r) {
+      const int column = static_cast<int>(r) % layout.columns, row = static_cast<int>(r) / layout.columns;
+      if (!is_threaded(layout, side, column, row)) continue;
+      for (std::size_t s = 0; s < rings[r].segments(); ++s) {
+        const Vec3 a = rings[r].start(s) - start, b = rings[r].end(s) - start;
+        if (a.x() * b.x() > 0) continue;
+        const double y = (a.y() * b.x() - b.y() * a.x()) / (b.x() - a.x());
+        if (!(y > 0 && y < end.y() - start.y())) return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// True if a net of up to 4 x 4 rings of this pattern has room everywhere and hangs on its cables.
 bool works(NetLayout layout, const RingPattern& pattern) {
   layout.columns = std::min(4, layout.columns);
@@ -139,7 +158,7 @@ bool works(NetLayout layout, const RingPattern& pattern) {
   std::vector<Polyline> all = rings;
   all.insert(all.end(), cables.begin(), cables.end());
   return smallest_wire_gap(all, layout.wire_diameter) >= accepted_gap * layout.wire_diameter &&
-         all_threaded(layout, rings, cables);
+         all_threaded(layout, rings, cables) && cables_reach(layout, pattern, rings);
 }
 
 std::string metres(double value) { return std::to_string(value) + " m"; }
@@ -213,9 +232,14 @@ RingPattern find_pattern(const NetLayout& layout) {
   if (!rings) refuse(layout, "interlock");
   RingPattern pattern = *rings;
   if (std::ranges::count(layout.cables, true) == 0) return pattern;
-  // A little inside the half pitch: the wire that goes around the cable is then missing least elsewhere.
-  for (pattern.cable_distance = 0.96; pattern.cable_distance > 0.7; pattern.cable_distance -= 0.02)
+  // Where a ring goes around the cable without a change of its length, or a little inside the half pitch if that is
+  // farther out: the wire that goes around the cable is then missing least elsewhere.
+  const double step = 0.02, around = layout.ring_diameter - 2 * layout.wire_diameter,
+               farthest = std::max(0.96, around / std::max(layout.pitch_across, layout.pitch_up));
+  for (double steps = std::floor(farthest / step + 1e-9); steps > 0.7 / step; --steps) {
+    pattern.cable_distance = step * steps;
     if (works(layout, pattern)) return pattern;
+  }
   refuse(layout, "take a cable");
 }
 

@@ -54,9 +54,9 @@ struct CableEnds {
 /// ring is not linked once with each of the four beside it.
 [[nodiscard]] double lattice_gap(const Polyline& ring, const NetLayout& layout);
 
-/// The flattest rings that interlock, and the cables nearest to the outer half pitch that they can take, with a gap of
-/// 5 % of the wire, or 0.5 % where that cannot be had. Throws InputError if rings of this pitch cannot interlock or
-/// take a cable, with the range of pitches that would do.
+/// The flattest rings that interlock, and the outermost cables that they go around without a change of their length and
+/// can take, with a gap of 5 % of the wire, or 0.5 % where that cannot be had. Throws InputError if rings of this pitch
+/// cannot interlock or take a cable, with the range of pitches that would do.
 [[nodiscard]] RingPattern find_pattern(const NetLayout& layout);
 
 /// Smallest and largest pitch, m, of a square lattice on which rings interlock, to 1 % of the ring diameter; {0, 0} if

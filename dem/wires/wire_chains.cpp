@@ -71,6 +71,7 @@ void WireChains::order_chain(ParticleIndex from, const Numbering& numbering) {
 void WireChains::find_near(const Bonds& bonds, std::size_t n) {
   std::vector<std::vector<ParticleIndex>> joined(n);
   for (std::size_t b = 0; b < bonds.size(); ++b) {
+    if (bonds.intact[b] == 0) continue;  // stumps of a broken wire touch
     joined[bonds.i[b]].push_back(bonds.j[b]);
     joined[bonds.j[b]].push_back(bonds.i[b]);
   }

@@ -29,7 +29,7 @@ class WireChains {
   [[nodiscard]] bool closed(std::size_t i) const { return closed_[i] != 0; }
   [[nodiscard]] ParticleIndex before(std::size_t i) const { return before_[i]; }
   [[nodiscard]] ParticleIndex behind(std::size_t i) const { return behind_[i]; }
-  /// Whether at most two bonds, broken ones included, lead from one particle to the other: such never touch.
+  /// Whether at most two intact bonds lead from one particle to the other: such never touch.
   [[nodiscard]] bool near(ParticleIndex i, ParticleIndex j) const;
 
  private:

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lbm/boundary/row_reflection.h"
+#include "lbm/boundary/slip_wall.h"
 
 namespace lahar::lbm {
 
@@ -48,6 +49,17 @@ WallHit wall_hit(const Domain& domain, const Wall& wall, const Vec3& from, int i
   return {static_cast<float>(share), static_cast<float>(c.dot(velocity)), 0};
 }
 
+/// Among the walls of one cell, one that holds the liquid does so for those in steps along which it would slip: in the
+/// seam of the two a cell has few ways out, and a wall that follows its velocity feeds noise there.
+void hold_seam(WallLinks& block_links, std::size_t first_of_cell) {
+  const auto begin = block_links.cells.begin() + static_cast<std::ptrdiff_t>(first_of_cell);
+  if (std::none_of(begin, block_links.cells.end(), [](const WallCell& w) { return w.slip == WallSlip::no_slip; }))
+    return;
+  std::for_each(begin, block_links.cells.end(), [](WallCell& wall) {
+    if (slips_along_steps(wall)) wall.slip = WallSlip::no_slip;
+  });
+}
+
 /// Lists the links of a cell into walls, wall by wall. A wall that is reached only beyond a periodic face is looked at
 /// from where the cell stands beside it there.
 void add_wall_links(WallLinks& block_links, const Domain& domain, int cell, const Vec3i& place,
@@ -66,6 +78,7 @@ void add_wall_links(WallLinks& block_links, const Domain& domain, int cell, cons
   }
   wall_of[0] = -1;
   give_corner_links(domain, place, wall_of);
+  const std::size_t first_of_cell = block_links.cells.size();
   for (int wall = 0; wall < static_cast<int>(domain.walls().all().size()); ++wall) {
     const auto links = std::count(wall_of.begin(), wall_of.end(), wall);
     if (links == 0) continue;
@@ -108,6 +121,7 @@ void add_wall_links(WallLinks& block_links, const Domain& domain, int cell, cons
           block_links.hits.push_back(wall_hit(domain, w, centre, i));
       }
   }
+  hold_seam(block_links, first_of_cell);
 }
 
 }  // namespace

@@ -52,11 +52,33 @@ TEST(Pattern, RefusesAnImpossiblePitchAndNamesTheRangeThatWorks) {
   EXPECT_EQ(possible_pitches(thick).largest, 0);
 }
 
+/// Lateral cables end outside of the rings of the corners, which then lie around them. With cables at most at the half
+/// pitch they ended up to a wire within, at pitches below 0.82 diameters.
+TEST(Pattern, CornerRingsLieAroundTheCablesBeside) {
+  for (int percent = 68; percent <= 86; percent += 2) {
+    const NetLayout layout = paper_layout(0.07 * 0.01 * percent);
+    const RingPattern pattern = find_pattern(layout);
+    const std::vector<Polyline> rings = draw_rings(layout, pattern);
+    for (const Side side : {Side::left, Side::right})
+      for (const std::size_t row : {0U, 3U}) {
+        const auto [start, end] = cable_ends(layout, pattern, side);
+        const Polyline& ring = rings[4 * row + (side == Side::left ? 0 : 3)];
+        for (std::size_t s = 0; s < ring.segments(); ++s) {
+          const Vec3 a = ring.start(s), b = ring.end(s);
+          if ((a.x() - start.x()) * (b.x() - start.x()) > 0) continue;
+          const double y = a.y() + (start.x() - a.x()) / (b.x() - a.x()) * (b.y() - a.y());
+          EXPECT_GT(y, start.y()) << percent;
+          EXPECT_LT(y, end.y()) << percent;
+        }
+      }
+  }
+}
+
 TEST(Pattern, OtherPitchesInTheRangeTakeCables) {
   for (const double pitch : {0.05, 0.056}) {
     RingPattern pattern;
     ASSERT_NO_THROW(pattern = find_pattern(paper_layout(pitch))) << pitch;
-    EXPECT_LE(pattern.cable_distance, 1);
+    EXPECT_LT(pattern.cable_distance, 1.2);
   }
 }
 

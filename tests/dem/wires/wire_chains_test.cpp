@@ -37,8 +37,8 @@ TEST(WireChains, BrokenBondsPartThemAndLeavePlainBeads) {
   chains.build(s.bonds, s.particles);
   EXPECT_TRUE(chains.is_end(2) && chains.is_end(4));
   EXPECT_EQ(chains.covered()[3], 0);
-  EXPECT_TRUE(chains.near(2, 4)) << "two bonds, even if broken";
-  EXPECT_FALSE(chains.near(1, 4));
+  EXPECT_TRUE(chains.near(0, 2));
+  EXPECT_FALSE(chains.near(2, 4)) << "stumps touch";
 }
 
 TEST(WireChains, MeshesAreNoWires) {

@@ -247,6 +247,29 @@ TEST(WireForces, ABondThatBreaksUnderAGrainTakesTheWireApart) {
   EXPECT_LT(gap, 1e-3 * exchanged);
 }
 
+/// The two ends at a broken bond hold each other off, end to end and side by side, as those of two wires do.
+TEST(WireForces, StumpsOfABrokenWireTouch) {
+  for (const Vec3& shift : {Vec3(-0.0005, 0, 0), Vec3(-0.012, 0, 0.0058)}) {
+    std::array<double, 2> pushed{};
+    for (const bool broken : {false, true}) {
+      WireScene s;
+      const auto line = testing::straight(10, Vec3::Zero(), Vec3::UnitX());
+      if (broken) {
+        s.add_wire(line);
+        s.bonds.intact[4] = 0;
+      } else {
+        s.add_wire({line.begin(), line.begin() + 5});
+        s.add_wire({line.begin() + 5, line.end()});
+      }
+      for (std::size_t k = 5; k < 10; ++k) s.particles.position.add(k, shift);
+      testing::evaluate(s.particles, s.bonds, testing::steel());
+      for (std::size_t k = 5; k < 10; ++k) pushed[broken] += s.particles.force[k].norm();
+    }
+    EXPECT_GT(pushed[0], 1);
+    EXPECT_NEAR(pushed[1] / pushed[0], 1, 1e-9);
+  }
+}
+
 TEST(WireForces, WallsStillHoldBeads) {
   WireScene s;
   s.add_wire(testing::straight(6, {0, 0, r + 1e-4}, Vec3::UnitX()));
