@@ -14,8 +14,8 @@
 // turns it back: in a cell with gas on most sides the stress is undamped and feeds on the motion (a falling drop of 8
 // cells reached three times the speed of free fall). Counted too (LiquidAccount::exposed).
 // In interface cells less than half full, whose centre lies in the gas, the same sets still water in motion where the
-// surface stays in a cell that lies on a layer of liquid: omega <= 2 - 0.2 (1/2 - F)^2 (1 - |dF| / 0.005), F the fill
-// level and dF what a step adds to it, but not in bodies; a viscosity of 0.004 at most (docs/decisions/0083).
+// surface stays in a cell that lies on a layer of liquid: omega <= 2 - (1/2 - F)^2 (1 - |dF| / 0.001), F the fill level
+// and dF what a step adds to it, but not in bodies; a viscosity of 0.024 at most (docs/decisions/0102).
 #include <algorithm>
 
 #include "lbm/collision/cell_state.h"
@@ -26,8 +26,8 @@ namespace lahar::lbm {
 inline constexpr double kLargestStrain = 0.09;      ///< lu, strain rate whose stress is handed on in full
 inline constexpr double kLargestRate = 2.0;         ///< omega without viscosity: no bound
 inline constexpr double kLargestExposedRate = 1.0;  ///< omega in cells with gas on half of their links
-inline constexpr double kCalmGain = 0.005;          ///< of a cell, that comes or goes in a step where the surface moves
-inline constexpr double kRateLostBelow = 0.2;       ///< of omega, per square of the cells that the surface lies low
+inline constexpr double kCalmGain = 0.001;          ///< of a cell, that comes or goes in a step where the surface moves
+inline constexpr double kRateLostBelow = 1.0;       ///< of omega, per square of the cells that the surface lies low
 
 /// |S| / rho of the largest strain rate: |S| = 2/3 rho tau |D|.
 inline double stress_limit(double tau) { return 2.0 / 3.0 * tau * kLargestStrain; }
