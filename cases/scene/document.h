@@ -25,7 +25,7 @@ Place place_of(const toml::source_region& region);
 std::string source_file(const Place& place);
 
 /// Reads `file`, its bases (`scene.base`) and the overrides `key.path[0].key=value`. Values of overrides are TOML; a
-/// bare word stands for a string. Overrides that make no sense are added to `mistakes`. Throws InputError when a file
+/// bare word or path stands for a string. Overrides that make no sense are added to `mistakes`. Throws InputError when a file
 /// cannot be read or is not TOML.
 toml::table read_document(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                           std::vector<InputMistake>& mistakes);

@@ -26,10 +26,12 @@ toml::table parse_value(const std::string& value, const std::string& source) {
   const auto only = [&](auto is) { return !value.empty() && std::all_of(value.begin(), value.end(), is); };
   const bool number = only([](char c) { return std::isdigit(static_cast<unsigned char>(c)) || c == '+' || c == '-'; });
   const bool word = !number && only([](char c) { return bare(c) || c == '+'; });
+  const bool path = only([](char c) { return bare(c) || c == '.' || c == '/'; }) &&
+                    (std::isalpha(static_cast<unsigned char>(value[0])) || value.find('/') <= 2);  // a/, /a, ./a, ../a
   try {
     return toml::parse("v = " + value, source);
   } catch (const toml::parse_error& e) {
-    if (word) return toml::parse("v = " + string_text(value), source);
+    if (word || path) return toml::parse("v = " + string_text(value), source);
     throw BadOverride(fmt::format("\"{}\" is no TOML value: {}", value, e.description()));
   }
 }

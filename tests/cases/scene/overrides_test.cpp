@@ -88,6 +88,15 @@ TEST(Overrides, WhatATableThatOneMakesLacksIsLocatedAtIt) {
     EXPECT_TRUE(m.starts_with("--set grains.sphere[1].diameter_m=0.1:1:1: grains.sphere[1]")) << m;
 }
 
+TEST(Overrides, PathsNeedNoQuotes) {
+  for (const std::string path : {"a.stl", "shapes/a-1.stl", "./a.stl", "../shapes/a.stl", "/tmp/a.stl"}) {
+    const Scene scene = load(case_file("dam_break/scene.toml"), {"scene.title=" + path});
+    EXPECT_EQ(scene.identity.title, path);
+  }
+  for (const std::string value : {"1.5.2", "1,5", "a b.stl", "."})
+    EXPECT_EQ(mistakes_in_text(small_scene, {"scene.title=" + value}).size(), 1U) << value;
+}
+
 TEST(Overrides, NumbersTooLargeAreNoWords) {
   const auto all = mistakes_in_text(small_scene, {"run.seed=99999999999999999999"});
   ASSERT_EQ(all.size(), 1u);
