@@ -25,8 +25,8 @@ Place place_of(const toml::source_region& region);
 std::string source_file(const Place& place);
 
 /// Reads `file`, its bases (`scene.base`) and the overrides `key.path[0].key=value`. Values of overrides are TOML; a
-/// bare word or path stands for a string. Overrides that make no sense are added to `mistakes`. Throws InputError when a file
-/// cannot be read or is not TOML.
+/// bare word or path stands for a string. Overrides that make no sense are added to `mistakes`. Throws InputError when
+/// a file cannot be read or is not TOML.
 toml::table read_document(const std::filesystem::path& file, const std::vector<std::string>& overrides,
                           std::vector<InputMistake>& mistakes);
 
