@@ -17,11 +17,13 @@ constexpr unsigned kWholeRow = 0xFF;
 
 bool is_forward(int i) { return i % 2 == 1; }
 
-/// Whether a wall is a mirror across the same axis for the cell at a place too: a wall may bend.
-bool goes_on(const Domain& domain, const WallCell& wall, const Vec3i& place) {
-  const Vec3 normal =
-      domain.walls().gradient(static_cast<std::size_t>(wall.wall), domain.centre(image_of(domain, place)));
-  return is_along_axis(static_cast<float>(normal[normal_axis(wall)]));
+/// Whether what stands below the cell at a place is a mirror across an axis too: a wall may bend, or end where another
+/// one goes on in its plane. `into`: the way down.
+bool goes_on(const Domain& domain, int axis, const Vec3i& place, const Vec3i& into) {
+  const auto below =
+      static_cast<std::size_t>(domain.walls().nearest(domain.centre(image_of(domain, place + into))).wall);
+  const Vec3 normal = domain.walls().gradient(below, domain.centre(image_of(domain, place)));
+  return domain.walls().all()[below].slip != WallSlip::no_slip && is_along_axis(static_cast<float>(normal[axis]));
 }
 
 /// Off a mirror the link leads to the cell beside unless that is a wall (a corner: two mirrors send it back), the link
@@ -38,7 +40,10 @@ RowLink row_link(const WallCell& wall, const std::uint8_t* links, int i, const T
   const auto* t = D3Q19::c[link.along];
   const auto beside = static_cast<std::size_t>(100 * (p[0] + 1 + t[0]) + 10 * (p[1] + 1 + t[1]) + p[2] + 1 + t[2]);
   if (types[beside] == CellType::wall) return straight;
-  if (!goes_on(domain, wall, lowest + Vec3i(p[0] + t[0], p[1] + t[1], p[2] + t[2]))) return straight;
+  const auto* d = D3Q19::c[link.into];
+  if (!goes_on(domain, normal_axis(wall), lowest + Vec3i(p[0] + t[0], p[1] + t[1], p[2] + t[2]),
+               Vec3i(d[0], d[1], d[2])))
+    return straight;
   straight.along = static_cast<std::uint8_t>(link.along);
   straight.source = static_cast<std::uint8_t>(link.mirrored);
   return straight;

@@ -46,7 +46,7 @@ int normal_axis(const WallCell& wall) {
   return -1;
 }
 
-bool is_mirror(const WallCell& wall) { return wall.slip == WallSlip::free_slip && normal_axis(wall) >= 0; }
+bool is_mirror(const WallCell& wall) { return wall.slip != WallSlip::no_slip && normal_axis(wall) >= 0; }
 
 const MirrorLink& mirror_link(int i, int axis) {
   return kMirrorLinks[static_cast<std::size_t>(axis)][static_cast<std::size_t>(i)];

@@ -308,41 +308,61 @@ std::array<Real, 3> own_velocity(const WallCell& wall) {
   return v;
 }
 
-/// Stress of a law on the film that an interface cell holds where gas is on its far side, lu: the populations are those
-/// of a full cell, whose momentum changes F times less than the film's, F its fill level. No more than bounce-back's.
+/// What the wall model asks of a cell: a stress, over density, against the unit vector `way`; lu.
+struct WallLaw {
+  Vec3 way = Vec3::Zero();
+  double speed = 0;  ///< that the stress is of
+  double stress = 0;
+  bool of_cell = true;  ///< the cell's own speed, which braking changes
+};
+
+/// Times a law's stress on the film that an interface cell holds where gas is on its far side: the populations are
+/// those of a full cell, whose momentum changes F times less than the film's, F its fill level.
 template <class Real>
-double stress_of_film(FluidGrid<Real>& grid, CellPlace place, const Vec3& n, double own_speed, double law) {
+double share_of_film(const FluidGrid<Real>& grid, CellPlace place, const Vec3& n) {
   const Block<Real>& block = grid.block(place.block);
   const CellType beyond = grid.type(grid.neighbour(place, direction_away(n)));
-  if (!block.surface || grid.type(place) != CellType::interface || is_wet(beyond) || beyond == CellType::wall)
-    return law;
-  const double fill = std::max(static_cast<double>(block.surface->fill_level[place.cell]), 1e-3);
-  return std::max(law, std::min(law / fill, kLargestStressShare * own_speed));
+  if (!block.surface || grid.type(place) != CellType::interface || is_wet(beyond) || beyond == CellType::wall) return 1;
+  return 1 / std::max(static_cast<double>(block.surface->fill_level[place.cell]), 1e-3);
 }
 
-/// Where viscosity takes as much as bounce-back does, or more, the wall's own velocity: a law would ask for more than a
-/// step can take.
+/// Of the wall model at a cell whose velocity along the wall, relative to it and half of the force taken off, is `own`.
+template <class Real>
+WallLaw wall_law(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
+                 const WallPhysics& physics, const Vec3& own) {
+  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
+  // A cell cut by the wall stands for more than the sliver between its centre and the wall.
+  WallSample sample{own, std::max(0.5, static_cast<double>(wall.distance))};
+  double speed = own.norm();
+  if (speed < 1e-12) return {};
+  bool of_cell = true;
+  double stress = wall_stress(speed, sample.distance, physics.viscosity, wall.roughness);
+  // Steps keep the law of the cell itself: each brakes its own cells, which the law must see.
+  if (wall.even && stress > kTurbulent * physics.viscosity * speed / sample.distance) {
+    const Vec3 moving(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]),
+        half_force = 0.5 * Vec3(physics.acceleration[0], physics.acceleration[1], physics.acceleration[2]);
+    const double distance = sample.distance;
+    sample = sample_above(grid, place, wall, parity, moving + half_force, sample);
+    of_cell = sample.distance == distance;
+    speed = sample.velocity.norm();
+    if (speed < 1e-12) return {};
+    stress = wall_stress(speed, sample.distance, physics.viscosity, wall.roughness);
+  }
+  return {sample.velocity / speed, speed, stress * share_of_film(grid, place, n), of_cell};
+}
+
+/// Velocity of a wall in steps whose links exert the stress of the wall model, no more than bounce-back's. Where
+/// viscosity takes as much as that, or more, the wall's own: a law would ask for more than a step can take.
 template <class Real>
 std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                         const WallPhysics& physics, const CellMoments<Real>& m) {
-  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
-  const Vec3 moving(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
+  if (physics.viscosity >= kBounceBackViscosity) return own_velocity<Real>(wall);
   const Vec3 half_force = 0.5 * Vec3(physics.acceleration[0], physics.acceleration[1], physics.acceleration[2]);
-  // A cell cut by the wall stands for more than the sliver between its centre and the wall.
-  WallSample sample{slip_of(wall, m) - (half_force - half_force.dot(n) * n),
-                    std::max(0.5, static_cast<double>(wall.distance))};
-  const double own_speed = sample.velocity.norm();
-  if (own_speed < 1e-12 || physics.viscosity >= kBounceBackViscosity) return own_velocity<Real>(wall);
-  double law = wall_stress(own_speed, sample.distance, physics.viscosity, wall.roughness);
-  // Steps keep the law of the cell itself: each brakes its own cells, which the law must see.
-  if (wall.even && law > kTurbulent * physics.viscosity * own_speed / sample.distance) {
-    sample = sample_above(grid, place, wall, parity, moving + half_force, sample);
-    law = wall_stress(sample.velocity.norm(), sample.distance, physics.viscosity, wall.roughness);
-  }
-  const double speed = sample.velocity.norm();
-  if (speed < 1e-12) return own_velocity<Real>(wall);
-  law = stress_of_film(grid, place, n, own_speed, law);
-  return braking_velocity(grid, place, wall, parity, m, Vec3(sample.velocity / speed), speed, law);
+  const Vec3 own = slip_of(wall, m) - along_wall(half_force, wall);
+  const WallLaw law = wall_law(grid, place, wall, parity, physics, own);
+  if (law.speed == 0) return own_velocity<Real>(wall);
+  const double stress = std::min(law.stress, kLargestStressShare * own.norm());
+  return braking_velocity(grid, place, wall, parity, m, law.way, law.speed, stress);
 }
 
 }  // namespace lahar::lbm

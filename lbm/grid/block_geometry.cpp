@@ -11,6 +11,37 @@ namespace lahar::lbm {
 
 namespace {
 
+std::size_t link_along(int x, int y, int z) {
+  for (std::size_t i = 0; i < D3Q19::q; ++i)
+    if (D3Q19::c[i][0] == x && D3Q19::c[i][1] == y && D3Q19::c[i][2] == z) return i;
+  return 0;
+}
+
+/// Whether a wall that slips lies along the lattice at a cell, across an axis.
+bool is_mirror_at(const Domain& domain, int wall, const Vec3i& place, int axis) {
+  const auto at = static_cast<std::size_t>(wall);
+  return domain.walls().all()[at].slip != WallSlip::no_slip &&
+         is_along_axis(static_cast<float>(domain.walls().gradient(at, domain.centre(place))[axis]));
+}
+
+/// Where two walls that slip lie in one plane, the mirror goes on from one to the other: a slanted link into the wall
+/// below the cell beside is that of the wall below the cell itself (which row_reflection.cpp looks for).
+void join_mirrors(const Domain& domain, const Vec3i& place, std::array<int, D3Q19::q>& wall_of) {
+  for (std::size_t i = 7; i < D3Q19::q; ++i)
+    for (int axis = 0; axis < 3 && wall_of[i] >= 0; ++axis) {
+      const auto* c = D3Q19::c[i];
+      if (c[axis] == 0) continue;
+      Vec3i into = Vec3i::Zero(), along(c[0], c[1], c[2]);
+      into[axis] = c[axis], along[axis] = 0;
+      const int below = wall_of[link_along(into.x(), into.y(), into.z())];
+      const bool corner = wall_of[link_along(along.x(), along.y(), along.z())] >= 0;
+      if (below < 0 || below == wall_of[i] || corner) continue;
+      if (is_mirror_at(domain, below, place, axis) &&
+          is_mirror_at(domain, wall_of[i], image_of(domain, place + along), axis))
+        wall_of[i] = below;
+    }
+}
+
 /// A link into the edge where a no-slip wall meets another one hits both of them there, and liquid may cross neither.
 /// The push of a moving wall over its diagonal links is the liquid that it carries along from cell to cell; over the
 /// link into the edge it would carry that through the other wall, u/6 a step in at one end and out at the other, which
@@ -18,11 +49,6 @@ namespace {
 /// So such a link is the wall's that moves less along it; among walls at rest nothing changes.
 void give_corner_links(const Domain& domain, const Vec3i& place, std::array<int, D3Q19::q>& wall_of) {
   const auto& walls = domain.walls().all();
-  const auto link = [](int x, int y, int z) {
-    for (std::size_t i = 0; i < D3Q19::q; ++i)
-      if (D3Q19::c[i][0] == x && D3Q19::c[i][1] == y && D3Q19::c[i][2] == z) return i;
-    return std::size_t{0};
-  };
   for (std::size_t i = 1; i < D3Q19::q; ++i) {
     const auto* c = D3Q19::c[i];
     if (wall_of[i] < 0 || std::abs(c[0]) + std::abs(c[1]) + std::abs(c[2]) < 2) continue;
@@ -30,7 +56,8 @@ void give_corner_links(const Domain& domain, const Vec3i& place, std::array<int,
     const auto pace = [&](int wall) {
       return std::abs(walls[static_cast<std::size_t>(wall)].surface_velocity(hit).dot(way));
     };
-    const int sides[3] = {wall_of[link(c[0], 0, 0)], wall_of[link(0, c[1], 0)], wall_of[link(0, 0, c[2])]};
+    const int sides[3] = {wall_of[link_along(c[0], 0, 0)], wall_of[link_along(0, c[1], 0)],
+                          wall_of[link_along(0, 0, c[2])]};
     int meeting[2] = {-1, -1}, n = 0;
     for (int a = 0; a < 3; ++a)
       if (c[a] != 0) meeting[n++] = sides[a];
@@ -78,6 +105,7 @@ void add_wall_links(WallLinks& block_links, const Domain& domain, int cell, cons
   }
   wall_of[0] = -1;
   give_corner_links(domain, place, wall_of);
+  join_mirrors(domain, place, wall_of);
   const std::size_t first_of_cell = block_links.cells.size();
   for (int wall = 0; wall < static_cast<int>(domain.walls().all().size()); ++wall) {
     const auto links = std::count(wall_of.begin(), wall_of.end(), wall);

@@ -50,6 +50,7 @@ void Fluid<Real>::step() {
   feed();
   exchange();
   if (ratio != 1) rescale(ratio);
+  brake();  // when what gas sends is known: what comes out of walls is no flow of mass over links
   sweep();
   level_.parameters.parity = level_.parity().next();
   {
@@ -147,7 +148,13 @@ void Fluid<Real>::exchange() {
 template <class Real>
 void Fluid<Real>::reflect() {
   const ScopedTimer timer(timers_.section("fluid.walls"));
-  walls_.run(level_, account_.walls);
+  walls_.reflect(level_, account_.walls);
+}
+
+template <class Real>
+void Fluid<Real>::brake() {
+  const ScopedTimer timer(timers_.section("fluid.walls"));
+  walls_.brake(level_);
 }
 
 template <class Real>

@@ -135,6 +135,7 @@ class Fluid {
   void feed();
   void exchange();
   void reflect();
+  void brake();
   void stretch_impulses(double ratio);
   void rescale(double ratio);
   void take_time_step(double time_step);

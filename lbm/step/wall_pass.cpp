@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/parallel.h"
+#include "lbm/boundary/wall_braking.h"
 
 namespace lahar::lbm {
 
@@ -17,23 +18,39 @@ WallPhysics wall_physics(const SweepParameters& p) {
   return {(p.tau - 0.5) / 3, p.gravity, p.rheology.law == FlowLaw::newtonian, equilibrium_order(p.collision)};
 }
 
+/// Calls visit(block, what the walls get there, or null) for all blocks with walls, then books that.
 template <class Real>
-void WallPass<Real>::run(FluidLevel<Real>& level, WallAccount& account) {
-  FluidGrid<Real>& grid = level.grid;
-  const auto& owned = grid.owned();
-  const WallPhysics physics = wall_physics(level.parameters);
+template <class Visit>
+void WallPass<Real>::visit_walls(FluidLevel<Real>& level, const Visit& visit) {
+  const auto& owned = level.grid.owned();
   const bool measured = !loads_.empty();
   if (measured) block_loads_.resize(std::max(block_loads_.size(), owned.size()));
   parallel_for(0, owned.size(), kBlocksPerTask, [&](std::size_t k) {
     if (measured) block_loads_[k].clear();
-    if (grid.has_walls(owned[k]))
-      reflect_at_walls(grid, owned[k], level.parity(), physics, measured ? &block_loads_[k] : nullptr);
+    if (level.grid.has_walls(owned[k])) visit(owned[k], measured ? &block_loads_[k] : nullptr);
   });
-  if (some_wall_moves_mass(grid.domain())) balance_walls(grid, account);
   if (measured) book(level);
 }
 
-/// Adds the loads of the step in the order of the blocks, so that the sum does not depend on the threads.
+template <class Real>
+void WallPass<Real>::reflect(FluidLevel<Real>& level, WallAccount& account) {
+  const WallPhysics physics = wall_physics(level.parameters);
+  visit_walls(level, [&](BlockIndex b, BlockWallLoads* loads) {
+    reflect_at_walls(level.grid, b, level.parity(), physics, loads);
+  });
+  if (some_wall_moves_mass(level.grid.domain())) balance_walls(level.grid, account);
+}
+
+template <class Real>
+void WallPass<Real>::brake(FluidLevel<Real>& level) {
+  if (!some_wall_brakes(level.grid.domain())) return;
+  const WallPhysics physics = wall_physics(level.parameters);
+  visit_walls(level, [&](BlockIndex b, BlockWallLoads* loads) {
+    brake_at_walls(level.grid, b, level.parity(), physics, loads);
+  });
+}
+
+/// Adds the loads of a pass in the order of the blocks, so that the sum does not depend on the threads.
 template <class Real>
 void WallPass<Real>::book(const FluidLevel<Real>& level) {
   const LatticeUnits& units = level.units;

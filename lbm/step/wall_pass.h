@@ -1,6 +1,6 @@
 #pragma once
-// The pass over the walls after a conversion: what is on its way into them comes back, mass that walls moved is
-// returned, and what they got is booked.
+// The passes over the walls. After a conversion: what is on its way into them comes back, mass that walls moved is
+// returned. Before a sweep: walls of the wall model brake. What walls got is booked.
 #include <vector>
 
 #include "lbm/boundary/wall_balance.h"
@@ -19,7 +19,9 @@ class WallPass {
   /// From now on books what the walls get.
   void measure(const Domain& domain) { loads_.assign(domain.walls().all().size(), {}); }
   /// `level` is that of the coming step.
-  void run(FluidLevel<Real>& level, WallAccount& account);
+  void reflect(FluidLevel<Real>& level, WallAccount& account);
+  /// The same, after the pass over the surface.
+  void brake(FluidLevel<Real>& level);
   /// What each wall got since measure(), N s and N m s about the origin of the coordinates; empty if nothing is
   /// measured.
   [[nodiscard]] const std::vector<WallLoad>& loads() const { return loads_; }
@@ -27,6 +29,8 @@ class WallPass {
   void transfer(Archive& archive, const Domain& domain);
 
  private:
+  template <class Visit>
+  void visit_walls(FluidLevel<Real>& level, const Visit& visit);
   void book(const FluidLevel<Real>& level);
 
   std::vector<WallLoad> loads_;

@@ -37,6 +37,22 @@ TEST(SlipWall, HalfAChannelIsExact) {
   }
 }
 
+/// Where two slipping walls lie in one plane liquid slides from one to the other: at the seam both held it as a no-slip
+/// strip of two cells does.
+TEST(SlipWall, WallsInOnePlaneAreOneMirror) {
+  FluidOptions o = lattice_options({24, 16, 8}, 5e-6);
+  o.domain.faces[4] = o.domain.faces[5] = FaceKind::closed;
+  o.domain.slip = WallSlip::free_slip;
+  o.domain.walls.add({"patch", SolidBox{Vec3(9, 5, -4), Vec3(14, 11, 0)}, WallSlip::free_slip});
+  Fluid<double> fluid(o);
+  const Vec3 velocity(0.05, 0.02, 0);
+  fluid.fill_everything([&](const Vec3&) { return velocity; }, no_pressure);
+  for (int s = 0; s < 50; ++s) fluid.step();
+  double off = 0;
+  fluid.for_each_wet_cell([&](const WetCell& c) { off = std::max(off, (c.velocity - velocity).norm()); });
+  EXPECT_LT(off, 1e-12);
+}
+
 /// Faces of the domain that slip are walls in their place, and a wall there goes before.
 TEST(SlipWall, FacesSlipAsWallsInTheirPlaceDo) {
   const auto sheet = [](WallSlip faces, std::optional<WallSlip> bed) {

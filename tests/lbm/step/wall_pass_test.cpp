@@ -62,7 +62,7 @@ TEST(WallPass, WallsAtRestSendBackWhatTheyGot) {
   const auto level = full_box(false), before = full_box(false);
   WallPass<double> pass;
   WallAccount account;
-  pass.run(*level, account);
+  pass.reflect(*level, account);
   int links = 0;
   for_each_link(level->grid, [&](CellPlace place, int, int i) {
     const double sent = *link_populations(before->grid, place, i, level->parity()).sent;
@@ -102,7 +102,7 @@ TEST(WallPass, BooksWhatEachWallGets) {
   WallPass<double> pass;
   WallAccount account;
   pass.measure(domain);
-  for (int k = 0; k < 2; ++k) pass.run(*measured, account);
+  for (int k = 0; k < 2; ++k) pass.reflect(*measured, account);
   ASSERT_EQ(pass.loads().size(), 6U);
   for (std::size_t w = 0; w < 6; ++w) {
     EXPECT_GT(expected[w].impulse.norm(), 1e-9);
@@ -131,7 +131,7 @@ TEST(WallPass, DoesNotDependOnThreads) {
     WallPass<double> pass;
     WallAccount account;
     pass.measure(level->grid.domain());
-    for (int k = 0; k < 3; ++k) pass.run(*level, account);
+    for (int k = 0; k < 3; ++k) pass.reflect(*level, account);
     EXPECT_GT(account.returned, 0);
     std::vector<double> now = populations(level->grid);
     now.push_back(account.returned), now.push_back(account.owed);
