@@ -77,7 +77,7 @@ Vec3 CoupledStep<Real>::liquid_momentum() const {
   });
   Vec3 sum = Vec3::Zero();
   for (const Vec3& block : blocks) sum += block;
-  sum -= owed_to_wires();
+  sum -= owed_to_wires() + lent_to_wires();
   if (averaged && grains_) sum -= rho * cell * grains_->wet_volume_flow(solids_->particles());
   return sum;
 }
@@ -182,6 +182,7 @@ void CoupledStep<Real>::give_impulses() {
     thin_wires_->follow_breakage(solids_->bonds());
     impulses_ += thin_wires_->apply(*fluid_, particles, fields_, drags_, grains_ ? &*grains_ : nullptr);
   }
+  thin_drags_ = drags_.size();
   if (field_writer_) field_writer_(*fluid_, fields_);
   fields_.close(fluid_->grid());
 }
@@ -199,7 +200,12 @@ void CoupledStep<Real>::gather_forces() {
     const ScopedTimer timer(timers_.section("coupling.forces"));
     Vec3 on_bodies = Vec3::Zero();
     if (grains_) on_bodies += grains_->add_forces(*fluid_, particles);
-    if (mapped_wires_) on_bodies += mapped_wires_->add_forces(*fluid_, particles);
+    if (mapped_wires_) {
+      on_bodies += mapped_wires_->add_forces(*fluid_, particles);
+      mapped_wires_->add_drags(
+          clock_.time_step(), particles, [&](dem::ParticleId id) { return thin_wires_ && thin_wires_->acts_on(id); },
+          drags_);
+    }
     audit_.book({on_bodies, momentum_given_to_bodies(fluid_->grid())});
   }
   if (films_) find_films();
@@ -220,7 +226,8 @@ void CoupledStep<Real>::advance_solids() {
     advance_in_films();
   else
     solids_->advance(options_.substeps, drags_);
-  if (thin_wires_) thin_wires_->collect(drags_);
+  if (thin_wires_) thin_wires_->collect(std::span(drags_).first(thin_drags_));
+  if (mapped_wires_) mapped_wires_->collect(std::span(drags_).subspan(thin_drags_));
 }
 
 /// The fluid's forces are held over all sub-steps, those of the films change with the gaps, drags with the velocities.
@@ -236,8 +243,10 @@ void CoupledStep<Real>::advance_in_films() {
     solids_->advance(steps, drags_);
   }
   particles.external_force = force, particles.external_torque = torque;
-  for (const dem::LiquidDrag& drag : drags_)
+  for (const dem::LiquidDrag& drag : drags_) {
     particles.external_force.add(drag.particle, drag.impulse / clock_.time_step());
+    particles.external_torque.add(drag.particle, drag.angular_impulse / clock_.time_step());
+  }
 }
 
 template class CoupledStep<float>;

@@ -50,8 +50,10 @@ class CoupledStep {
   [[nodiscard]] const MomentumAudit& audit() const { return audit_; }
   /// Momentum that wires got by drag and the cells give in the next step, N s.
   [[nodiscard]] Vec3 owed_to_wires() const { return thin_wires_ ? thin_wires_->owed() : Vec3(Vec3::Zero()); }
+  /// Momentum that mapped wires got and have still to return, N s: no cell gave it.
+  [[nodiscard]] Vec3 lent_to_wires() const { return mapped_wires_ ? mapped_wires_->lent() : Vec3(Vec3::Zero()); }
   /// Momentum of the liquid, kg m/s: of what the cells hold less the part of averaged grains, which move in them, and
-  /// less what is owed to wires.
+  /// less what is owed or lent to wires.
   [[nodiscard]] Vec3 liquid_momentum() const;
   /// Velocity of the liquid between the grains at a wet cell, m/s: with averaged grains cells hold that of both
   /// together.
@@ -87,7 +89,8 @@ class CoupledStep {
   std::optional<WireDrag<Real>> thin_wires_;
   std::optional<LubricationFilms> films_;  // of the step under way
   FieldWriter field_writer_;
-  std::vector<dem::LiquidDrag> drags_;  // of the step under way
+  std::vector<dem::LiquidDrag> drags_;  // of the step under way: those of thin wires, then of mapped ones
+  std::size_t thin_drags_ = 0;          // how many are of thin ones
   ExchangedMomentum impulses_;          // of the step under way
   MomentumAudit audit_;
   StepClock clock_;

@@ -54,13 +54,29 @@ Vec3 impulse_on_rail(LiquidDrag& drag, const Vec3& rail, const Vec3& slip, const
   return impulse + part(slip - along, driven - driven_along, 1 / drag.liquid_mass);
 }
 
+/// Adds the drag of a kick on a particle's spin to its torque; returns the work, J.
+double add_torque(LiquidDrag& drag, Particles& p, double kick) {
+  const ParticleIndex i = drag.particle;
+  const double of_particle = p.inverse_inertia(i);
+  if (of_particle == 0) return 0;
+  const double x = drag.spin_coefficient * of_particle * kick, decay = -std::expm1(-x);
+  const double of_driven = x > 1e-4 ? 1 - decay / x : x / 2;
+  const Vec3 spin = p.angular_velocity[i], driven = -kick * of_particle * Vec3(p.torque[i]);
+  const Vec3 impulse = (decay * (drag.liquid_spin - spin) + of_driven * driven) / of_particle;
+  drag.torque = impulse / kick;
+  drag.angular_impulse += impulse;
+  p.torque.add(i, drag.torque);
+  return impulse.dot(spin + 0.5 * kick * of_particle * Vec3(p.torque[i]));
+}
+
 }  // namespace
 
 void begin_drags(std::span<LiquidDrag> drags, const Particles& particles) {
   for (LiquidDrag& drag : drags) {
     drag.rail = particles.rail_of(drag.particle);
     drag.former_impulse = drag.impulse;
-    drag.force = Vec3::Zero();
+    drag.former_angular_impulse = drag.angular_impulse;
+    drag.force = drag.torque = Vec3::Zero();
     drag.noted_kick = 0;
   }
 }
@@ -84,7 +100,8 @@ double add_drags(std::span<LiquidDrag> drags, Particles& p, double kick) {
         drag.liquid += of_liquid - impulse / drag.liquid_mass;
         drag.impulse += impulse;
         p.force.add(i, drag.force);
-        return of_particle > 0 ? impulse.dot(velocity + 0.5 * change(p.force[i])) : 0.0;
+        const double work = of_particle > 0 ? impulse.dot(velocity + 0.5 * change(p.force[i])) : 0.0;
+        return drag.spin_coefficient > 0 ? work + add_torque(drag, p, kick) : work;
       },
       256);
 }
@@ -95,6 +112,11 @@ void note_mean_drags(std::span<LiquidDrag> drags, Particles& p, double time) {
     p.force.add(drag.particle, mean - drag.force);
     p.external_force.add(drag.particle, mean);
     drag.force = Vec3::Zero();
+    if (drag.spin_coefficient == 0) continue;
+    const Vec3 torque = (drag.angular_impulse - drag.former_angular_impulse) / time;
+    p.torque.add(drag.particle, torque - drag.torque);
+    p.external_torque.add(drag.particle, torque);
+    drag.torque = Vec3::Zero();
   }
 }
 

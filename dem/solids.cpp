@@ -62,7 +62,7 @@ void Solids::begin_drags(std::span<LiquidDrag> drags) {
 
 void Solids::end_drags(std::span<LiquidDrag> drags, double time) {
   note_mean_drags(drags, particles_, time);
-  applied_force_ = particles_.external_force;
+  applied_force_ = particles_.external_force, applied_torque_ = particles_.external_torque;
   hold_more_on_rails();
 }
 

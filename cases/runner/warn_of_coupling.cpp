@@ -44,17 +44,15 @@ void add_restless_grains(const scene::Scene& s, const SolidsFigures& f, Warnings
                     cells, calm, density));
 }
 
-/// The fluid's force on mapped wires is held over its step, as that of the drag law was before
-/// docs/decisions/0097.
+/// Vibrations that turn round about once in the fluid's step are fed by mapped wires (docs/decisions/0105).
 void add_shaken_wires(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
-  constexpr double calm = 0.3;
+  constexpr double calm = 0.01;
   if (!f.cells_per_wire || !s.coupling.resolve_wires_from_cells || s.solids.bond_damping_ratio >= calm ||
       *f.cells_per_wire < *s.coupling.resolve_wires_from_cells || !lbm::by_wall_distance(s.coupling.body_weighting))
     return;
   list.push_back(fmt::format(
       "wires of {:.1f} cells are resolved (coupling.resolve_wires_from_cells), and solids.bond_damping_ratio "
-      "is {:g}: stiff nets may shake themselves even in liquid at rest; {:g}, or body_weighting = "
-      "\"noble_torczynski\", bears it",
+      "is {:g}: stiff nets may shake themselves even in liquid at rest; {:g} bears it",
       *f.cells_per_wire, s.solids.bond_damping_ratio, calm));
 }
 

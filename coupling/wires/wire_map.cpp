@@ -136,6 +136,13 @@ void WireMap<Real>::collect_pairs(const lbm::Fluid<Real>& fluid) {
 }
 
 template <class Real>
+Vec3 WireMap<Real>::lent() const {
+  Vec3 sum = Vec3::Zero();
+  for (const State& s : states_) sum += s.lent_impulse;
+  return sum;
+}
+
+template <class Real>
 double WireMap<Real>::wet_volume() const {
   double sum = 0;
   for (const auto& share : shares_) sum += share[0].wet + share[1].wet;
@@ -176,13 +183,14 @@ void WireMap<Real>::transfer(Archive& archive) {
   std::size_t particles = states_.size();
   archive.value("particles", particles);
   states_.resize(particles);
-  archive.pieces<double>("bead", particles, 14, [&](std::size_t k, double* stored) {
+  archive.pieces<double>("bead", particles, 20, [&](std::size_t k, double* stored) {
     State& s = states_[k];
-    transfer_vectors(archive, {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque}, stored);
+    transfer_vectors(archive, {&s.velocity, &s.spin, &s.felt_force, &s.felt_torque, &s.lent_impulse, &s.lent_spin},
+                     stored);
     if (archive.loading())
-      s.wet = stored[12], s.known = stored[13] != 0;
+      s.wet = stored[18], s.known = stored[19] != 0;
     else
-      stored[12] = s.wet, stored[13] = s.known ? 1 : 0;
+      stored[18] = s.wet, stored[19] = s.known ? 1 : 0;
   });
 }
 

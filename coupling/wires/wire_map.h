@@ -4,8 +4,15 @@
 // does is shared by its two beads (grid_cylinder.h): force and torque, the weight and the inertia of the liquid in its
 // place, the volume that it displaces.
 //
+// The exchange of a step is that of the velocities at its start. Held over the beads' own steps alone it would shake
+// stiff bonds, which turn round many times in it (docs/decisions/0105). So in these a bead feels, too, what the
+// exchange would change by as its velocity does: the liquid that a step brings to its velocity, M, drags it with 2 M/dt
+// towards the velocity of the start (dem/liquid_drag.h). No cell gave that: it is lent, and taken back by a share in
+// each step.
+//
 // Written after the grains. A block without grains whose pieces all are, move and turn as before keeps its fields.
 #include <array>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -14,6 +21,7 @@
 #include "coupling/solid_fields.h"
 #include "coupling/wires/grid_cylinder.h"
 #include "coupling/wires/resolved_wires.h"
+#include "dem/liquid_drag.h"
 #include "lbm/step/fluid.h"
 
 namespace lahar::coupling {
@@ -23,7 +31,9 @@ class WireMap {
  public:
   /// `cell_size` in m.
   WireMap(const dem::Particles& particles, const dem::Bonds& bonds, const MappedWires& options, double cell_size)
-      : wires_(particles, bonds, options.from_diameter * cell_size * (1 - 1e-9)), radius_shift_(options.radius_shift) {}
+      : wires_(particles, bonds, options.from_diameter * cell_size * (1 - 1e-9)),
+        radius_shift_(options.radius_shift),
+        ever_mapped_(wires_.beads().begin(), wires_.beads().end()) {}
 
   /// Looks for bonds that have broken; true if others are mapped than before.
   bool follow_breakage(const dem::Particles& particles, const dem::Bonds& bonds) {
@@ -41,8 +51,15 @@ class WireMap {
   /// After the fluid step: adds force and torque (SI) of the fluid on each bead. Returns the sum of the forces in lu
   /// before the interior correction, for the audit.
   Vec3 add_forces(const lbm::Fluid<Real>& fluid, dem::Particles& particles);
+  /// After that: an entry in `drags` for each bead that moves in liquid, but for those that `is_dragged` says have one.
+  void add_drags(double time_step, const dem::Particles& particles,
+                 const std::function<bool(dem::ParticleId)>& is_dragged, std::vector<dem::LiquidDrag>& drags);
+  /// After the steps of the solids, with the entries of the last `add_drags`.
+  void collect(std::span<const dem::LiquidDrag> drags);
 
   [[nodiscard]] const ResolvedWires& wires() const { return wires_; }
+  /// Momentum that drags gave the beads and that is still to be taken back, N s.
+  [[nodiscard]] Vec3 lent() const;
   /// Volume of the pieces inside wet cells, in cells (last update).
   [[nodiscard]] double wet_volume() const;
   /// The part of it that is a bead's, in cells.
@@ -89,8 +106,11 @@ class WireMap {
     Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();           ///< m/s, rad/s
     Vec3 felt_force = Vec3::Zero(), felt_torque = Vec3::Zero();  ///< N, N m, under-relaxed
     Vec3 acceleration = Vec3::Zero(), spin_up = Vec3::Zero();    ///< m/s^2, rad/s^2, mean of the last step
+    Vec3 lent_impulse = Vec3::Zero(), lent_spin = Vec3::Zero();  ///< N s, N m s, by drags: no cell gave it
     double wet = 0;                                              ///< cells that the bead displaced after the last step
     bool known = false;                                          ///< velocity is set
+    // Of the step under way:
+    double entrained = 0, entrained_inertia = 0;  ///< kg, kg m^2: see Load
   };
 
   void map(lbm::Fluid<Real>& fluid, const dem::Particles& particles, const dem::Bonds& bonds,
@@ -105,6 +125,7 @@ class WireMap {
   void displace(lbm::Fluid<Real>& fluid, std::size_t block) const;
   void add_loads(const lbm::Fluid<Real>& fluid, std::size_t block);
   void hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& particles, std::size_t bead);
+  void take_back(double time_step, dem::Particles& particles);
   /// Calls visit(pair, end) for the pairs that a bead has a share in, in a fixed order.
   template <class Visit>
   void for_pairs_of(std::size_t bead, const Visit& visit) const {
@@ -123,9 +144,11 @@ class WireMap {
   std::vector<std::array<Load, 2>> loads_;    // by pair
   std::vector<Vec3> taken_;                   // by pair: share of the exchange, lu
   PairsByBlock by_block_;
-  std::vector<Task> tasks_;        // per block index
-  std::vector<double> displaced_;  // by bead: volume per covered interface cell
-  std::vector<State> states_;      // by id
+  std::vector<Task> tasks_;                   // per block index
+  std::vector<double> displaced_;             // by bead: volume per covered interface cell
+  std::vector<State> states_;                 // by id
+  std::vector<dem::ParticleId> ever_mapped_;  // beads, by id
+  std::vector<dem::ParticleId> dragged_;      // those of the drags of this step
 };
 
 extern template class WireMap<float>;

@@ -98,7 +98,7 @@ void WireMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
       ++next;
     } else if (states_[id].known) {
       fluid.account().pool -= states_[id].wet;
-      states_[id] = {};
+      states_[id] = {.lent_impulse = states_[id].lent_impulse, .lent_spin = states_[id].lent_spin};
     }
   }
   if (any) by_block_.for_each_block([&](std::size_t b) { displace(fluid, b); });

@@ -8,6 +8,11 @@ namespace lahar::coupling {
 
 namespace {
 
+/// What drags a bead within the step, in M/dt. Once of it damps less than what is held feeds.
+constexpr double kDrag = 2;
+/// Share of what was lent to a bead that is taken back in a step. With all of it spins of stiff nets grow.
+constexpr double kTakenBack = 0.1;
+
 template <class Real>
 double sum_of(const Row<Real>& row) {
   return static_cast<double>(sum_of_lanes(row));
@@ -139,6 +144,50 @@ void WireMap<Real>::hand_over(const lbm::Fluid<Real>& fluid, dem::Particles& par
               relaxation_factor(particles.inertia[i], to_kg_m2 * sum.entrained_inertia), sum.entrained > 0);
   particles.external_force.add(i, s.felt_force);
   particles.external_torque.add(i, s.felt_torque);
+  s.entrained = to_kg * sum.entrained, s.entrained_inertia = to_kg_m2 * sum.entrained_inertia;
+}
+
+/// From beads whose wires have broken since, too.
+template <class Real>
+void WireMap<Real>::take_back(double time_step, dem::Particles& particles) {
+  for (const dem::ParticleId id : ever_mapped_) {
+    State& s = states_[id];
+    const Vec3 impulse = kTakenBack * s.lent_impulse, spin = kTakenBack * s.lent_spin;
+    s.lent_impulse -= impulse, s.lent_spin -= spin;
+    particles.external_force.add(particles.index(id), -impulse / time_step);
+    particles.external_torque.add(particles.index(id), -spin / time_step);
+  }
+}
+
+template <class Real>
+void WireMap<Real>::add_drags(double time_step, const dem::Particles& particles,
+                              const std::function<bool(dem::ParticleId)>& is_dragged,
+                              std::vector<dem::LiquidDrag>& drags) {
+  dragged_.clear();
+  for (const dem::ParticleId id : wires_.beads()) {
+    const State& s = states_[id];
+    const dem::ParticleIndex i = particles.index(id);
+    if (s.entrained <= 0 || particles.inverse_mass[i] == 0 || is_dragged(id)) continue;
+    const double coefficient = kDrag * s.entrained / time_step;
+    dem::LiquidDrag drag;
+    drag.particle = i;
+    drag.coefficient = {coefficient, coefficient};
+    drag.liquid_mass = dem::kMovesOn;
+    drag.liquid = particles.velocity[i];
+    drag.spin_coefficient = kDrag * s.entrained_inertia / time_step;
+    drag.liquid_spin = particles.angular_velocity[i];
+    drags.push_back(drag);
+    dragged_.push_back(id);
+  }
+}
+
+template <class Real>
+void WireMap<Real>::collect(std::span<const dem::LiquidDrag> drags) {
+  require(drags.size() == dragged_.size(), "WireMap::collect: not the drags of the last step");
+  for (std::size_t n = 0; n < dragged_.size(); ++n) {
+    State& s = states_[dragged_[n]];
+    s.lent_impulse += drags[n].impulse, s.lent_spin += drags[n].angular_impulse;
+  }
 }
 
 template <class Real>
@@ -146,6 +195,7 @@ Vec3 WireMap<Real>::add_forces(const lbm::Fluid<Real>& fluid, dem::Particles& pa
   loads_.assign(pairs_.size(), {}), taken_.assign(pairs_.size(), Vec3::Zero());
   by_block_.for_each_block([&](std::size_t b) { add_loads(fluid, b); });
   parallel_for(0, wires_.beads().size(), 256, [&](std::size_t b) { hand_over(fluid, particles, b); });
+  take_back(fluid.units().time_step, particles);
   for (const dem::ParticleId id : wires_.beads())
     require_finite_force(particles, particles.index(id), "bead", fluid.steps());
   Vec3 total = Vec3::Zero();
@@ -155,6 +205,14 @@ Vec3 WireMap<Real>::add_forces(const lbm::Fluid<Real>& fluid, dem::Particles& pa
 
 template void WireMap<float>::add_loads(const lbm::Fluid<float>&, std::size_t);
 template void WireMap<double>::add_loads(const lbm::Fluid<double>&, std::size_t);
+template void WireMap<float>::take_back(double, dem::Particles&);
+template void WireMap<double>::take_back(double, dem::Particles&);
+template void WireMap<float>::add_drags(double, const dem::Particles&, const std::function<bool(dem::ParticleId)>&,
+                                        std::vector<dem::LiquidDrag>&);
+template void WireMap<double>::add_drags(double, const dem::Particles&, const std::function<bool(dem::ParticleId)>&,
+                                         std::vector<dem::LiquidDrag>&);
+template void WireMap<float>::collect(std::span<const dem::LiquidDrag>);
+template void WireMap<double>::collect(std::span<const dem::LiquidDrag>);
 template void WireMap<float>::hand_over(const lbm::Fluid<float>&, dem::Particles&, std::size_t);
 template void WireMap<double>::hand_over(const lbm::Fluid<double>&, dem::Particles&, std::size_t);
 template Vec3 WireMap<float>::add_forces(const lbm::Fluid<float>&, dem::Particles&);

@@ -186,6 +186,7 @@ void list_row_links(WallLinks& walls, const TypesAround& types, const Domain& do
       continue;
     }
     const std::uint8_t* const links = walls.directions.data() + wall.first_link;
+    walls.brakes = walls.brakes || (is_mirror(wall) && wall.slip == WallSlip::wall_model);
     for (int k = 0; k < wall.links; ++k) walls.rows.push_back(row_link(wall, links, links[k], types, domain, lowest));
   }
   std::sort(walls.rows.begin(), walls.rows.end(),
@@ -245,6 +246,11 @@ void MirroredLinks::restore(WallLinks& walls, const std::uint32_t* of_cells) {
   for (RowLink& link : walls.rows)
     link.mirrored =
         link.along == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(cells[link.row][link.direction] & link.cells);
+}
+
+LinksAlongMirrors::LinksAlongMirrors(const WallLinks& walls) {
+  for (const RowLink& link : walls.rows)
+    if (link.along != 0) cells_[link.row][link.direction] |= link.cells;
 }
 
 template void reflect_rows<float>(FluidGrid<float>&, BlockIndex, Parity, EquilibriumOrder);

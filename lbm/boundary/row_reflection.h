@@ -42,6 +42,20 @@ class MirroredLinks {
   std::array<std::array<std::uint8_t, D3Q19::q>, 64> cells_{};  ///< by row and velocity
 };
 
+/// The links of mirrors that lead along the wall, to the cell beside or to gas there. The others are sent back: those
+/// straight across, those into edges, and those over a bend of the wall.
+class LinksAlongMirrors {
+ public:
+  explicit LinksAlongMirrors(const WallLinks& walls);
+  [[nodiscard]] bool contain(int cell, int i) const {
+    return (cells_[static_cast<std::size_t>(cell / kBlockWidth)][static_cast<std::size_t>(i)] >> (cell % kBlockWidth) &
+            1) != 0;
+  }
+
+ private:
+  std::array<std::array<std::uint8_t, D3Q19::q>, 64> cells_{};  ///< by row and velocity
+};
+
 extern template void reflect_rows<float>(FluidGrid<float>&, BlockIndex, Parity, EquilibriumOrder);
 extern template void reflect_rows<double>(FluidGrid<double>&, BlockIndex, Parity, EquilibriumOrder);
 

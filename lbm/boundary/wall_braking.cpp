@@ -1,6 +1,7 @@
 #include "lbm/boundary/wall_braking.h"
 
 #include <algorithm>
+#include <span>
 
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/boundary/wall_traction.h"
@@ -26,27 +27,55 @@ CellMoments<Real> incoming_moments(FluidGrid<Real>& grid, CellPlace place, Parit
   return {drho, {j[0] * inverse, j[1] * inverse, j[2] * inverse}};
 }
 
-/// Takes momentum along the wall off a cell. False if no link leads straight into the wall: the cell is beside it.
+/// A cell at a mirror, and what comes back to it over its slanted links.
 template <class Real>
-bool take_off(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity, const Vec3& momentum) {
-  const std::uint8_t* const first = grid.block(place.block).walls.directions.data() + wall.first_link;
-  const std::uint8_t* const end = first + wall.links;
-  const auto has = [&](int i) { return std::find(first, end, static_cast<std::uint8_t>(i)) != end; };
-  const int axis = normal_axis(wall);
-  const auto* const straight = std::find_if(first, end, [&](int i) { return mirror_link(i, axis).along == 0; });
-  if (straight == end || mirror_link(*straight, axis).into == 0) return false;
-  double sum = 0;
-  for (const std::uint8_t* link = first; link != end; ++link) {
-    const MirrorLink& parts = mirror_link(*link, axis);
-    if (parts.into != *straight || parts.along == 0) continue;
-    const bool other_way = has(parts.mirrored);
-    const double more = (other_way ? 0.5 : 1.0) * momentum.dot(direction(parts.along));
-    *link_populations(grid, place, *link, parity).back += static_cast<Real>(more);
-    sum += more;
+class MirrorCell {
+ public:
+  MirrorCell(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity)
+      : grid_(grid),
+        place_(place),
+        parity_(parity),
+        axis_(normal_axis(wall)),
+        links_(grid.block(place.block).walls.directions.data() + wall.first_link, wall.links) {
+    for (const std::uint8_t i : links_)
+      if (mirror_link(i, axis_).along == 0 &&
+          direction(i)[axis_] * static_cast<double>(wall.normal[static_cast<std::size_t>(axis_)]) < 0)
+        straight_ = i;
   }
-  *link_populations(grid, place, *straight, parity).back -= static_cast<Real>(sum);
-  return true;
-}
+
+  /// False if the cell is only beside the wall.
+  [[nodiscard]] bool stands_on_wall() const { return straight_ != 0; }
+
+  /// Takes momentum along the wall off the cell.
+  void take_off(const Vec3& momentum) {
+    for_slanted([&](int i, int along, int other_way) {
+      change(i, (has(other_way) ? 0.5 : 1.0) * momentum.dot(direction(along)));
+    });
+  }
+
+ private:
+  [[nodiscard]] bool has(int i) const { return std::find(links_.begin(), links_.end(), i) != links_.end(); }
+  /// Calls visit(link, its part along the wall, the link with the opposite of that).
+  template <class Visit>
+  void for_slanted(const Visit& visit) const {
+    for (const std::uint8_t i : links_) {
+      const MirrorLink& parts = mirror_link(i, axis_);
+      if (parts.into == straight_ && parts.along != 0) visit(int{i}, parts.along, parts.mirrored);
+    }
+  }
+  /// More comes back over a link, and less straight out of the wall.
+  void change(int i, double more) {
+    *link_populations(grid_, place_, i, parity_).back += static_cast<Real>(more);
+    *link_populations(grid_, place_, straight_, parity_).back -= static_cast<Real>(more);
+  }
+
+  FluidGrid<Real>& grid_;
+  CellPlace place_;
+  Parity parity_;
+  int axis_;
+  std::span<const std::uint8_t> links_;
+  int straight_ = 0;
+};
 
 /// Momentum that the law takes off a cell in the coming step, lu.
 template <class Real>
@@ -70,24 +99,23 @@ double full_part(const Block<Real>& block, int cell) {
 
 }  // namespace
 
-bool some_wall_brakes(const Domain& domain) {
-  const auto& walls = domain.walls().all();
-  return std::any_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip == WallSlip::wall_model; });
-}
-
 template <class Real>
 void brake_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const WallPhysics& physics,
                     BlockWallLoads* loads) {
   const Block<Real>& block = grid.block(b);
+  if (!block.walls.brakes) return;
   for (const WallCell& wall : block.walls.cells) {
     if (wall.slip != WallSlip::wall_model || !is_mirror(wall) || !is_wet(block.type[wall.cell])) continue;
     const CellPlace place{b, wall.cell};
-    const Vec3 momentum = asked_for(grid, place, wall, parity, physics);
-    if (momentum.isZero(0) || !take_off(grid, place, wall, parity, momentum) || !loads) continue;
+    MirrorCell<Real> cell(grid, place, wall, parity);
+    if (!cell.stands_on_wall()) continue;
+    const Vec3 taken = asked_for(grid, place, wall, parity, physics);
+    cell.take_off(taken);
+    if (!loads) continue;
     const auto p = cell_position(place.cell);
     const Vec3 centre = (grid.lowest_cell(b) + Vec3i(p[0], p[1], p[2])).template cast<double>() + Vec3::Constant(0.5);
     const Vec3 foot = centre - 0.5 * Vec3(wall.normal[0], wall.normal[1], wall.normal[2]);
-    loads->add(wall.wall, foot, full_part(block, place.cell) * momentum);
+    loads->add(wall.wall, foot, full_part(block, place.cell) * taken);
   }
 }
 

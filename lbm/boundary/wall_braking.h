@@ -18,9 +18,6 @@
 
 namespace lahar::lbm {
 
-/// Whether some wall of the domain has the wall model.
-bool some_wall_brakes(const Domain& domain);
-
 /// Before a sweep, at the wall cells of one block; what the walls get is added to `loads` if that is given.
 template <class Real>
 void brake_at_walls(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const WallPhysics& physics,

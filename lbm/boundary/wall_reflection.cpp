@@ -142,13 +142,9 @@ void brake_surface_cells(FluidGrid<Real>& grid, BlockIndex b, Parity parity, con
   }
 }
 
-/// The part of a velocity whose momentum a wall gets: a mirror that of the part across it, but in a corner, which sends
-/// populations back.
-template <class Real>
-int given_to_wall(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, int i) {
-  if (!is_mirror(wall)) return i;
-  const MirrorLink& link = mirror_link(i, normal_axis(wall));
-  return link.along != 0 && grid.type(grid.neighbour(place, link.along)) != CellType::wall ? link.into : i;
+/// The part of a velocity whose momentum a wall gets: of what goes along a mirror that across it.
+int given_to_wall(const LinksAlongMirrors& along_mirrors, const WallCell& wall, int i) {
+  return along_mirrors.contain(wall.cell, i) ? mirror_link(i, normal_axis(wall)).into : i;
 }
 
 /// By axis velocity: the wall that it leads to from a cell, -1 for none. The cell's entries follow each other.
@@ -167,7 +163,8 @@ std::array<int, 7> walls_beside(const WallLinks& walls, std::size_t first) {
 /// that leads to it from the cell.
 template <class Real>
 void add_load(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, const std::uint8_t* links,
-              const std::array<int, 7>& beside, Parity parity, BlockWallLoads& loads) {
+              const std::array<int, 7>& beside, const LinksAlongMirrors& along_mirrors, Parity parity,
+              BlockWallLoads& loads) {
   const Block<Real>& block = grid.block(place.block);
   const double full =
       block.type[wall.cell] == CellType::interface ? std::clamp(
@@ -183,7 +180,7 @@ void add_load(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, cons
     const double sent = static_cast<double>(i == a ? *pair.outgoing_a : *pair.outgoing_b);
     const double back = static_cast<double>(i == a ? *pair.incoming_b : *pair.incoming_a);
     const auto* c = D3Q19::c[i];
-    const auto* given = D3Q19::c[given_to_wall(grid, place, wall, i)];
+    const auto* given = D3Q19::c[given_to_wall(along_mirrors, wall, i)];
     const Vec3 at = centre + 0.5 * Vec3(c[0], c[1], c[2]),
                impulse = full * (sent + back) * Vec3(given[0], given[1], given[2]);
     bool into_edge = true;
@@ -208,12 +205,14 @@ template <class Real>
 void add_loads(FluidGrid<Real>& grid, BlockIndex b, Parity parity, BlockWallLoads& loads) {
   const Block<Real>& block = grid.block(b);
   const WallLinks& walls = block.walls;
+  const LinksAlongMirrors along_mirrors(walls);
   std::array<int, 7> beside{};
   for (std::size_t e = 0; e < walls.cells.size(); ++e) {
     const WallCell& wall = walls.cells[e];
     if (!is_wet(block.type[wall.cell])) continue;
     if (e == 0 || walls.cells[e - 1].cell != wall.cell) beside = walls_beside(walls, e);
-    add_load(grid, {b, wall.cell}, wall, walls.directions.data() + wall.first_link, beside, parity, loads);
+    add_load(grid, {b, wall.cell}, wall, walls.directions.data() + wall.first_link, beside, along_mirrors, parity,
+             loads);
   }
 }
 

@@ -119,10 +119,11 @@ struct WallLinks {
   std::vector<WallHit> hits;             ///< one per direction, or empty
   std::vector<double> gains;  ///< per cell: mass that its links will add in the coming sweep, lu (wall_balance.h)
   double gained = 0;          ///< sum of what liquid cells got in the last sweep, lu
+  bool brakes = false;        ///< some mirror has the wall model (boundary/wall_braking.h)
   int takers = 0;  ///< entries of liquid cells whose links may add mass, or of those that got some: whichever are more
   void clear() {
     cells.clear(), others.clear(), rows.clear(), directions.clear(), hits.clear(), gains.clear();
-    gained = 0, takers = 0;
+    gained = 0, takers = 0, brakes = false;
   }
   /// Lattice velocities of walls from those in m/s: the same whether set at once or after others.
   void set_velocities(double velocity_to_lu) {

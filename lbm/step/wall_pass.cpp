@@ -43,7 +43,8 @@ void WallPass<Real>::reflect(FluidLevel<Real>& level, WallAccount& account) {
 
 template <class Real>
 void WallPass<Real>::brake(FluidLevel<Real>& level) {
-  if (!some_wall_brakes(level.grid.domain())) return;
+  const auto& walls = level.grid.domain().walls().all();
+  if (std::none_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip == WallSlip::wall_model; })) return;
   const WallPhysics physics = wall_physics(level.parameters);
   visit_walls(level, [&](BlockIndex b, BlockWallLoads* loads) {
     brake_at_walls(level.grid, b, level.parity(), physics, loads);

@@ -63,6 +63,28 @@ TEST(LiquidDrag, a_free_particle_and_its_liquid_meet) {
   }
 }
 
+/// The spin of a particle decays towards that of its liquid, under a torque to T/k off it, exactly in steps of any
+/// length; what it got is told.
+TEST(LiquidDrag, a_spin_decays_and_is_balanced) {
+  const Vec3 liquid(3, 0, -1), torque(0.02, -0.01, 0.03);
+  constexpr int steps = 7;
+  for (const double x : {1e-6, 0.3, 40.0}) {
+    LiquidDrag drag = {.liquid_mass = kMovesOn};
+    Dragged d(drag, Vec3::Zero());
+    const double inertia = d.solids.particles().inertia[0], k = x * inertia / kStep;
+    d.drags[0].spin_coefficient = k, d.drags[0].liquid_spin = liquid;
+    d.solids.particles().external_torque.set(0, torque);
+    d.advance(4, Vec3::Zero());
+    d.solids.particles().external_torque.set(0, torque);  // without the mean of the drags
+    d.advance(steps - 4, Vec3::Zero());
+    const Vec3 spin = d.solids.particles().angular_velocity[0], settled = liquid + torque / k;
+    const double left = std::exp(-x * steps), time = steps * kStep;
+    EXPECT_LT((spin - settled + left * settled).norm(), 1e-9 * settled.norm()) << x;
+    EXPECT_LT((inertia * spin - time * torque - d.drags[0].angular_impulse).norm(), 1e-12) << x;
+    EXPECT_EQ(d.velocity(), Vec3(Vec3::Zero())) << x;
+  }
+}
+
 /// What is driven by a constant force reaches F/K; what is held in a liquid that something drives bears all of that.
 TEST(LiquidDrag, what_drives_the_slip_is_balanced) {
   for (const double x : {1e-3, 0.3, 40.0}) {

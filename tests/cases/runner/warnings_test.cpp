@@ -167,9 +167,9 @@ TEST(Warnings, MappedWiresThatShake) {
     set.insert(set.end(), {"coupling.resolve_wires_from_cells=2", "fluid.cell_size_m=0.003"});
     return warns(check_scene(load(case_file("tutorial/net.toml"), set)), "may shake themselves");
   };
-  EXPECT_TRUE(warned({"coupling.body_weighting=wall_distance"}));
-  EXPECT_FALSE(warned({"coupling.body_weighting=wall_distance", "solids.bond_damping_ratio=0.3"}));
-  EXPECT_FALSE(warned({"coupling.body_weighting=noble_torczynski"}));
+  EXPECT_TRUE(warned({"coupling.body_weighting=wall_distance", "solids.bond_damping_ratio=0.005"}));
+  EXPECT_FALSE(warned({"coupling.body_weighting=wall_distance"}));
+  EXPECT_FALSE(warned({"coupling.body_weighting=noble_torczynski", "solids.bond_damping_ratio=0.005"}));
 }
 
 TEST(Warnings, WallsBetweenCells) {

@@ -205,6 +205,52 @@ TEST(WireMap, WritesOnlyWhatMoved) {
   EXPECT_EQ(kept, written());
 }
 
+/// What drags of their own steps gave the beads no cell did: it is taken back from them, all of it in time, from those
+/// of a broken wire too. Beads that are held, dry or dragged by another law have none.
+TEST(WireMap, WhatDragsGaveIsTakenBack) {
+  lbm::Fluid<double> fluid(by_distance(stream(48, 1, 1)));
+  fluid.fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
+  Chains c;
+  c.add(straight_line(Vec3(10.3, 4, 10), Vec3(10.3, 44, 10), 11), 4, false, dem::ParticleState::free);
+  c.particles.state[0] = dem::ParticleState::fixed, c.particles.inverse_mass[0] = 0;
+  WireMap<double> map(c.particles, c.bonds, {2}, 1);
+  SolidFields<double> fields;
+  const auto step = [&] {
+    c.particles.external_force.fill(Vec3::Zero()), c.particles.external_torque.fill(Vec3::Zero());
+    map.follow_breakage(c.particles, c.bonds);
+    fields.open(fluid.grid());
+    map.update(fluid, c.particles, c.bonds, fields);
+    fields.close(fluid.grid());
+    fluid.step();
+    map.add_forces(fluid, c.particles);
+    std::vector<dem::LiquidDrag> drags;
+    map.add_drags(
+        fluid.units().time_step, c.particles, [](dem::ParticleId id) { return id == 5; }, drags);
+    return drags;
+  };
+  auto drags = step();
+  ASSERT_EQ(drags.size(), 9U);
+  const Vec3 impulse(0.5, -1, 2), spin(0.1, 0.2, -0.3);
+  for (dem::LiquidDrag& drag : drags) {
+    EXPECT_GT(drag.coefficient.across, 0);
+    EXPECT_EQ(drag.coefficient.along, drag.coefficient.across);
+    EXPECT_GT(drag.spin_coefficient, 0);
+    drag.impulse = impulse, drag.angular_impulse = spin;
+  }
+  map.collect(drags);
+  c.bonds.intact[2] = c.bonds.intact[3] = 0;
+  Vec3 back = Vec3::Zero(), back_of_stump = Vec3::Zero(), spin_back = Vec3::Zero();
+  for (int s = 0; s < 240; ++s) {
+    map.collect(step());
+    back += fluid.units().time_step * c.particles.external_force[8];
+    back_of_stump += fluid.units().time_step * c.particles.external_force[3];
+    spin_back += fluid.units().time_step * c.particles.external_torque[8];
+  }
+  EXPECT_LT((back + impulse).norm(), 1e-9);
+  EXPECT_LT((back_of_stump + impulse).norm(), 1e-9);
+  EXPECT_LT((spin_back + spin).norm(), 1e-9);
+}
+
 /// A bar lowered lengthwise and askew through the surface raises the level by its volume, is carried by the weight of
 /// the water that it displaces, and no water is lost, also when it is taken out by a break.
 TEST(WireMap, LoweredBarRaisesTheLevel) {

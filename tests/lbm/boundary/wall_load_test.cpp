@@ -30,7 +30,7 @@ Vec3 sum_of(const std::vector<WallLoad>& loads) {
 
 /// A closed box full of water, a moving lid, a ball and a wall that slips along `normal`, gravity across: what the
 /// walls get is what gravity gives less what the water keeps. Returns what is missing, of what gravity gives.
-double missing_momentum(const Vec3& normal) {
+double missing_momentum(const Vec3& normal, bool tile = false) {
   FluidOptions o = tank_options(Vec3(0.2, 0.16, 0.18), 0.01, 1.0);
   o.domain.faces[5] = FaceKind::closed;
   o.gravity = Vec3(1.5, -0.7, -9.81);
@@ -38,11 +38,15 @@ double missing_momentum(const Vec3& normal) {
   o.domain.walls.add({"lid", HalfSpace{Vec3(0, 0, 0.18), -Vec3::UnitZ()}, WallSlip::no_slip, 0, Vec3(0.5, 0.2, 0)});
   o.domain.walls.add({"ball", SolidSphere{Vec3(0.093, 0.078, 0.071), 0.033}});
   o.domain.walls.add({"slide", HalfSpace{Vec3(0.03, 0, 0), normal.normalized()}, WallSlip::free_slip});
+  if (tile) {
+    o.domain.slip = WallSlip::free_slip;
+    o.domain.walls.add({"tile", SolidBox{Vec3(0.08, 0.05, -0.05), Vec3(0.13, 0.11, 0)}});
+  }
   Fluid<double> fluid(o);
   fluid.fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, no_pressure);
   fluid.step();  // the walls' first answers were set by the start
   fluid.measure_walls();
-  EXPECT_EQ(fluid.wall_loads().size(), 3u + 6u);
+  EXPECT_EQ(fluid.wall_loads().size(), (tile ? 4u : 3u) + 6u);
   // What comes back at the end of a step counts from the next step on: the walls get it one step earlier.
   fluid.step();
   const Vec3 start = momentum_of(fluid), first = sum_of(fluid.wall_loads());
@@ -63,6 +67,10 @@ double missing_momentum(const Vec3& normal) {
 // What the moving lid gives in one corner and takes in the other differs by the liquid's density, and is owed for a
 // step.
 TEST(WallLoad, ClosesTheBooksOfMomentum) { EXPECT_LT(missing_momentum(Vec3::UnitX()), 1e-6); }
+
+/// A no-slip tile in a floor that slips: links of the floor into the tile are sent back, and the floor gets all of
+/// that.
+TEST(WallLoad, ClosesTheBooksAroundATile) { EXPECT_LT(missing_momentum(Vec3::UnitX(), true), 1e-6); }
 
 /// The links of a slipping wall in steps add mass that is given back a step later (boundary/wall_balance.h): on the way
 /// it has weight but is not among the liquid.
