@@ -5,27 +5,13 @@
 
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/boundary/wall_traction.h"
+#include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
 
 namespace {
 
 Vec3 direction(int i) { return Vec3(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]); }
-
-/// Density and velocity of what is on its way to a cell.
-template <class Real>
-CellMoments<Real> incoming_moments(FluidGrid<Real>& grid, CellPlace place, Parity parity) {
-  Real drho = grid.block(place.block).f(0)[place.cell];
-  Real j[3] = {0, 0, 0};
-  for (int a = 1; a < D3Q19::q; a += 2) {
-    const auto pair = grid.access(place, a, parity);
-    const Real fa = *pair.incoming_a, fb = *pair.incoming_b;
-    drho += fa + fb;
-    for (int k = 0; k < 3; ++k) j[k] += static_cast<Real>(D3Q19::c[a][k]) * (fa - fb);
-  }
-  const Real inverse = Real(1) / (Real(1) + drho);
-  return {drho, {j[0] * inverse, j[1] * inverse, j[2] * inverse}};
-}
 
 /// A cell at a mirror, and what comes back to it over its slanted links.
 template <class Real>
@@ -48,21 +34,15 @@ class MirrorCell {
 
   /// Takes momentum along the wall off the cell.
   void take_off(const Vec3& momentum) {
-    for_slanted([&](int i, int along, int other_way) {
-      change(i, (has(other_way) ? 0.5 : 1.0) * momentum.dot(direction(along)));
-    });
+    for (const std::uint8_t i : links_) {
+      const MirrorLink& parts = mirror_link(i, axis_);
+      if (parts.into == straight_ && parts.along != 0)
+        change(i, (has(parts.mirrored) ? 0.5 : 1.0) * momentum.dot(direction(parts.along)));
+    }
   }
 
  private:
   [[nodiscard]] bool has(int i) const { return std::find(links_.begin(), links_.end(), i) != links_.end(); }
-  /// Calls visit(link, its part along the wall, the link with the opposite of that).
-  template <class Visit>
-  void for_slanted(const Visit& visit) const {
-    for (const std::uint8_t i : links_) {
-      const MirrorLink& parts = mirror_link(i, axis_);
-      if (parts.into == straight_ && parts.along != 0) visit(int{i}, parts.along, parts.mirrored);
-    }
-  }
   /// More comes back over a link, and less straight out of the wall.
   void change(int i, double more) {
     *link_populations(grid_, place_, i, parity_).back += static_cast<Real>(more);

@@ -190,8 +190,7 @@ TEST(ResolvedWiresInTheStep, ACableInWaterWinsNoSpeed) {
 }
 
 /// A ring and a wire across it, each held at two beads, of the paper's stiffness, in still water: the bonds turn round
-/// many times in a step of the fluid. A force of the cells that is held over it alone shakes them, to 10 m/s; a drag of
-/// M/dt within it does not take that in the end.
+/// many times in a step of the fluid. A force of the cells that is held over it alone shakes them, to 10 m/s.
 TEST(ResolvedWiresInTheStep, AStiffNetInWaterComesToRest) {
   constexpr double cell = 0.003, stiffness = 3e11, middle = 28 * cell;
   for (const double density : {7850.0, 2000.0}) {
