@@ -89,12 +89,13 @@ void check_region(const Scene& scene, std::size_t i, Findings& findings) {
 /// s, when liquid begins to come.
 double start_of(const Inflow& in) {
   const auto comes = std::find_if(in.discharge.begin(), in.discharge.end(), [](const auto& q) { return q.value > 0; });
-  return comes == in.discharge.begin() || comes == in.discharge.end() ? 0.0 : std::prev(comes)->time;
+  if (comes == in.discharge.end()) return 0;
+  return comes == in.discharge.begin() ? comes->time : std::prev(comes)->time;
 }
 
 /// Cells of an inflow's box outside walls that stand when it begins, both by their centres
-/// (lbm/free_surface/inflow.h).
-double free_cells(const Inflow& in, const Scene& scene) {
+/// (lbm/free_surface/inflow.h). Not all are counted where there are `enough`.
+double free_cells(const Inflow& in, const Scene& scene, double enough) {
   const double dx = scene.fluid.cell_size;
   Walls walls = make_walls(scene);
   walls.open_by(start_of(in));
@@ -102,8 +103,8 @@ double free_cells(const Inflow& in, const Scene& scene) {
     return Vec3i(((p - scene.domain.lower) / dx - Vec3::Constant(0.5 + 1e-9)).array().ceil().cast<int>());
   };
   const CellBox box{cell_from(in.lower), cell_from(in.upper), scene.domain.lower, dx};
-  constexpr double all = std::numeric_limits<double>::infinity();
-  return box.cells() - cells_inside(box, all, [&](const Vec3& p) { return walls.nearest(p).distance; });
+  // A centre on a wall counts as free.
+  return cells_inside(box, enough, [&](const Vec3& p) { return -walls.nearest(p).distance - 1e-9 * dx; });
 }
 
 void check_inflow(const Scene& scene, std::size_t i, Findings& findings) {
@@ -126,7 +127,7 @@ void check_inflow(const Scene& scene, std::size_t i, Findings& findings) {
   if (!findings.sound({"fluid", "domain", "gravity", "run", "wall"})) return;
   const double largest = cases::peak_discharge(in);
   const double cell_takes = lbm::kLargestDose * std::pow(scene.fluid.cell_size, 3) / cases::fluid_time_step(scene);
-  const double needed = std::ceil(largest / cell_takes * (1 - 1e-9)), cells = free_cells(in, scene);
+  const double needed = std::ceil(largest / cell_takes * (1 - 1e-9)), cells = free_cells(in, scene, needed);
   if (cells < needed)
     findings.mistake(path + ".discharge_m3_s",
                      fmt::format("{}.discharge_m3_s reaches {:g} m^3/s, expected at most the {:.3g} m^3/s that "
@@ -144,6 +145,8 @@ void check_rheology(const Scene& scene, Findings& findings) {
   if (r.law == FlowLaw::newtonian) {
     if (r.yield_stress > 0 || r.consistency > 0)
       wrong(".law", " is \"newtonian\" with a yield stress or a consistency, expected another law");
+    else if (r.exponent != 1 || r.limit_viscosity > 0)
+      wrong(".law", " is \"newtonian\" with an exponent or a limit viscosity, expected another law");
     return;
   }
   if (r.law == FlowLaw::herschel_bulkley && r.consistency == 0)
@@ -266,9 +269,9 @@ void check_fluid(const Scene& scene, Findings& findings) {
   if (scene.fluid.regions.empty() && scene.fluid.inflows.empty() && findings.sound({"fluid.region", "fluid.inflow"}))
     findings.mistake("fluid", "fluid has no liquid, expected at least one [[fluid.region]] or [[fluid.inflow]]");
   check_rheology(scene, findings);
-  for (std::size_t i = 0; i < scene.fluid.inflows.size(); ++i) check_inflow(scene, i, findings);
   for (std::size_t i = 0; i < scene.fluid.regions.size(); ++i) check_region(scene, i, findings);
-  check_cells(scene, findings);
+  check_cells(scene, findings);  // before anything counts them
+  for (std::size_t i = 0; i < scene.fluid.inflows.size(); ++i) check_inflow(scene, i, findings);
   check_speed(scene, findings);
   check_compression(scene, findings);
 }

@@ -134,9 +134,22 @@ void leave_files(const Scene& scene, Findings& findings) {
     if (scene.fluid.regions[i].shape == RegionShape::mesh) findings.not_read(fmt::format("fluid.region[{}].file", i));
 }
 
+/// Of spheres and cylinders, which need no file.
+void set_bounds(FluidRegion& r) {
+  const Vec3 around = Vec3::Constant(r.radius);
+  if (r.shape == RegionShape::sphere) r.lower = r.centre - around, r.upper = r.centre + around;
+  if (r.shape != RegionShape::cylinder) return;
+  // A disc of radius r and unit axis a reaches r sqrt(1 - a_k^2) along k.
+  const Vec3 axis = (r.end - r.start).normalized();
+  const Vec3 reach = r.radius * (Vec3::Ones() - axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
+  r.lower = r.start.cwiseMin(r.end) - reach, r.upper = r.start.cwiseMax(r.end) + reach;
+}
+
 }  // namespace
 
 void load_shapes(Scene& scene, Findings& findings) {
+  for (std::size_t i = 0; i < scene.fluid.regions.size(); ++i)
+    if (findings.sound({fmt::format("fluid.region[{}]", i)})) set_bounds(scene.fluid.regions[i]);
   if (!findings.sound({"domain", "fluid.cell_size_m", "grains"}) ||
       !(scene.domain.upper.array() > scene.domain.lower.array()).all())
     return leave_files(scene, findings);
@@ -154,14 +167,6 @@ void load_shapes(Scene& scene, Findings& findings) {
     FluidRegion& r = scene.fluid.regions[i];
     const std::string path = fmt::format("fluid.region[{}]", i);
     if (!findings.sound({path})) continue;
-    const Vec3 around = Vec3::Constant(r.radius);
-    if (r.shape == RegionShape::sphere) r.lower = r.centre - around, r.upper = r.centre + around;
-    if (r.shape == RegionShape::cylinder) {
-      // A disc of radius r and unit axis a reaches r sqrt(1 - a_k^2) along k.
-      const Vec3 axis = (r.end - r.start).normalized();
-      const Vec3 reach = r.radius * (Vec3::Ones() - axis.cwiseAbs2()).cwiseMax(0).cwiseSqrt();
-      r.lower = r.start.cwiseMin(r.end) - reach, r.upper = r.start.cwiseMax(r.end) + reach;
-    }
     if (r.shape == RegionShape::mesh)
       load_file(r.file, path + ".file", findings, [&](const fs::path& file) {
         const Bounds b = sample_mesh(scene, file, r.file);

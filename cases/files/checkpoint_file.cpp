@@ -35,6 +35,7 @@ void CheckpointWriter::pass(void* data, std::size_t count) {
 }
 
 void CheckpointWriter::end() {
+  list_->flush();
   list_.reset();
   file_.set_attribute(name_, "check", sum_.text());
 }

@@ -180,6 +180,8 @@ void Hdf5Parts::write(const void* data, std::uint64_t count) {
   });
 }
 
+void Hdf5Parts::flush() { check(H5Dflush(dataset_.id()), path_, "cannot write " + name_); }
+
 void Hdf5Parts::read(void* data, std::uint64_t count) {
   pass(count, "cannot read " + name_, [&](hid_t memory, hid_t file) {
     return H5Dread(dataset_.id(), native_type(type_), memory, file, H5P_DEFAULT, data);
@@ -247,6 +249,7 @@ void Hdf5File::write(const std::string& name, std::span<const T> values, const s
             path_, what);
   if (count == 0) return;
   check(H5Dwrite(dataset.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_, what);
+  check(H5Dflush(dataset.id()), path_, what);  // as it closes nobody hears of what fails
 }
 
 template <class T>

@@ -60,6 +60,8 @@ class Hdf5Parts {
   /// The next `count` numbers. Throw FileError.
   void write(const void* data, std::uint64_t count);
   void read(void* data, std::uint64_t count);
+  /// What was written goes to the system: as the list closes nobody hears of what fails.
+  void flush();
   [[nodiscard]] std::uint64_t count() const { return count_; }
 
  private:

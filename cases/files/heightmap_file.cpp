@@ -40,6 +40,9 @@ Keys read_header(TextLines& lines, std::vector<std::string_view>& words) {
   return keys;
 }
 
+/// Of an ASCII grid whose header does not say what stands for no data (Esri's format).
+constexpr double kNoData = -9999;
+
 void apply_header(const Keys& keys, Heightmap& map) {
   for (const char* key : {"ncols", "nrows", "cellsize"})
     if (!keys.contains(key)) throw ShapeFileError(fmt::format("has no {} in its header", key));
@@ -58,8 +61,8 @@ void apply_header(const Keys& keys, Heightmap& map) {
   if (columns != static_cast<double>(map.columns) || rows != static_cast<double>(map.rows))
     throw ShapeFileError(fmt::format("has {} rows of {} numbers, expected {} rows of {} as its header says", map.rows,
                                      map.columns, rows, columns));
-  if (!keys.contains("nodata_value")) return;
-  const auto holes = std::count(map.heights.begin(), map.heights.end(), keys.at("nodata_value"));
+  const double none = keys.contains("nodata_value") ? keys.at("nodata_value") : kNoData;
+  const auto holes = std::count(map.heights.begin(), map.heights.end(), none);
   if (holes > 0) throw ShapeFileError(fmt::format("has {} points without data, expected none: fill them first", holes));
 }
 

@@ -16,6 +16,7 @@ namespace lahar::cases {
 namespace {
 
 constexpr float kPixelsPerPoint = 2, kWidth = 640, kMargin = 16, kHead = 26, kFoot = 44;  // points
+constexpr float kHighestFrame = 4000;  // points; nets are drawn smaller than that
 constexpr int kDecades = 3;
 const Colour kInk = from_hex(0x222222);
 const Lettering kLetters{.colour = kInk, .size = 11};
@@ -55,7 +56,8 @@ Image force_map(const ForceMap& map) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return force[a] < force[b]; });
 
   const double around = 0.1 * map.width;  // m
-  const float scale = (kWidth - 2 * kMargin) / static_cast<float>(map.width + 2 * around);
+  const float scale = std::min((kWidth - 2 * kMargin) / static_cast<float>(map.width + 2 * around),
+                               kHighestFrame / static_cast<float>(map.height + 2 * around));
   const float foot = kHead + scale * static_cast<float>(map.height + 2 * around), height = std::ceil(foot + kFoot);
   const auto at = [&](const Vec3& p) {
     const Vec3 r = p - map.origin;

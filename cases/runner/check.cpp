@@ -7,7 +7,7 @@
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/memory.h"
-#include "cases/assembly/settled_barrier.h"
+#include "cases/runner/run_time.h"
 #include "cases/runner/warnings.h"
 #include "core/units.h"
 #include "coupling/grains/averaging_grid.h"
@@ -15,15 +15,6 @@
 namespace lahar::cases {
 namespace {
 
-// Rates of one thread assumed for the estimate of the run time, from the timers of debris flows (cells of 1 and 2 cm,
-// docs/performance.md) on processors with and without AVX-512: wet cells with a surface, particles with contacts and
-// bonds, cells around grains that are mapped and give loads, cells over which grains are averaged, beads that feel the
-// water.
-constexpr double cells_per_second = 7e6, particles_per_second = 7e6;
-constexpr double body_cells_per_second = 40e6, averaged_cells_per_second = 9e6, wet_beads_per_second = 1.7e6;
-constexpr double seconds_per_picture = 0.9;  // of 1280 x 720, of one thread: tutorial's dam break
-// Share of a particle step that is not in each of them with two rates (docs/decisions/0096).
-constexpr double of_grain_contacts = 0.7;
 // A layer that runs out thin touches more blocks than the same liquid in a heap.
 constexpr double spreading = 3;
 
@@ -171,32 +162,6 @@ double checkpoint_bytes(const scene::Scene& scene, const CheckReport& report, do
     bytes += scene::averaging_nodes(scene) * scene::kStoredBytesPerNode;
   }
   return bytes;
-}
-
-/// CPU seconds of one thread.
-double run_time(const scene::Scene& scene, const CheckReport& report) {
-  double seconds = 0;
-  if (scene.run.image_interval > 0)
-    seconds += seconds_per_picture * (1 + std::floor(scene.run.duration / scene.run.image_interval));
-  if (report.fluid) seconds += report.fluid->steps * report.fluid->mean_cells / cells_per_second;
-  if (!report.solids) return seconds;
-  const SolidsFigures& s = *report.solids;
-  const double of_each_step = 1 - of_grain_contacts * (1 - 1 / static_cast<double>(s.long_step));
-  seconds += of_each_step * s.steps * static_cast<double>(s.grains + s.beads) / particles_per_second;
-  if (scene.barrier.settle_time > 0)
-    seconds += scene.barrier.settle_time / solids_time_step(barrier_alone(scene)) * static_cast<double>(s.beads) /
-               particles_per_second;
-  if (!report.fluid || !scene.coupling.enabled) return seconds;
-  seconds += report.fluid->steps * static_cast<double>(s.beads) / wet_beads_per_second;
-  if (averages_grains(scene))
-    return seconds + (s.grains > 0 ? report.fluid->steps * report.fluid->mean_cells / averaged_cells_per_second : 0);
-  double body_cells = 0;  // a cell is touched on either side of a grain
-  const auto add = [&](double diameter, double count) {
-    body_cells += count * std::pow(diameter / scene.fluid.cell_size + 2, 3);
-  };
-  for (const scene::GrainSize& g : scene::grain_sizes(scene)) add(g.diameter, static_cast<double>(g.count));
-  for (const scene::GrainSphere& g : scene.grains.spheres) add(g.diameter, 1);
-  return seconds + report.fluid->steps * body_cells / body_cells_per_second;
 }
 
 }  // namespace

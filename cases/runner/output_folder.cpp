@@ -149,10 +149,10 @@ FormerRun::~FormerRun() {
 void FormerRun::remove() {
   if (!folder_.empty()) {
     fs::rename(folder_ / kAside, folder_ / kGoing);
+    say_at_interrupt(nullptr);  // from here on it is not kept
     fs::remove_all(folder_ / kGoing);
   }
   folder_.clear();
-  say_at_interrupt(nullptr);
 }
 
 void FormerRun::recover(const fs::path& folder) {

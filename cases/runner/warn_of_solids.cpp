@@ -145,6 +145,12 @@ void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& lis
 }
 
 void warn_of_contacts(const scene::Scene& s, Warnings& list) {
+  if (s.barrier.enabled && s.solids.wire_contacts == dem::WireContacts::capsules &&
+      std::holds_alternative<dem::LinearSpringDashpot>(s.solids.contact_law))
+    list.push_back(
+        "solids.contact_law is \"linear\" with smooth wires (capsules): their contacts are up to a sixth stiffer "
+        "between "
+        "beads than on them, and pull along the wire; Hertz's law has no such ripple");
   constexpr double steep = 3;
   for (const scene::Contact& c : s.contacts)
     if (c.friction > steep)

@@ -67,7 +67,9 @@ std::string string_text(const std::string& s) {
 
 std::string read(const toml::node& node, const Rule& rule, double& value) {
   if (!node.is_number()) return "is " + kind_text(node);
-  const double number = *node.value<double>();
+  // Not node.value<double>(), which has none for a whole number beyond 2^53.
+  const auto whole = node.value_exact<std::int64_t>();
+  const double number = whole ? static_cast<double>(*whole) : *node.value_exact<double>();
   if (!std::isfinite(number) || !rule.range.contains(number)) return "is " + quote(node);
   constexpr double least = 1e-30, most = 1e30;  // beyond, squares and cubes leave what a double holds
   if (number != 0 && (std::abs(number) < least || std::abs(number) > most))

@@ -5,7 +5,7 @@
 
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/collision/equilibrium.h"
-#include "lbm/grid/block_geometry.h"
+#include "lbm/grid/mirror_geometry.h"
 #include "lbm/grid/row_types.h"
 #include "lbm/step/cell_moments.h"
 
@@ -17,36 +17,20 @@ constexpr unsigned kWholeRow = 0xFF;
 
 bool is_forward(int i) { return i % 2 == 1; }
 
-/// Whether what stands below the cell at a place is a mirror across an axis too: a wall may bend, or end where another
-/// one goes on in its plane. `into`: the way down.
-bool goes_on(const Domain& domain, int axis, const Vec3i& place, const Vec3i& into) {
-  const auto below =
-      static_cast<std::size_t>(domain.walls().nearest(domain.centre(image_of(domain, place + into))).wall);
-  const Vec3 normal = domain.walls().gradient(below, domain.centre(image_of(domain, place)));
-  return domain.walls().all()[below].slip != WallSlip::no_slip && is_along_axis(static_cast<float>(normal[axis]));
-}
-
-/// Off a mirror the link leads to the cell beside unless that is a wall (a corner: two mirrors send it back), the link
-/// straight across belongs to another wall, or the wall is no mirror for that cell.
-RowLink row_link(const WallCell& wall, const std::uint8_t* links, int i, const TypesAround& types, const Domain& domain,
-                 const Vec3i& lowest) {
+/// Where a link leads: off a mirror to the cell beside, else back (lbm/grid/mirror_geometry.h). `lowest`: the block's
+/// first cell.
+RowLink row_link(const WallCell& wall, int i, const Domain& domain, const Vec3i& lowest) {
   const auto row = static_cast<std::uint8_t>(wall.cell / kBlockWidth), own = static_cast<std::uint8_t>(i);
-  RowLink straight{row, own, 0, own, static_cast<std::uint8_t>(1U << (wall.cell % kBlockWidth))};
-  if (!is_mirror(wall)) return straight;
-  const MirrorLink link = mirror_link(i, normal_axis(wall));
-  if (link.into == 0 || link.along == 0 || std::find(links, links + wall.links, link.into) == links + wall.links)
-    return straight;
+  RowLink link{row, own, 0, own, static_cast<std::uint8_t>(1U << (wall.cell % kBlockWidth))};
+  if (!is_mirror(wall)) return link;
+  const MirrorLink parts = mirror_link(i, normal_axis(wall));
+  if (parts.into == 0 || parts.along == 0) return link;
+  const auto way = [](int k) { return Vec3i(D3Q19::c[k][0], D3Q19::c[k][1], D3Q19::c[k][2]); };
   const auto p = cell_position(wall.cell);
-  const auto* t = D3Q19::c[link.along];
-  const auto beside = static_cast<std::size_t>(100 * (p[0] + 1 + t[0]) + 10 * (p[1] + 1 + t[1]) + p[2] + 1 + t[2]);
-  if (types[beside] == CellType::wall) return straight;
-  const auto* d = D3Q19::c[link.into];
-  if (!goes_on(domain, normal_axis(wall), lowest + Vec3i(p[0] + t[0], p[1] + t[1], p[2] + t[2]),
-               Vec3i(d[0], d[1], d[2])))
-    return straight;
-  straight.along = static_cast<std::uint8_t>(link.along);
-  straight.source = static_cast<std::uint8_t>(link.mirrored);
-  return straight;
+  if (!is_mirror_between(domain, lowest + Vec3i(p[0], p[1], p[2]), way(parts.along), way(parts.into))) return link;
+  link.along = static_cast<std::uint8_t>(parts.along);
+  link.source = static_cast<std::uint8_t>(parts.mirrored);
+  return link;
 }
 
 /// Layer by layer and velocity by velocity, as the numbers lie in memory.
@@ -176,7 +160,7 @@ void end_at_gas(FluidGrid<Real>& grid, CellPlace place, int i, Parity parity, Eq
 
 }  // namespace
 
-void list_row_links(WallLinks& walls, const TypesAround& types, const Domain& domain, const Vec3i& lowest) {
+void list_row_links(WallLinks& walls, const Domain& domain, const Vec3i& lowest) {
   walls.rows.clear(), walls.others.clear();
   for (std::size_t entry = 0; entry < walls.cells.size(); ++entry) {
     const WallCell& wall = walls.cells[entry];
@@ -187,7 +171,7 @@ void list_row_links(WallLinks& walls, const TypesAround& types, const Domain& do
     }
     const std::uint8_t* const links = walls.directions.data() + wall.first_link;
     walls.brakes = walls.brakes || (is_mirror(wall) && wall.slip == WallSlip::wall_model);
-    for (int k = 0; k < wall.links; ++k) walls.rows.push_back(row_link(wall, links, links[k], types, domain, lowest));
+    for (int k = 0; k < wall.links; ++k) walls.rows.push_back(row_link(wall, links[k], domain, lowest));
   }
   std::sort(walls.rows.begin(), walls.rows.end(),
             [](const RowLink& a, const RowLink& b) { return place_in_memory(a) < place_in_memory(b); });

@@ -15,12 +15,9 @@
 
 namespace lahar::lbm {
 
-/// Types of a block's cells and of one cell around it; cell (x, y, z) at 100 (x + 1) + 10 (y + 1) + z + 1.
-using TypesAround = std::array<CellType, 1000>;
-
 /// Lists the links of a block that rows can reflect, and the wall cells whose links they cannot. `lowest`: the block's
 /// first cell.
-void list_row_links(WallLinks& walls, const TypesAround& types, const Domain& domain, const Vec3i& lowest);
+void list_row_links(WallLinks& walls, const Domain& domain, const Vec3i& lowest);
 
 /// Sets what comes back to the wet cells of a block over the listed links; notes those that led to another cell.
 /// `order` is that of the collision operator's equilibrium.
@@ -43,7 +40,7 @@ class MirroredLinks {
 };
 
 /// The links of mirrors that lead along the wall, to the cell beside or to gas there. The others are sent back: those
-/// straight across, those into edges, and those over a bend of the wall.
+/// straight across, those into edges, and those towards cells that a no-slip wall holds.
 class LinksAlongMirrors {
  public:
   explicit LinksAlongMirrors(const WallLinks& walls);

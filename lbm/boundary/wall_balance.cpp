@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/parallel.h"
 #include "lbm/boundary/wall_traction.h"
@@ -42,7 +43,8 @@ bool has_liquid_around(const FluidGrid<Real>& grid, CellPlace place) {
   return false;
 }
 
-/// Mass that an interface cell gets over its links into a wall in steps.
+/// Mass that an interface cell gets over its links into a wall in steps. Those that a mirror leads over a bend count
+/// towards another interface cell; what goes to and fro between it and liquid is that of mirrors (slip_wall.h).
 template <class Real>
 double gain_through_steps(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity) {
   const auto m = outgoing_moments(grid, place, parity);
@@ -53,11 +55,20 @@ double gain_through_steps(FluidGrid<Real>& grid, CellPlace place, const WallCell
   const double own = fill_level(grid, place),
                before = upstream == 0 ? own : fill_level(grid, grid.neighbour(place, upstream));
   const WallLinks& walls = grid.block(place.block).walls;
+  const auto counts = [&](const WallCell& entry, int i) {
+    return !is_mirror(entry) ||
+           grid.type(grid.neighbour(place, mirror_link(i, normal_axis(entry)).along)) == CellType::interface;
+  };
   double gain = 0;
-  for (int k = 0; k < wall.links; ++k) {
-    const int i = walls.directions[static_cast<std::size_t>(wall.first_link + k)];
-    const double out = slip.dot(Vec3(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2])) + stretch.half_way(i);
-    gain -= 6 * D3Q19::w(i) * out * (out > 0 ? own : before);
+  const std::span entries(&wall, walls.cells.data() + walls.cells.size());
+  for (const WallCell& entry : entries) {
+    if (entry.cell != wall.cell || entry.wall != wall.wall) break;
+    for (int k = 0; k < entry.links; ++k) {
+      const int i = walls.directions[static_cast<std::size_t>(entry.first_link + k)];
+      if (!counts(entry, i)) continue;
+      const double out = slip.dot(Vec3(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2])) + stretch.half_way(i);
+      gain -= 6 * D3Q19::w(i) * out * (out > 0 ? own : before);
+    }
   }
   return gain;
 }

@@ -18,9 +18,11 @@
 // walls add to a cell where they are cut into steps, the sum of -6 w_i rho c_i . u_wall, is booked (wall_balance.h):
 // without it the steps would brake (docs/decisions/0013).
 //
-// A wall with a wall model that lies along the lattice is a mirror, too, and then brakes (wall_braking.h). One in
-// steps, or a no-slip one at an interface cell, moves so that the traction of its links is the stress of a law
-// (wall_model.h). Over all links through an area with the normal n, along the tangent t,
+// A wall with a wall model that lies along the lattice is a mirror, too, and then brakes (wall_braking.h). One in steps
+// moves as one that slips freely does, less what the law takes (wall_traction.h).
+//
+// A no-slip wall at an interface cell moves so that the traction of its links is the stress of a law
+// (surface_cells_at_walls.h). Over all links through an area with the normal n, along the tangent t,
 //   traction = rho M v . t - Q,  M = 6 sum w_i |c_i . n| (c_i . t)^2,
 // sums over the velocities into the wall, Q what bounce-back off a wall at rest brings: at a wall along the lattice
 // twice what the cell sends, else as its second moments Pi say,

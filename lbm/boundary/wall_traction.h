@@ -7,6 +7,7 @@
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/boundary/wall_model.h"
 #include "lbm/boundary/wall_reflection.h"
+#include "lbm/collision/equilibrium.h"
 #include "lbm/step/cell_moments.h"
 
 namespace lahar::lbm {
@@ -15,6 +16,11 @@ namespace lahar::lbm {
 template <class Real>
 Vec3 velocity_of(const CellMoments<Real>& m) {
   return {static_cast<double>(m.u[0]), static_cast<double>(m.u[1]), static_cast<double>(m.u[2])};
+}
+
+template <class Real>
+std::array<Real, 3> rounded(const Vec3& v) {
+  return {static_cast<Real>(v.x()), static_cast<Real>(v.y()), static_cast<Real>(v.z())};
 }
 
 /// c_i . Pi . c_i of a cell's outgoing populations for all velocities, shifted by rest at density 1 + drho.
@@ -120,41 +126,103 @@ inline Vec3 over_steps(Vec3 slip, const WallCell& wall) {
 /// Share of the stress of its links that a slipping wall in steps takes back.
 inline constexpr double kTakenBack = 0.8;
 
-/// Velocity of a wall at an angle to the lattice whose links exert no stress along it: with M now a matrix, and P a
-/// vector, of the plane of the wall, v = u + P / (rho M). With v = u alone the traction is -P, (1 - tau)/3 of the
-/// shear. P is that of the viscous stress, without rho u u: a plug slides along the wall unchanged. Only a share of P
-/// is taken back: P is that of all velocities into the wall, a cell of a step has some of them, and with all of P a
-/// sheared flow in steps gains energy (docs/decisions/0043). Nor does such a wall push liquid over its steps: P is
-/// noise too, which it would feed (0077).
+/// M of the links into a wall (wall_reflection.h), now a matrix of the plane of the wall.
+class WallMobility {
+ public:
+  explicit WallMobility(const WallCell& wall)
+      : n_(wall.normal[0], wall.normal[1], wall.normal[2]), t_(n_.unitOrthogonal()), b_(n_.cross(t_)) {
+    for_links_into([&](int i, double into, double ct, double cb) {
+      const double weight = 6 * D3Q19::w(i) * into;
+      tt_ += weight * ct * ct, tb_ += weight * ct * cb, bb_ += weight * cb * cb;
+    });
+  }
+  /// visit(i, its part into the wall, those along it), for the velocities into the wall.
+  template <class Visit>
+  void for_links_into(const Visit& visit) const {
+    for (int i = 1; i < D3Q19::q; ++i) {
+      const Vec3 c(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+      if (const double into = -c.dot(n_); into > 0) visit(i, into, c.dot(t_), c.dot(b_));
+    }
+  }
+  /// Velocity along the wall at which links that carry this along it, over density, carry nothing.
+  [[nodiscard]] Vec3 velocity_for(double along_t, double along_b) const {
+    return ((bb_ * along_t - tb_ * along_b) * t_ + (tt_ * along_b - tb_ * along_t) * b_) / (tt_ * bb_ - tb_ * tb_);
+  }
+  [[nodiscard]] Vec3 velocity_for(const Vec3& stress) const { return velocity_for(stress.dot(t_), stress.dot(b_)); }
+
+ private:
+  Vec3 n_, t_, b_;
+  double tt_ = 0, tb_ = 0, bb_ = 0;
+};
+
+/// What the links of a wall that moves with the liquid carry along it, as a velocity: P / (rho M). P is that of the
+/// viscous stress, without rho u u: a plug slides along the wall unchanged.
+template <class Real>
+Vec3 velocity_of_stress(FluidGrid<Real>& grid, CellPlace place, const WallMobility& mobility, Parity parity,
+                        const CellMoments<Real>& m) {
+  const Vec3 u = velocity_of(m);
+  const double density = 1 + static_cast<double>(m.drho);
+  OutgoingStress<Real> stress(grid, place, parity, static_cast<double>(m.drho));
+  for (int k = 0; k < 3; ++k)
+    for (int l = 0; l < 3; ++l) stress.pi[k][l] -= density * u[k] * u[l];
+  double carried_t = 0, carried_b = 0;
+  mobility.for_links_into([&](int i, double into, double ct, double cb) {
+    const double along = 9 * D3Q19::w(i) * into * stress.along(D3Q19::c[i]);
+    carried_t += along * ct, carried_b += along * cb;
+  });
+  return mobility.velocity_for(carried_t, carried_b) / density;
+}
+
+/// A velocity `slip` along steps, with as much of P as is taken back over them. A wall pushes nothing over its steps: P
+/// is noise too, which it would feed (docs/decisions/0077).
+inline Vec3 slip_over_steps(const Vec3& slip, const Vec3& of_stress, const WallCell& wall) {
+  Vec3 more = kTakenBack * over_steps(of_stress, wall);
+  if (const double most = slip.norm(); more.norm() > most)
+    more *= most / more.norm();  // cells too coarse for a profile
+  const Vec3 over = over_steps(slip, wall);
+  if (const double ahead = more.dot(over); ahead > 0) more -= ahead / over.squaredNorm() * over;
+  return slip + more;
+}
+
+/// Sets the velocity of a wall in steps beside them, along an axis a across which no step stands. If it is
+/// sum 2 c_a f_i / sum 6 rho w_i c_a^2, over the cell's own links into the wall, they exert nothing along a: what comes
+/// back is what was sent, its part along c_a turned the other way about, and has the same norm, sum f_i^2 / w_i. f_i
+/// counts without its part that is even in c at equilibrium, the pressure. The links have to come in pairs, of which
+/// one is the other's mirror image across a; in a corner, where one is alone, v stays.
+template <class Real>
+void slip_beside_steps(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
+                       const CellMoments<Real>& m, const Vec3& pressure, Vec3& v) {
+  const std::uint8_t* const links = grid.block(place.block).walls.directions.data() + wall.first_link;
+  for (int a = 0; a < 3; ++a) {
+    if (std::abs(wall.normal[static_cast<std::size_t>(a)]) >= 1e-6F) continue;
+    double mobility = 0, brought = 0;
+    Vec3 alone = Vec3::Zero();  // sum of c_a c over links without a pair
+    for (int k = 0; k < wall.links; ++k) {
+      const int i = links[k], c = D3Q19::c[i][a];
+      if (c == 0) continue;
+      mobility += 6 * D3Q19::w(i);
+      alone += c * Vec3(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+      brought += 2 * c *
+                 static_cast<double>(*link_populations(grid, place, i, parity).sent -
+                                     Real(0.5) * equilibrium_pair_sum(i, m.drho, m.u[0], m.u[1], m.u[2]));
+    }
+    alone[a] = 0;
+    if (mobility > 0 && alone.isZero()) v[a] = brought / (mobility * (1 + static_cast<double>(m.drho))) + pressure[a];
+  }
+}
+
+/// Velocity of a wall at an angle to the lattice whose links exert no stress along it: over steps v = u + P / (rho M).
+/// With v = u alone the traction is -P, (1 - tau)/3 of the shear. Only a share of P is taken back: P is that of all
+/// velocities into the wall, a cell of a step has some of them, and with all of P a sheared flow in steps gains energy
+/// (docs/decisions/0043).
 template <class Real>
 std::array<Real, 3> free_slip_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                        const CellMoments<Real>& m) {
-  const Vec3 n(wall.normal[0], wall.normal[1], wall.normal[2]);
-  const Vec3 u = velocity_of(m);
-  const Vec3 slip = slip_half_a_step_on(grid, place, wall, parity, m), t = n.unitOrthogonal(), b = n.cross(t);
-  OutgoingStress<Real> stress(grid, place, parity, static_cast<double>(m.drho));
-  for (int k = 0; k < 3; ++k)
-    for (int l = 0; l < 3; ++l) stress.pi[k][l] -= (1 + static_cast<double>(m.drho)) * u[k] * u[l];
-  double tt = 0, tb = 0, bb = 0, carried_t = 0, carried_b = 0;
-  for (int i = 1; i < D3Q19::q; ++i) {
-    const auto& c = D3Q19::c[i];
-    const Vec3 velocity(c[0], c[1], c[2]);
-    const double into = -velocity.dot(n);
-    if (into <= 0) continue;
-    const double ct = velocity.dot(t), cb = velocity.dot(b), weight = D3Q19::w(i) * into;
-    tt += 6 * weight * ct * ct, tb += 6 * weight * ct * cb, bb += 6 * weight * cb * cb;
-    const double along = 9 * weight * stress.along(c);
-    carried_t += along * ct, carried_b += along * cb;
-  }
-  const double inverse = kTakenBack / ((1 + static_cast<double>(m.drho)) * (tt * bb - tb * tb));
-  Vec3 more = inverse * ((bb * carried_t - tb * carried_b) * t + (tt * carried_b - tb * carried_t) * b);
-  const double most = slip.norm();  // where the cells are too coarse for any profile
-  if (more.norm() > most) more *= most / more.norm();
-  const Vec3 over = over_steps(slip, wall);
-  const double ahead = more.dot(over);
-  if (ahead > 0) more -= ahead / over.squaredNorm() * over;
-  const Vec3 v = slip + more;
-  return {static_cast<Real>(v.x()), static_cast<Real>(v.y()), static_cast<Real>(v.z())};
+  const Vec3 pressure = half_a_step_of_pressure(grid, place, parity, m);
+  const Vec3 of_stress = velocity_of_stress(grid, place, WallMobility(wall), parity, m);
+  Vec3 v = slip_over_steps(along_wall(velocity_of(m) + pressure, wall), of_stress, wall);
+  slip_beside_steps(grid, place, wall, parity, m, pressure, v);
+  return rounded<Real>(v);
 }
 
 /// How the velocity of the liquid along a wall grows on its way along it.
@@ -297,7 +365,7 @@ std::array<Real, 3> braking_velocity(FluidGrid<Real>& grid, CellPlace place, con
   const double most_across = steps ? std::min(std::abs(own.dot(b)), limit) : limit;
   const Vec3 v = moving + std::clamp(wanted(t, stress), -limit, most) * t +
                  std::clamp(wanted(b, 0), -most_across, most_across) * b;
-  return {static_cast<Real>(v.x()), static_cast<Real>(v.y()), static_cast<Real>(v.z())};
+  return rounded<Real>(v);
 }
 
 /// A wall that does not brake.
@@ -351,8 +419,10 @@ WallLaw wall_law(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, P
   return {sample.velocity / speed, speed, stress * share_of_film(grid, place, n), of_cell};
 }
 
-/// Velocity of a wall in steps whose links exert the stress of the wall model, no more than bounce-back's. Where
-/// viscosity takes as much as that, or more, the wall's own: a law would ask for more than a step can take.
+/// Velocity of a wall in steps whose links exert the stress of the wall model, no more than bounce-back's: that of a
+/// wall that slips freely, less what the law takes. (With a tenth more of P taken back the layer at the wall stops.)
+/// Where viscosity takes as much as bounce-back, or more, the wall's own: a law would ask for more than a step can
+/// take.
 template <class Real>
 std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, const WallCell& wall, Parity parity,
                                         const WallPhysics& physics, const CellMoments<Real>& m) {
@@ -361,8 +431,13 @@ std::array<Real, 3> wall_model_velocity(FluidGrid<Real>& grid, CellPlace place, 
   const Vec3 own = slip_of(wall, m) - along_wall(half_force, wall);
   const WallLaw law = wall_law(grid, place, wall, parity, physics, own);
   if (law.speed == 0) return own_velocity<Real>(wall);
-  const double stress = std::min(law.stress, kLargestStressShare * own.norm());
-  return braking_velocity(grid, place, wall, parity, m, law.way, law.speed, stress);
+  const WallMobility mobility(wall);
+  const Vec3 moving(wall.wall_velocity[0], wall.wall_velocity[1], wall.wall_velocity[2]);
+  const Vec3 pressure = half_a_step_of_pressure(grid, place, parity, m);
+  const Vec3 of_stress = velocity_of_stress(grid, place, mobility, parity, m);
+  Vec3 v = moving + slip_over_steps(slip_of(wall, m) + along_wall(pressure, wall), of_stress, wall);
+  slip_beside_steps(grid, place, wall, parity, m, pressure, v);
+  return rounded<Real>(v - mobility.velocity_for(std::min(law.stress, kLargestStressShare * own.norm()) * law.way));
 }
 
 }  // namespace lahar::lbm

@@ -6,10 +6,14 @@
 
 #include "lbm/boundary/row_reflection.h"
 #include "lbm/boundary/slip_wall.h"
+#include "lbm/grid/mirror_geometry.h"
 
 namespace lahar::lbm {
 
 namespace {
+
+/// Types of a block's cells and of one cell around it; cell (x, y, z) at 100 (x + 1) + 10 (y + 1) + z + 1.
+using TypesAround = std::array<CellType, 1000>;
 
 std::size_t link_along(int x, int y, int z) {
   for (std::size_t i = 0; i < D3Q19::q; ++i)
@@ -17,28 +21,27 @@ std::size_t link_along(int x, int y, int z) {
   return 0;
 }
 
-/// Whether a wall that slips lies along the lattice at a cell, across an axis.
-bool is_mirror_at(const Domain& domain, int wall, const Vec3i& place, int axis) {
-  const auto at = static_cast<std::size_t>(wall);
-  return domain.walls().all()[at].slip != WallSlip::no_slip &&
-         is_along_axis(static_cast<float>(domain.walls().gradient(at, domain.centre(place))[axis]));
-}
+/// The walls that the links of a cell lead into.
+struct LinkWalls {
+  std::array<int, D3Q19::q> wall_of{};      ///< -1: into none
+  std::array<int, D3Q19::q> mirror_axis{};  ///< across which a mirror leads the link to the cell beside, else -1
+  std::array<Vec3i, D3Q19::q> stands_at;    ///< the cell as each link sees it
+};
 
-/// Where two walls that slip lie in one plane, the mirror goes on from one to the other: a slanted link into the wall
-/// below the cell beside is that of the wall below the cell itself (which row_reflection.cpp looks for).
-void join_mirrors(const Domain& domain, const Vec3i& place, std::array<int, D3Q19::q>& wall_of) {
+/// A slanted link over a mirror is that of the wall below the cell itself, whichever wall it leads into.
+void join_mirrors(const Domain& domain, const Vec3i& place, LinkWalls& links) {
+  links.mirror_axis.fill(-1);
   for (std::size_t i = 7; i < D3Q19::q; ++i)
-    for (int axis = 0; axis < 3 && wall_of[i] >= 0; ++axis) {
+    for (int axis = 0; axis < 3 && links.wall_of[i] >= 0; ++axis) {
       const auto* c = D3Q19::c[i];
       if (c[axis] == 0) continue;
       Vec3i into = Vec3i::Zero(), along(c[0], c[1], c[2]);
       into[axis] = c[axis], along[axis] = 0;
-      const int below = wall_of[link_along(into.x(), into.y(), into.z())];
-      const bool corner = wall_of[link_along(along.x(), along.y(), along.z())] >= 0;
-      if (below < 0 || below == wall_of[i] || corner) continue;
-      if (is_mirror_at(domain, below, place, axis) &&
-          is_mirror_at(domain, wall_of[i], image_of(domain, place + along), axis))
-        wall_of[i] = below;
+      const int below = links.wall_of[link_along(into.x(), into.y(), into.z())];
+      if (below < 0 || domain.walls().all()[static_cast<std::size_t>(below)].slip == WallSlip::no_slip ||
+          !is_mirror_between(domain, place, along, into))
+        continue;
+      links.wall_of[i] = below, links.mirror_axis[i] = axis;
     }
 }
 
@@ -87,67 +90,97 @@ void hold_seam(WallLinks& block_links, std::size_t first_of_cell) {
   });
 }
 
-/// Lists the links of a cell into walls, wall by wall. A wall that is reached only beyond a periodic face is looked at
-/// from where the cell stands beside it there.
-void add_wall_links(WallLinks& block_links, const Domain& domain, int cell, const Vec3i& place,
-                    const TypesAround& types) {
+/// The walls around a cell; `types` are those of its block.
+LinkWalls walls_of_links(const Domain& domain, int cell, const Vec3i& place, const TypesAround& types) {
   const auto p = cell_position(cell);
-  std::array<int, D3Q19::q> wall_of{};
-  std::array<Vec3i, D3Q19::q> stands_at;  // as each link sees the cell
-  for (int i = 1; i < D3Q19::q; ++i) {
+  LinkWalls links;
+  links.wall_of[0] = -1;
+  for (std::size_t i = 1; i < D3Q19::q; ++i) {
     const auto* c = D3Q19::c[i];
     const bool solid =
         types[static_cast<std::size_t>(100 * (p[0] + 1 + c[0]) + 10 * (p[1] + 1 + c[1]) + p[2] + 1 + c[2])] ==
         CellType::wall;
     const Vec3i way(c[0], c[1], c[2]), beyond = image_of(domain, place + way);
-    wall_of[static_cast<std::size_t>(i)] = solid ? domain.walls().nearest(domain.centre(beyond)).wall : -1;
-    stands_at[static_cast<std::size_t>(i)] = beyond - way;
+    links.wall_of[i] = solid ? domain.walls().nearest(domain.centre(beyond)).wall : -1;
+    links.stands_at[i] = beyond - way;
   }
-  wall_of[0] = -1;
-  give_corner_links(domain, place, wall_of);
-  join_mirrors(domain, place, wall_of);
+  give_corner_links(domain, place, links.wall_of);
+  join_mirrors(domain, place, links);
+  return links;
+}
+
+/// Where a cell stands beside a wall. One that is reached only beyond a periodic face is looked at from there.
+Vec3i standing_place(const LinkWalls& links, const Vec3i& place, int wall) {
+  Vec3i seen_at = place;
+  for (std::size_t i = 1; i < D3Q19::q; ++i) {
+    if (links.wall_of[i] != wall) continue;
+    if (links.stands_at[i] == place) return place;
+    seen_at = links.stands_at[i];
+  }
+  return seen_at;
+}
+
+/// Lists those links of a cell into a wall that `chosen(i)` names, as one entry, if there are any.
+template <class Chosen>
+void add_entry(WallLinks& block_links, const Domain& domain, int cell, int wall, const Vec3& centre, const Vec3& normal,
+               const Chosen& chosen) {
+  const Wall& w = domain.walls().all()[static_cast<std::size_t>(wall)];
+  const Vec3 velocity = w.surface_velocity(centre);
+  WallCell entry{
+      static_cast<std::uint16_t>(cell),
+      static_cast<std::uint16_t>(block_links.directions.size()),
+      0,
+      w.slip,
+      {},
+      {},
+      {},
+      static_cast<float>(domain.walls().distance(static_cast<std::size_t>(wall), centre) / domain.cell_size()),
+      static_cast<float>(w.roughness / domain.cell_size()),
+      static_cast<std::int16_t>(wall)};
+  for (int a = 0; a < 3; ++a) {
+    entry.normal[static_cast<std::size_t>(a)] = static_cast<float>(normal[a]);
+    entry.surface_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);
+  }
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 1; i < D3Q19::q; ++i) {
+    if (!chosen(i)) continue;
+    ++entry.links;
+    sum += D3Q19::w(static_cast<int>(i)) * Vec3(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
+    block_links.directions.push_back(static_cast<std::uint8_t>(i));
+    if (domain.placement() == WallPlacement::interpolated)
+      block_links.hits.push_back(wall_hit(domain, w, centre, static_cast<int>(i)));
+  }
+  if (entry.links == 0) return;
+  entry.even = (sum - sum.dot(normal) * normal).norm() < 1e-6;
+  block_links.cells.push_back(entry);
+}
+
+/// Axis that a wall's normal lies along, -1 if along none.
+int axis_along(const Vec3& normal) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (is_along_axis(static_cast<float>(normal[axis]))) return axis;
+  return -1;
+}
+
+/// Lists the links of a cell into walls, wall by wall; those that mirrors lead to the cell beside, across another axis
+/// than that of the wall's normal at the cell, are entries of their own.
+void add_wall_links(WallLinks& block_links, const Domain& domain, int cell, const Vec3i& place,
+                    const TypesAround& types) {
+  const LinkWalls links = walls_of_links(domain, cell, place, types);
   const std::size_t first_of_cell = block_links.cells.size();
   for (int wall = 0; wall < static_cast<int>(domain.walls().all().size()); ++wall) {
-    const auto links = std::count(wall_of.begin(), wall_of.end(), wall);
-    if (links == 0) continue;
-    const Wall& w = domain.walls().all()[static_cast<std::size_t>(wall)];
-    Vec3i seen_at = place;
-    bool reached_within = false;
-    for (std::size_t i = 1; i < D3Q19::q; ++i) {
-      if (wall_of[i] != wall) continue;
-      reached_within = reached_within || stands_at[i] == place;
-      seen_at = stands_at[i];
-    }
-    const Vec3 centre = domain.centre(reached_within ? place : seen_at),
+    if (std::count(links.wall_of.begin(), links.wall_of.end(), wall) == 0) continue;
+    const Vec3 centre = domain.centre(standing_place(links, place, wall)),
                normal = domain.walls().gradient(static_cast<std::size_t>(wall), centre);
-    const Vec3 velocity = w.surface_velocity(centre);
-    WallCell entry{
-        static_cast<std::uint16_t>(cell),
-        static_cast<std::uint16_t>(block_links.directions.size()),
-        static_cast<std::uint8_t>(links),
-        w.slip,
-        {},
-        {},
-        {},
-        static_cast<float>(domain.walls().distance(static_cast<std::size_t>(wall), centre) / domain.cell_size()),
-        static_cast<float>(w.roughness / domain.cell_size()),
-        static_cast<std::int16_t>(wall)};
-    for (int a = 0; a < 3; ++a) {
-      entry.normal[static_cast<std::size_t>(a)] = static_cast<float>(normal[a]);
-      entry.surface_velocity[static_cast<std::size_t>(a)] = static_cast<float>(velocity[a]);
-    }
-    Vec3 sum = Vec3::Zero();
-    for (int i = 1; i < D3Q19::q; ++i)
-      if (wall_of[static_cast<std::size_t>(i)] == wall)
-        sum += D3Q19::w(i) * Vec3(D3Q19::c[i][0], D3Q19::c[i][1], D3Q19::c[i][2]);
-    entry.even = (sum - sum.dot(normal) * normal).norm() < 1e-6;
-    block_links.cells.push_back(entry);
-    for (int i = 1; i < D3Q19::q; ++i)
-      if (wall_of[static_cast<std::size_t>(i)] == wall) {
-        block_links.directions.push_back(static_cast<std::uint8_t>(i));
-        if (domain.placement() == WallPlacement::interpolated)
-          block_links.hits.push_back(wall_hit(domain, w, centre, i));
-      }
+    const int own = axis_along(normal);
+    add_entry(block_links, domain, cell, wall, centre, normal, [&](std::size_t i) {
+      return links.wall_of[i] == wall && (links.mirror_axis[i] < 0 || links.mirror_axis[i] == own);
+    });
+    for (int axis = 0; axis < 3; ++axis)
+      for (const int way : {-1, 1})
+        add_entry(block_links, domain, cell, wall, centre, Vec3(-way * Vec3::Unit(axis)), [&](std::size_t i) {
+          return axis != own && links.wall_of[i] == wall && links.mirror_axis[i] == axis && D3Q19::c[i][axis] == way;
+        });
   }
   hold_seam(block_links, first_of_cell);
 }
@@ -183,7 +216,7 @@ void cut_geometry(Block<Real>& fresh, const Domain& domain, const Vec3i& lowest,
     add_wall_links(fresh.walls, domain, n, lowest + Vec3i(p[0], p[1], p[2]), types);
   }
   fresh.walls.set_velocities(velocity_to_lu);
-  list_row_links(fresh.walls, types, domain, lowest);
+  list_row_links(fresh.walls, domain, lowest);
 }
 
 template void cut_geometry<float>(Block<float>&, const Domain&, const Vec3i&, double);

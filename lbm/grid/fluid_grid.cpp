@@ -60,12 +60,18 @@ void FluidGrid<Real>::make_blocks(const std::vector<BlockIndex>& made) {
 
 namespace {
 
-/// Whether links lead to the same walls, met in the same places.
+/// Whether links lead to the same walls, met in the same places, and what they send comes back from the same cells.
 bool same_walls(const WallLinks& a, const WallLinks& b) {
   return a.directions == b.directions &&
          std::equal(a.cells.begin(), a.cells.end(), b.cells.begin(), b.cells.end(),
                     [](const WallCell& c, const WallCell& d) {
-                      return c.cell == d.cell && c.wall == d.wall && c.distance == d.distance && c.normal == d.normal;
+                      return c.cell == d.cell && c.wall == d.wall && c.slip == d.slip && c.distance == d.distance &&
+                             c.normal == d.normal;
+                    }) &&
+         std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(),
+                    [](const RowLink& c, const RowLink& d) {
+                      return c.row == d.row && c.direction == d.direction && c.along == d.along &&
+                             c.source == d.source && c.cells == d.cells;
                     }) &&
          std::equal(a.hits.begin(), a.hits.end(), b.hits.begin(), b.hits.end(),
                     [](const WallHit& h, const WallHit& k) { return h.share == k.share; });

@@ -32,6 +32,8 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"fluid.rheology.exponent=0.1"}, "fluid.rheology.exponent", "from 0.3 to 2"},
         Rejection{{"fluid.rheology.limit_viscosity_m2_s=-1"}, "fluid.rheology.limit_viscosity_m2_s", "at least 0"},
         Rejection{{"fluid.rheology.yield_stress_Pa=1"}, "fluid.rheology.law", "expected another law"},
+        Rejection{{"fluid.rheology.exponent=0.5"}, "fluid.rheology.law", "expected another law"},
+        Rejection{{"fluid.rheology.limit_viscosity_m2_s=1"}, "fluid.rheology.law", "expected another law"},
         Rejection{{"fluid.rheology.law=bingham"}, "fluid.rheology.limit_viscosity_m2_s", "above that of flow"},
         Rejection{
             {"fluid.rheology.law=bingham", "fluid.rheology.limit_viscosity_m2_s=1", "fluid.rheology.exponent=0.5"},
@@ -61,6 +63,10 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 30], [1, 30]]"), "fluid.max_speed_m_s=3.5"},
                   "fluid.inflow[0].discharge_m3_s",
                   "4.2 m^3/s that its box takes (1500 cells outside walls)"},
+        // Refused before its cells are counted.
+        Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 1], [1, 1]]"), "fluid.cell_size_m=1e-7"},
+                  "fluid.cell_size_m",
+                  "cells along the domain"},
         Rejection{{inflow("[0.2, 0.3, 9.0]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0] lies", "outside the domain"},
         Rejection{{inflow("[0.2, 0.0, 0.2]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].upper_m", "is not above"}));
 
@@ -76,14 +82,15 @@ TEST(FluidOptions, AnInflowNeedsCellsOutsideWalls) {
 
 /// One that begins when a gate has gone has its place.
 TEST(FluidOptions, AnInflowMayBeginWhereAGateStood) {
-  const auto mistakes = [](const std::string& opens_at) {
-    return mistakes_in(case_file(kDam),
-                       {inflow("[0.2, 0.3, 0.2]", "[[0, 0], [0.2, 0], [0.3, 2]]"), "fluid.max_speed_m_s=3.5",
-                        "wall[2].name=gate", "wall[2].shape=box", "wall[2].lower_m=[-0.1, -0.1, -0.1]",
-                        "wall[2].upper_m=[0.2, 0.4, 0.16]", "wall[2].opens_at_s=" + opens_at});
+  const auto mistakes = [](const std::string& opens_at, const std::string& discharge) {
+    return mistakes_in(case_file(kDam), {inflow("[0.2, 0.3, 0.2]", discharge), "fluid.max_speed_m_s=3.5",
+                                         "wall[2].name=gate", "wall[2].shape=box", "wall[2].lower_m=[-0.1, -0.1, -0.1]",
+                                         "wall[2].upper_m=[0.2, 0.4, 0.16]", "wall[2].opens_at_s=" + opens_at});
   };
-  EXPECT_TRUE(mistakes("0.2").empty());
-  EXPECT_EQ(mistakes("0.21").size(), 1U);
+  for (const char* discharge : {"[[0, 0], [0.2, 0], [0.3, 2]]", "[[0.2, 2], [1, 2]]"}) {
+    EXPECT_TRUE(mistakes("0.2", discharge).empty()) << discharge;
+    EXPECT_EQ(mistakes("0.21", discharge).size(), 1U) << discharge;
+  }
 }
 
 TEST(FluidOptions, ReachTheSolverAndTheResolvedScene) {

@@ -66,6 +66,20 @@ TEST(LoadShapes, AMistakeInGrainsLeavesFilesAlone) {
   EXPECT_NE(all[0].find("grains.sphere[0].diameter_m is -1"), std::string::npos) << all[0];
 }
 
+/// Spheres and cylinders need no file: where files are left alone, nothing else is said of them.
+TEST(LoadShapes, AMistakeInGrainsIsTheOnlyOne) {
+  const auto all =
+      mistakes_in(case_file("dam_break/scene.toml"),
+                  {"domain.lower_m=[-1, 0, 0]", "domain.upper_m=[-0.2, 0.3, 0.8]", "probe=[]",
+                   "fluid.region=[{shape = \"sphere\", centre_m = [-0.6, 0.15, 0.3], radius_m = 0.1}]",
+                   "materials.rock={youngs_modulus_Pa = 1e9, poisson_ratio = 0.3}", "wall[0].material=rock",
+                   "wall[1].material=rock",
+                   "grains.sphere=[{position_m = [-0.6, 0.1, 0.2], diameter_m = -1, density_kg_m3 = 2500, material = "
+                   "\"rock\"}]"});
+  ASSERT_EQ(all.size(), 1U) << all.back();
+  EXPECT_NE(all[0].find("grains.sphere[0].diameter_m is -1"), std::string::npos) << all[0];
+}
+
 TEST(LoadShapes, AHeightmapIsTheGround) {
   const ScratchFolder scratch;
   scratch.write("ground.txt", "0.2 0.1 0.0\n0.2 0.1 0.0\n");  // falls by 0.2 along x

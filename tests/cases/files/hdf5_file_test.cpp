@@ -158,6 +158,31 @@ TEST(Hdf5File, AKilledWriterLeavesWhatWasFlushed) {
   std::exit(result);
 }
 
+/// A disk that was full for a moment: the write that failed is told, though there is room again when the file closes.
+TEST(Hdf5File, ARefusedWriteIsToldAtOnce) {
+  const TestFolder folder;
+  const int status = status_of_child([&] {
+    std::signal(SIGXFSZ, SIG_IGN);
+    Hdf5File file = Hdf5File::create(folder / "a.h5");
+    std::vector<double> noise(20000);
+    for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = std::sin(1e4 * static_cast<double>(i * i));
+    rlimit limit{};
+    getrlimit(RLIMIT_FSIZE, &limit);
+    const rlimit small{30000, limit.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &small);
+    int told = 0;
+    try {
+      file.write<double>("/noise", noise, {noise.size()});
+    } catch (const FileError&) {
+      told = 1;
+    }
+    setrlimit(RLIMIT_FSIZE, &limit);
+    _exit(told);
+  });
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+}
+
 TEST(Hdf5FileDeathTest, ARefusedWriteBecomesAnExceptionAndACleanExit) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";  // a fresh process, so that exit handlers may run
   const TestFolder folder;

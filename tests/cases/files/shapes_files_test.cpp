@@ -197,7 +197,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadFile{"", grid_with("xllcorner 10\n", ""), "neither xllcorner nor xllcenter"},
                     BadFile{"with spacing", grid_text, "expected no spacing_m with it"},
                     BadFile{"", grid_with("cellsize 2", "cellsize 0"), "cellsize that is not above 0"},
-                    BadFile{"", grid_with("5 6", "5 -9999"), "has 1 points without data"}));
+                    BadFile{"", grid_with("5 6", "5 -9999"), "has 1 points without data"},
+                    BadFile{"", grid_with("NODATA_value -9999\n1", "-9999"), "has 1 points without data"}));
 
 }  // namespace
 }  // namespace lahar::cases

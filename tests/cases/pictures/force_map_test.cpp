@@ -66,6 +66,15 @@ TEST(ForceMap, ShearCountsAndBrokenBondsAreLeftOut) {
   EXPECT_EQ(pixels_of(broken, Colour::Ones(), 60, broken.height() - 100), broken.width() * (broken.height() - 160));
 }
 
+/// A net fifty times as tall as wide fits, too.
+TEST(ForceMap, TallNetsAreDrawnSmaller) {
+  TwoWires wires;
+  wires.map.width = 0.3, wires.map.height = 15;
+  const Image image = force_map(wires.map);
+  EXPECT_GT(image.height(), 6 * image.width());
+  EXPECT_LT(image.height(), 10000);
+}
+
 TEST(ForceMap, NeedsBondsAndAFrame) {
   TwoWires wires;
   wires.map.width = 0;

@@ -1,6 +1,5 @@
 #include "cases/runner/check.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -85,17 +84,6 @@ normal = [0, 0, 1]
   const CheckReport report = check_scene(lake);
   EXPECT_NEAR(report.fluid->liquid_cells, 1e7, 0.03e7);
   EXPECT_FALSE(warns(report, "nothing of it is left"));
-}
-
-/// Each picture takes about a second.
-TEST(Check, CountsPictures) {
-  const auto run_time = [](const std::string& interval) {
-    return check_scene(
-               load(case_file("dam_break/scene.toml"), {"run.duration_s=1", "run.image_interval_s=" + interval}))
-        .run_time;
-  };
-  EXPECT_NEAR(run_time("0.025") - run_time("0"), 41 * (run_time("2") - run_time("0")), 1e-6);
-  EXPECT_GT(run_time("2") - run_time("0"), 0.3);
 }
 
 TEST(Check, FiguresOfTheDamBreak) {
@@ -258,40 +246,6 @@ TEST(Check, DoubleTakesTwiceTheMemory) {
   const double twice =
       check_scene(load(case_file("dam_break/scene.toml"), {"run.precision=double"})).fluid->start_bytes;
   EXPECT_NEAR(twice / single, 2, 0.1);
-}
-
-TEST(Check, MoreThreadsAreFaster) {
-  const scene::Scene hanging = scene::debris_flow();
-  EXPECT_NEAR(check_scene(hanging, 1).run_time / check_scene(hanging, 4).run_time, 4, 1e-9);
-  scene::Scene as_built = hanging;
-  as_built.barrier.settle_time = 0;
-  EXPECT_GT(check_scene(hanging, 1).run_time, check_scene(as_built, 1).run_time);
-}
-
-/// By the contacts of grains, which then take longer steps.
-TEST(Check, TwoRatesAreFaster) {
-  const auto report = [](const char* two_rates) {
-    return check_scene(load(case_file("compare_cfd_dem/matched.toml"),
-                            {"materials.rock.youngs_modulus_Pa=3.5e9", fmt::format("solids.two_rates={}", two_rates)}));
-  };
-  const CheckReport one = report("false"), two = report("true");
-  EXPECT_EQ(one.solids->long_step, 1);
-  EXPECT_GT(two.solids->long_step, 2);
-  EXPECT_LT(two.run_time, 0.9 * one.run_time);
-  EXPECT_GT(two.run_time, 0.5 * one.run_time);
-}
-
-/// The net settles with its own mass: what that takes does not shrink with the steps of slow beads.
-TEST(Check, HangingTakesAsLongWithSlowBeads) {
-  const auto hanging = [](double mass_scale) {
-    scene::Scene with = scene::debris_flow();
-    with.barrier.net.bead_mass_scale = mass_scale;
-    scene::Scene without = with;
-    without.barrier.settle_time = 0;
-    return check_scene(with).run_time - check_scene(without).run_time;
-  };
-  EXPECT_GT(hanging(1), 1);
-  EXPECT_NEAR(hanging(10) / hanging(1), 1, 1e-6);
 }
 
 }  // namespace

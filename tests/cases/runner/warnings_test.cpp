@@ -132,6 +132,14 @@ TEST(Warnings, Solids) {
   };
   EXPECT_TRUE(warns(rolling(dem::WireContacts::capsules), "does not act on wires"));
   EXPECT_FALSE(warns(rolling(dem::WireContacts::beads), "does not act on wires"));
+  const auto linear = [&](dem::WireContacts wires) {
+    return report([&](S& s) {
+      s.solids.wire_contacts = wires;
+      s.solids.contact_law = dem::LinearSpringDashpot{1e6};
+    });
+  };
+  EXPECT_TRUE(warns(linear(dem::WireContacts::capsules), "\"linear\" with smooth wires"));
+  EXPECT_FALSE(warns(linear(dem::WireContacts::beads), "\"linear\" with smooth wires"));
 }
 
 TEST(Warnings, RingsThatBreakWhereTheirBeadsOverlap) {

@@ -35,6 +35,16 @@ TEST(Value, StringsReadBackExactly) {
   }
 }
 
+/// Whole numbers beyond 2^53, too, are numbers.
+TEST(Value, ReadsLargeWholeNumbers) {
+  double number = 7;
+  EXPECT_EQ(read_text("10000000000000000", number), "");
+  EXPECT_EQ(number, 1e16);
+  Vec3 vector;
+  EXPECT_EQ(read_text("[1, -20000000000000000, 3]", vector), "");
+  EXPECT_EQ(vector.y(), -2e16);
+}
+
 TEST(Value, RefusesWhatIsNotFinite) {
   double number = 7;
   EXPECT_EQ(read_text("inf", number), "is inf");

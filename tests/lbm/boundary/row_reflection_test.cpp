@@ -4,11 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 
 #include "lbm/boundary/slip_wall.h"
 #include "lbm/collision/equilibrium.h"
 #include "lbm/step/cell_moments.h"
 #include "lbm/step/fluid.h"
+#include "tests/core/shapes.h"
+#include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
 namespace {
@@ -73,6 +77,91 @@ TEST(RowReflection, GivesEveryLinkWhatItsRuleSays) {
   EXPECT_GT(count.straight, 1000);
   EXPECT_GT(count.mirrored, 1000);
   EXPECT_GT(count.at_gas, 100);
+}
+
+/// Whether a link of a cell is one that a mirror leads over a bend: the wall that it leads into is in steps there.
+bool is_over_bend(const WallLinks& walls, int cell, int i) {
+  const auto of_cell = [&](const WallCell& wall) { return wall.cell == cell; };
+  const auto has_link = [&](const WallCell& wall) {
+    const auto first = walls.directions.begin() + wall.first_link;
+    return of_cell(wall) && is_mirror(wall) && std::find(first, first + wall.links, i) != first + wall.links;
+  };
+  const auto mirror = std::find_if(walls.cells.begin(), walls.cells.end(), has_link);
+  return mirror != walls.cells.end() && std::any_of(walls.cells.begin(), walls.cells.end(), [&](const WallCell& wall) {
+           return of_cell(wall) && wall.wall == mirror->wall && is_in_steps(wall);
+         });
+}
+
+/// Where a mirror gives a cell what another one sent, the other gets what that one sent: each population is used once.
+/// Counts the links over bends.
+int expect_pairs(FluidGrid<double>& grid) {
+  const auto link_at = [&](CellPlace place, int i) -> const RowLink* {
+    for (const RowLink& link : grid.block(place.block).walls.rows)
+      if (link.row == place.cell / kBlockWidth && link.direction == i && (link.cells >> place.cell % kBlockWidth & 1))
+        return &link;
+    return nullptr;
+  };
+  int over_bends = 0;
+  for (const BlockIndex b : grid.owned())
+    for (const RowLink& link : grid.block(b).walls.rows) {
+      if (link.along == 0) continue;
+      for (int x = 0; x < kBlockWidth; ++x) {
+        if (!(link.cells >> x & 1)) continue;
+        const CellPlace place{b, kBlockWidth * link.row + x}, beside = grid.neighbour(place, link.along);
+        EXPECT_NE(grid.type(beside), CellType::wall);
+        const RowLink* const other = link_at(beside, link.source);
+        EXPECT_NE(other, nullptr) << b << ' ' << place.cell << ' ' << int(link.direction);
+        if (other == nullptr) continue;
+        EXPECT_EQ(other->along, D3Q19::opposite(link.along));
+        EXPECT_EQ(other->source, link.direction);
+        over_bends += is_over_bend(grid.block(b).walls, place.cell, link.direction);
+      }
+    }
+  return over_bends;
+}
+
+/// A bed that is level and then rises, a flume whose bed and sides are one surface with the bed nearer or farther than
+/// the side in the corner's cell, and a bend before a gate that holds the water there until it opens.
+TEST(RowReflection, MirrorsLeadBothWays) {
+  const auto fluid_over = [](const FluidOptions& o) {
+    auto fluid = std::make_unique<Fluid<double>>(o);
+    fluid->fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, no_pressure);
+    return fluid;
+  };
+  const auto sampled_bed = [](double step, const std::function<double(const Vec3&)>& distance) {
+    return Wall{"bed", SampledDistance{sampled(Vec3(-4, -4, -4), Vec3(36, 20, 28), step, distance)},
+                WallSlip::free_slip};
+  };
+  const auto bent_at = [&](double x) {
+    FluidOptions o = lattice_options({32, 16, 24}, 0.01);
+    o.domain.faces = {FaceKind::closed,   FaceKind::closed, FaceKind::periodic,
+                      FaceKind::periodic, FaceKind::closed, FaceKind::closed};
+    o.domain.slip = WallSlip::free_slip;
+    o.domain.walls.add(sampled_bed(0.5, [x](const Vec3& p) {
+      return std::min(p.z() - 2.3, (p - Vec3(x, 0, 2.3)).dot(Vec3(-0.1, 0, 1).normalized()));
+    }));
+    return o;
+  };
+  EXPECT_GT(expect_pairs(fluid_over(bent_at(14))->grid()), 0);
+
+  for (const double bed : {0.75, 1.5, 1.9})
+    for (const double step : {0.25, 0.5}) {
+      FluidOptions flume = lattice_options({32, 16, 24}, 0.01);
+      flume.domain.faces.fill(FaceKind::closed);
+      flume.domain.walls.add(sampled_bed(step, [&](const Vec3& p) { return std::min(p.z() - bed, p.x() - 0.25); }));
+      expect_pairs(fluid_over(flume)->grid());
+    }
+
+  for (const double bend : {14.0, 14.5, 15.0, 15.5, 16.0}) {
+    FluidOptions gated = bent_at(bend);  // blocks end at x = 15
+    Wall gate{"gate", SolidBox{Vec3(16, -1, 0), Vec3(18, 20, 30)}, WallSlip::no_slip};
+    gate.opens_at = 3;
+    gated.domain.walls.add(gate);
+    const auto fluid = fluid_over(gated);
+    expect_pairs(fluid->grid());
+    EXPECT_TRUE(fluid->open_walls_by(3));
+    EXPECT_GT(expect_pairs(fluid->grid()), 0) << bend;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,115 @@
+#include "cases/runner/run_time.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cases/assembly/estimates.h"
+#include "cases/assembly/grain_extent.h"
+#include "cases/assembly/grain_sizes.h"
+#include "cases/assembly/settled_barrier.h"
+
+namespace lahar::cases {
+namespace {
+
+// Of one thread, each a step. Of the fluid: a wet cell, and what an interface cell takes beside.
+constexpr double seconds_per_cell = 40e-9, seconds_per_surface_cell = 340e-9;
+// A flow spreads and its surface is rugged: interface cells, of those of the same liquid at rest.
+constexpr double surface_of_a_flow = 13;
+constexpr double surface_among_grains = 0.4;  // of the wet cells, at least, among resolved grains
+// Cells around grains, with what sweep and conversion take longer there; cells over which grains are averaged; beads
+// that feel the water.
+constexpr double seconds_per_body_cell = 45e-9, seconds_per_averaged_cell = 110e-9, seconds_per_wet_bead = 590e-9;
+// Particles with contacts and bonds; of smooth wires, beside, places where a ring hangs in another or on a cable.
+constexpr double seconds_per_particle = 143e-9, seconds_per_link = 12e-6;
+// Share of a particle step that is not in each of them with two rates (docs/decisions/0096).
+constexpr double of_grain_contacts = 0.7;
+// Of a packing, once: a grain, and a grain for each radius of the smallest that the solid volume is deep
+// (packing_time).
+constexpr double seconds_per_packed_grain = 2e-4, seconds_per_grain_and_radius = 6.5e-5;
+constexpr double seconds_per_picture = 1.2;  // of 1280 x 720
+
+/// One at the start, one at the end and one in each interval, but no more than one a step.
+double pictures(const scene::Run& run, const CheckReport& report) {
+  if (run.image_interval <= 0) return 0;
+  const double steps = report.fluid ? report.fluid->steps : report.solids ? report.solids->steps : 0;
+  return 1 + std::min(steps, std::ceil(run.duration / run.image_interval - 1e-9));
+}
+
+double fluid_step(const scene::Scene& scene, const CheckReport& report) {
+  const FluidFigures& fluid = *report.fluid;
+  const bool among_grains = report.solids && report.solids->cells_per_smallest_grain;
+  const double surface = std::clamp(surface_of_a_flow * scene.fluid.cell_size / fluid.depth,
+                                    among_grains ? surface_among_grains : 0.0, 1.0);
+  return fluid.mean_cells * (seconds_per_cell + seconds_per_surface_cell * surface);
+}
+
+/// Spheres settle in steps that shrink with the smallest, for a time that grows with their depth: whatever their
+/// density, the number of steps is that of its radii in the depth (dem/packing/relaxer.cpp).
+double packing_time(const scene::Packing& packing, const std::vector<scene::GrainSize>& sizes) {
+  double count = 0, smallest = std::numeric_limits<double>::infinity();  // diameter, m
+  for (const scene::GrainSize& s : sizes) {
+    if (s.count == 0) continue;
+    count += static_cast<double>(s.count);
+    smallest = std::min(smallest, s.diameter);
+  }
+  const double depth = scene::solid_volume(packing) / (packing.upper - packing.lower).head<2>().prod();
+  return count * (seconds_per_packed_grain + seconds_per_grain_and_radius * depth / (smallest / 2));
+}
+
+/// Cells that grains are mapped to; on either side of a grain one is touched.
+double body_cells(const std::vector<scene::GrainSize>& sizes, double cell_size) {
+  double cells = 0;
+  for (const scene::GrainSize& s : sizes)
+    cells += static_cast<double>(s.count) * std::pow(s.diameter / cell_size + 2, 3);
+  return cells;
+}
+
+/// One step of smooth wires (dem/wires), by the places where rings hang in each other and on their cables.
+double wire_step(const scene::Scene& scene) {
+  const scene::Net& net = scene.barrier.net;
+  if (!scene.barrier.enabled || net.kind != scene::NetKind::rings ||
+      scene.solids.wire_contacts != scene::WireContacts::capsules)
+    return 0;
+  const auto columns = static_cast<double>(net_columns(net)), rows = static_cast<double>(net_rows(net));
+  const double spans = scene.barrier.posts.enabled ? static_cast<double>(scene.barrier.posts.spans) : 1.0;
+  return seconds_per_link * spans * (2 * columns * rows + columns + rows);
+}
+
+/// One step of all particles, the mean of the steps that contacts of grains are in and of those that they are not.
+double solids_step(const scene::Scene& scene, const SolidsFigures& solids) {
+  const double of_each_step = 1 - of_grain_contacts * (1 - 1 / static_cast<double>(solids.long_step));
+  return of_each_step * seconds_per_particle * static_cast<double>(solids.grains + solids.beads) + wire_step(scene);
+}
+
+/// What grains and wires in the fluid add to one of its steps.
+double coupling_step(const scene::Scene& scene, const CheckReport& report, double body_cells) {
+  const double wires = seconds_per_wet_bead * static_cast<double>(report.solids->beads);
+  if (scene.coupling.grains != scene::GrainFluid::averaged) return wires + seconds_per_body_cell * body_cells;
+  return wires + (report.solids->grains > 0 ? seconds_per_averaged_cell * report.fluid->mean_cells : 0);
+}
+
+}  // namespace
+
+double run_time(const scene::Scene& scene, const CheckReport& report) {
+  double seconds = seconds_per_picture * pictures(scene.run, report);
+  if (report.fluid) seconds += report.fluid->steps * fluid_step(scene, report);
+  if (!report.solids) return seconds;
+  const SolidsFigures& solids = *report.solids;
+  seconds += solids.steps * solids_step(scene, solids);
+  if (scene.barrier.settle_time > 0)
+    seconds += scene.barrier.settle_time / solids_time_step(barrier_alone(scene)) *
+               (seconds_per_particle * static_cast<double>(solids.beads) + wire_step(scene));
+  double cells = 0;
+  for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) {
+    const std::vector<scene::GrainSize> sizes = scene::grain_sizes(scene, i);
+    seconds += packing_time(scene.grains.packings[i], sizes);
+    cells += body_cells(sizes, scene.fluid.cell_size);
+  }
+  for (const scene::GrainSphere& g : scene.grains.spheres)
+    cells += body_cells({{g.diameter, 1, g.density, g.material}}, scene.fluid.cell_size);
+  if (report.fluid && scene.coupling.enabled) seconds += report.fluid->steps * coupling_step(scene, report, cells);
+  return seconds;
+}
+
+}  // namespace lahar::cases
