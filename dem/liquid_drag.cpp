@@ -31,9 +31,16 @@ Vec3 taken_off(const LiquidDrag& drag, const Vec3& slip, const Vec3& driven, dou
   const Vec3 viscous = shares(drag.decay, drag.axis, slip) + shares(drag.of_driven, drag.axis, driven);
   if (drag.friction.across == 0 && drag.friction.along == 0) return viscous;
   const Vec3 rest = slip + driven - viscous;
-  const double speed = std::max(rest.norm() + drag.creep_speed, 1e-300);
-  const auto stopped = [&](double friction) { return std::min(1.0, friction * per_mass * kick / speed); };
-  return viscous + shares({stopped(drag.friction.along), stopped(drag.friction.across)}, drag.axis, rest);
+  const double speed = rest.norm(), creep = drag.creep_speed;
+  if (speed == 0) return viscous;
+  // Friction is a drive, too, of which K leaves the same part.
+  const AlongAndAcross friction = {drag.friction.along * per_mass * kick * (1 - drag.of_driven.along),
+                                   drag.friction.across * per_mass * kick * (1 - drag.of_driven.across)};
+  // The speed S at the end: S = speed - friction S/(S + c).
+  const double mean = shares(friction, drag.axis, rest).norm() / speed, b = speed - mean - creep;
+  const double end = 0.5 * (b + std::sqrt(b * b + 4 * speed * creep));
+  const auto stopped = [&](double f) { return f > 0 ? std::min(1.0, f / (std::max(end, 0.0) + creep + f)) : 0.0; };
+  return viscous + shares({stopped(friction.along), stopped(friction.across)}, drag.axis, rest);
 }
 
 /// N s, on the particle in a kick.

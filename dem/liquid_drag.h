@@ -8,8 +8,9 @@
 // K and Y with values of their own along an axis and across it. A kick (dem/integrator.h) of dt takes off the slip s,
 // which a and F drive by d = (a - F/m) dt,
 //   (1 - e^-x) s + (1 - (1 - e^-x)/x) d,   x = K dt (1/m + 1/M),
-// exact for a constant d, then what the friction stops of the rest. No kick is too long, no K too large. A body that
-// turns may be dragged so, too, against liquid that turns on as it does: T = k (W - w).
+// exact for a constant d, and what the friction stops of the rest: Y leaves its mark as a part of d does, and fades
+// with the speed at the end. No kick is too long, no K too large. A body that turns may be dragged so, too, against
+// liquid that turns on as it does: T = k (W - w).
 #include <span>
 
 #include "dem/particles.h"

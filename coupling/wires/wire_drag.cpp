@@ -389,9 +389,10 @@ void WireDrag<Real>::choose_given(const lbm::Fluid<Real>& fluid, double time_ste
   const double d = bead.diameter, rho = fluid.options().density;
   bead.share = wet_share(fluid, bead);
   bead.buoyancy = -bead.share * rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
-  // Forces act over the coming step, and the fluid stretches what cells get to it; impulses are what they are.
-  bead.for_drag = units.force_to_lu(1.0) / time_step * bead.impulse;
-  bead.given = bead.for_drag + units.force_to_lu(1.0) * bead.buoyancy;
+  // Forces act over the coming step, and the fluid stretches what cells get to it; impulses are what they are. The
+  // velocities that wires sample are those of the step that has ended.
+  bead.change = units.force_to_lu(1.0) / units.time_step * bead.impulse;
+  bead.given = units.force_to_lu(1.0) * (bead.impulse / time_step + bead.buoyancy);
 }
 
 /// The impulse of a cell is that of a full one: a cell of level F gets F of it.
@@ -402,7 +403,7 @@ void WireDrag<Real>::spread(lbm::Fluid<Real>& fluid, BeadInBlock& pair, WiresInB
   if (bead.weight == 0) return;
   Block<Real>& block = fluid.grid().block(pair.block);
   lbm::ImpulseFields<Real>& impulse = *block.impulse;
-  const Vec3 unit = bead.given / bead.weight, of_drag = bead.for_drag / bead.weight;
+  const Vec3 unit = bead.given / bead.weight, of_drag = bead.change / bead.weight;
   const Row<Real> ux(static_cast<Real>(unit.x())), uy(static_cast<Real>(unit.y())), uz(static_cast<Real>(unit.z()));
   const Row<Real> dx(static_cast<Real>(of_drag.x())), dy(static_cast<Real>(of_drag.y())),
       dz(static_cast<Real>(of_drag.z()));

@@ -69,8 +69,8 @@ class WireDrag {
     double weight = 0;                      ///< sum of kernel weights over wet cells, by liquid content
     double share = 0;                       ///< that is wet
     Vec3 buoyancy = Vec3::Zero();           ///< N
-    Vec3 for_drag = Vec3::Zero();           ///< given by the cells for the drag of the last step, lu
-    Vec3 given = Vec3::Zero();              ///< for buoyancy, too
+    Vec3 change = Vec3::Zero();             ///< of the liquid, by what it gives for the drag of the last step, lu
+    Vec3 given = Vec3::Zero();              ///< by the cells for that and for buoyancy, lu of the coming step
   };
   /// A bead and a wet block that its kernel reaches; what it finds there and gives.
   struct BeadInBlock {

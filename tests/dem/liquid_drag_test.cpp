@@ -124,6 +124,30 @@ TEST(LiquidDrag, friction_stops_and_holds) {
   EXPECT_NEAR(creeps.velocity().y(), 0.01, 2e-4);
 }
 
+/// Where a kick takes much of the slip the friction stays what it is: a force of Y/2 moves nothing, one of 30 N against
+/// 20 N of friction and K moves by 10 N/K. (By up to x/(1 - e^-x) too much of it acted.)
+TEST(LiquidDrag, friction_is_the_same_for_any_viscosity) {
+  LiquidDrag drag = {.liquid_mass = 1e18};
+  drag.friction = {.along = 20, .across = 20};
+  const double mass = Dragged(drag, Vec3::Zero()).mass();
+  for (const double x : {0.1, 1.0, 10.0}) {
+    const double viscous = x * mass / kStep;
+    drag.coefficient = {.along = viscous, .across = viscous};
+    Dragged slides(drag, Vec3::Zero());
+    slides.advance(2000, Vec3(0, 30, 0));
+    EXPECT_NEAR(slides.velocity().y() * viscous / 10, 1, 1e-9) << x;
+    Dragged stands(drag, Vec3::Zero());
+    stands.advance(100, Vec3(0, 10, 0));
+    EXPECT_LT(stands.velocity().norm(), 1e-12) << x;
+  }
+  // Fading below the creep speed c, and so strong that a kick could stop half of c: Y s/(s + c) = Y/2 at s = c.
+  LiquidDrag fades = {.creep_speed = 1, .liquid_mass = 1e18};
+  fades.friction = {.along = 0.5 * mass / kStep, .across = 0.5 * mass / kStep};
+  Dragged creeps(fades, Vec3::Zero());
+  creeps.advance(2000, Vec3(0, 0.25 * mass / kStep, 0));
+  EXPECT_NEAR(creeps.velocity().y(), 1, 1e-6);
+}
+
 TEST(LiquidDrag, rails_take_up_what_is_across) {
   LiquidDrag drag = {.liquid_mass = 1e18, .liquid = Vec3(1, 2, 0)};
   drag.coefficient = {.along = 30, .across = 30};

@@ -53,7 +53,7 @@ Problem rockfall_problem(bool quick) {
                  }};
   };
   p.trials.push_back(trial({}, small_net()));
-  for (const double step : {1.5e-6, 4.5e-6}) {
+  for (const double step : {1.5e-6, 3.5e-6}) {
     if (quick && step < 3e-6) continue;
     cases::Rockfall r = small_net();
     r.time_step = step;

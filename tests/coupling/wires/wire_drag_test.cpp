@@ -109,6 +109,33 @@ TEST(WireDrag, LiquidAtRestLiftsAlone) {
   }
 }
 
+/// What a wire takes its liquid to do is the same when the step of the fluid changes: the cells give the same impulse.
+TEST(WireDrag, KnowsItsLiquidWhenTheStepChanges) {
+  const double d = 0.006, dt = 2e-4;
+  const auto liquid_of = [&](double factor) {
+    lbm::FluidOptions options = tank(Vec3(0.32, 0.32, 0.32), 0.02, dt);
+    options.kinematic_viscosity = 1e-3;
+    options.gravity = Vec3::Zero();
+    lbm::Fluid<double> fluid(options);
+    fluid.fill_everything([](const Vec3&) { return Vec3(Vec3::Zero()); }, [](const Vec3&) { return 0.0; });
+    StraightWire wire(11, d, Vec3(0.13, 0.161, 0.15), Vec3::UnitX());
+    wire.particles.velocity.fill(Vec3(0, 1, 0));
+    WireDrag<double> drag(wire.particles, wire.bonds);
+    SolidFields<double> fields;
+    apply(drag, fluid, wire, fields);
+    fluid.step();
+    fluid.set_time_step(factor * dt);
+    fields.open(fluid.grid());
+    std::vector<dem::LiquidDrag> drags;
+    drag.apply(fluid, wire.particles, fields, drags);
+    fields.close(fluid.grid());
+    return drags[5].liquid.y();
+  };
+  const double same = liquid_of(1);
+  EXPECT_GT(same, 1e-4);
+  for (const double factor : {0.5, 1.1}) EXPECT_NEAR(liquid_of(factor) / same, 1, 1e-9) << factor;
+}
+
 /// Where a wire has torn, its ends lie as the piece that they are on: the rest may be anywhere.
 TEST(WireDrag, TornEndsLieAlongTheirOwnPiece) {
   const double d = 0.006;
