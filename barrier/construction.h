@@ -19,13 +19,9 @@ struct Construction {
   [[nodiscard]] std::int32_t next_body() { return body++; }
   /// Bond sorts of cables as those of the net.
   [[nodiscard]] const CableSorts& cable_sorts() {
-    const auto with_radius = [&](dem::BondSort sort) {
-      if (sort.bond_radius == 0) sort.bond_radius = 0.5 * spec.net.wire_diameter;
-      return bonds.add_sort(sort);
-    };
     if (!sorts) {
-      const int wire = with_radius(spec.net.cable);
-      sorts = {wire, with_radius(spec.net.dissipator)};
+      const int wire = bonds.add_sort(with_wire_radius(spec.net.cable, spec.net.wire_diameter));
+      sorts = {wire, bonds.add_sort(with_wire_radius(spec.net.dissipator, spec.net.wire_diameter))};
     }
     return *sorts;
   }

@@ -9,7 +9,8 @@
 namespace lahar::barrier {
 
 double guide_time_step(const GuideStiffness& guide, double mass) {
-  return 4 * guide.damping_ratio * std::sqrt(mass / guide.stiffness);
+  const double zeta = guide.damping_ratio, most = zeta > 0.5 ? 1 / zeta : 4 * zeta;
+  return most * std::sqrt(mass / guide.stiffness);
 }
 
 void Guides::add(const Wire& cable, const Vec3& point) {
@@ -39,7 +40,7 @@ Guides::Place Guides::nearest(const Guide& guide, const dem::Particles& particle
 void Guides::apply(dem::Particles& particles) {
   for (const dem::ParticleId bead : loaded_) particles.external_force.set(particles.index(bead), Vec3::Zero());
   loaded_.clear();
-  energy_ = largest_force_ = 0;
+  energy_ = 0;
   slipped_out_.reset();
   for (const Guide& g : guides_) {
     const Place at = nearest(g, particles);
@@ -57,7 +58,6 @@ void Guides::apply(dem::Particles& particles) {
       loaded_.push_back(particles.id(ends[end]));
     }
     energy_ += 0.5 * k * at.aside.squaredNorm();
-    largest_force_ = std::max(largest_force_, force.norm());
   }
 }
 

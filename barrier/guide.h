@@ -17,7 +17,7 @@ struct GuideStiffness {
 
 /// s, the longest stable step of beads of `mass` (kg) in guides. Their force is held over a step, from places and
 /// velocities at its start: with a = omega dt the square of an oscillation's amplitude then changes by the factor
-/// 1 - 2 zeta a + a^2/2, so that a may not exceed 4 zeta.
+/// 1 - 2 zeta a + a^2/2, so that a may not exceed 4 zeta, and beyond a = 1/zeta the damper overshoots.
 [[nodiscard]] double guide_time_step(const GuideStiffness& guide, double mass);
 
 /// A damped spring from a point to the nearest point of a cable, as an eyelet without friction: its force is normal to
@@ -37,8 +37,6 @@ class Guides {
 
   /// J, in the springs at the last call of apply.
   [[nodiscard]] double energy() const { return energy_; }
-  /// N, the largest force of a guide then.
-  [[nodiscard]] double largest_force() const { return largest_force_; }
   /// The point of a guide in which there then was no more than the first or last bond of its cable: a dissipator that
   /// is drawn out by more than the length of cable beside it.
   [[nodiscard]] const std::optional<Vec3>& slipped_out() const { return slipped_out_; }
@@ -60,7 +58,7 @@ class Guides {
   GuideStiffness stiffness_;
   std::vector<Guide> guides_;
   std::vector<dem::ParticleId> loaded_;  // beads with a force since the last call
-  double energy_ = 0, largest_force_ = 0;
+  double energy_ = 0;
   std::optional<Vec3> slipped_out_;
 };
 

@@ -31,8 +31,6 @@ struct HexagonalMesh {
   double damping_ratio = 0;
 
   [[nodiscard]] double row_distance() const { return 0.5 * (mesh_height + twist_length); }
-  /// Of a panel of so many rows of twists from end to end of them.
-  [[nodiscard]] double height_of(int rows) const { return (rows - 1) * row_distance() + twist_length; }
   [[nodiscard]] double single_length() const;
   /// Of a node: a twist's half (two wires) and the halves of two single wires, kg.
   [[nodiscard]] double node_mass() const;

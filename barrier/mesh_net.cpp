@@ -30,11 +30,6 @@ Filling fill(double length, double step, double fixed, int least, double edges, 
                    " and " + size(fewer + 1) + " would do");
 }
 
-dem::BondSort with_radius(dem::BondSort sort, double wire_diameter) {
-  if (sort.bond_radius == 0) sort.bond_radius = 0.5 * wire_diameter;
-  return sort;
-}
-
 void tie_to_nearest(const std::vector<dem::ParticleId>& nodes, const Wire& cable, int sort, Net& net,
                     const dem::Particles& particles, dem::Bonds& bonds) {
   for (const dem::ParticleId node : nodes) {
@@ -79,8 +74,8 @@ Net build_mesh_net(const RingNetSpec& spec, dem::Particles& particles, dem::Bond
                                    spec.first_body, particles, bonds)};
   const MeshPart panel = net.meshes.front();
 
-  const dem::BondSort cable = with_radius(spec.cable, d);
-  const CableSorts sorts{bonds.add_sort(cable), bonds.add_sort(with_radius(spec.dissipator, d))};
+  const dem::BondSort cable = with_wire_radius(spec.cable, d);
+  const CableSorts sorts{bonds.add_sort(cable), bonds.add_sort(with_wire_radius(spec.dissipator, d))};
   const double stiffness = cable.axial.stiffness[0] * std::numbers::pi * cable.bond_radius * cable.bond_radius;
   const int tie_sort = bonds.add_sort(link_bond(stiffness, 0.5 * d));
   const double in = 0.51 * d, right = spec.width - in, top = spec.height - in, gap = 1.05 * d;

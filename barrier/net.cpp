@@ -119,11 +119,6 @@ void reach_for_frame(const RingNetSpec& spec, const RingPattern& pattern, NetLay
   layout.cable_overhang = std::max(0.0, 0.5 * (spec.width - span) - bead);
 }
 
-dem::BondSort with_radius(dem::BondSort sort, double wire_diameter) {
-  if (sort.bond_radius == 0) sort.bond_radius = 0.5 * wire_diameter;
-  return sort;
-}
-
 /// Everything that the parts of a net under construction share.
 struct Builder {
   const RingNetSpec& spec;
@@ -158,7 +153,7 @@ struct Builder {
   void add_rings() {
     WireSpec ring;
     ring.properties = spec.bead_properties();
-    ring.sort = bonds.add_sort(with_radius(spec.ring, spec.wire_diameter));
+    ring.sort = bonds.add_sort(with_wire_radius(spec.ring, spec.wire_diameter));
     for (const Polyline& line : draw_rings(layout, net.pattern)) {
       ring.line = placed(line, place);
       ring.body = next_body();
@@ -168,8 +163,8 @@ struct Builder {
 
   void add_cables() {
     if (spec.free_net) return;
-    const CableSorts sorts{bonds.add_sort(with_radius(spec.cable, spec.wire_diameter)),
-                           bonds.add_sort(with_radius(spec.dissipator, spec.wire_diameter))};
+    const CableSorts sorts{bonds.add_sort(with_wire_radius(spec.cable, spec.wire_diameter)),
+                           bonds.add_sort(with_wire_radius(spec.dissipator, spec.wire_diameter))};
     for (const Side side : cable_order) {
       const NetCable& cable = cable_spec(spec, side);
       if (!cable.present) continue;
@@ -210,7 +205,7 @@ void note_beads_since(dem::ParticleId first, const dem::Particles& particles, Ne
 }
 
 double RingNetSpec::bond_limit(const dem::BondSort& sort) const {
-  return dem::bond_time_step(with_radius(sort, wire_diameter), bead_properties().bead_mass(), bead_inertia_scale);
+  return dem::bond_time_step(with_wire_radius(sort, wire_diameter), bead_properties().bead_mass(), bead_inertia_scale);
 }
 
 const Wire* Net::cable(Side side) const {

@@ -6,6 +6,11 @@
 
 namespace lahar::barrier {
 
+dem::BondSort with_wire_radius(dem::BondSort sort, double wire_diameter) {
+  if (sort.bond_radius == 0) sort.bond_radius = 0.5 * wire_diameter;
+  return sort;
+}
+
 Wire add_wire(const WireSpec& spec, dem::Particles& particles, dem::Bonds& bonds) {
   const auto& points = spec.line.points;
   Wire wire{static_cast<dem::ParticleId>(particles.size()),

@@ -47,6 +47,9 @@ struct WireSpec {
   std::optional<Vec3> rail{};  ///< unit: all beads that are not fixed move along this direction only
 };
 
+/// A sort of bonds as thick as the wire, where it states no thickness of its own.
+[[nodiscard]] dem::BondSort with_wire_radius(dem::BondSort sort, double wire_diameter);
+
 /// Adds the beads and, at rest, the bonds.
 Wire add_wire(const WireSpec& spec, dem::Particles& particles, dem::Bonds& bonds);
 

@@ -21,7 +21,6 @@ class MomentumAudit {
   void book(const ExchangedMomentum& step) {
     difference_ += step.to_solids - step.from_fluid;
     exchanged_ += step.from_fluid.cwiseAbs();
-    worst_ = std::max(worst_, (step.to_solids - step.from_fluid).norm());
   }
   /// |sum of differences| over the sum of what the fluid gave, at most 1: what the solids got of nothing. 0 if nothing
   /// was exchanged.
@@ -29,16 +28,13 @@ class MomentumAudit {
     const double scale = std::max(exchanged_.norm(), difference_.norm());
     return scale <= 0 ? 0.0 : difference_.norm() / scale;  // NaN stays NaN
   }
-  [[nodiscard]] double worst_step() const { return worst_; }
   void transfer(Archive& archive) {
     archive.value("difference", difference_);
     archive.value("exchanged", exchanged_);
-    archive.value("worst", worst_);
   }
 
  private:
   Vec3 difference_ = Vec3::Zero(), exchanged_ = Vec3::Zero();
-  double worst_ = 0;
 };
 
 }  // namespace lahar::coupling

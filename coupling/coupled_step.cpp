@@ -69,16 +69,16 @@ template <class Real>
 Vec3 CoupledStep<Real>::liquid_momentum() const {
   require(fluid_.has_value(), "CoupledStep::liquid_momentum: there is no fluid");
   const double rho = fluid_->options().density, cell = std::pow(fluid_->units().cell_size, 3);
-  const bool averaged = std::holds_alternative<AveragedGrains>(options_.grains);
+  const bool with_level = grains_ && grains_->fills_with_level();
   std::vector<Vec3> blocks(fluid_->wet_block_count(), Vec3::Zero());
   fluid_->for_each_wet_block([&](std::size_t k, std::span<const lbm::WetCell> cells) {
     for (const lbm::WetCell& c : cells)
-      blocks[k] += rho * (averaged ? c.fill_level * cell : c.liquid_volume) * c.velocity;
+      blocks[k] += rho * (with_level ? c.fill_level * cell : c.liquid_volume) * c.velocity;
   });
   Vec3 sum = Vec3::Zero();
   for (const Vec3& block : blocks) sum += block;
   sum -= owed_to_wires() + lent_to_wires();
-  if (averaged && grains_) sum -= rho * cell * grains_->wet_volume_flow(solids_->particles());
+  if (with_level) sum -= rho * cell * grains_->flow_in_cells(solids_->particles());
   return sum;
 }
 

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 #include "cases/assembly/check_gradings.h"
 #include "cases/assembly/cross_checks.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_extent.h"
 #include "cases/assembly/grain_sizes.h"
+#include "core/bounding_tree.h"
 
 namespace lahar::scene {
 namespace {
@@ -89,7 +92,7 @@ void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
                      fmt::format("{} reaches {:.3g} m into a wall, expected it in free space", path, depth));
 }
 
-void check_sphere(const Scene& scene, std::size_t i, Findings& findings) {
+void check_sphere(const Scene& scene, const Walls& walls, std::size_t i, Findings& findings) {
   const GrainSphere& s = scene.grains.spheres[i];
   const std::string path = fmt::format("grains.sphere[{}]", i);
   if (!findings.sound({path})) return;
@@ -110,16 +113,8 @@ void check_sphere(const Scene& scene, std::size_t i, Findings& findings) {
                      fmt::format("{}.velocity_m_s is {:g} m/s, expected at most {:g} m/s, where a run stops", path,
                                  s.velocity.norm(), kLargestSpeed));
   if (!findings.sound({"wall", path})) return;
-  const Walls walls = make_walls(scene);
   if (!s.fixed && !walls.empty() && walls.nearest(s.position).distance < (1 - kLargestOverlap) * s.diameter / 2)
     findings.mistake(path + ".position_m", path + " is inside a wall, expected it in free space");
-  for (std::size_t k = 0; k < i; ++k) {
-    const GrainSphere& other = scene.grains.spheres[k];
-    if (!findings.sound({fmt::format("grains.sphere[{}]", k)})) continue;
-    const double gap = (s.position - other.position).norm() - (s.diameter + other.diameter) / 2;
-    if (-gap > kLargestOverlap * std::min(s.diameter, other.diameter) / 2)
-      findings.mistake(path + ".position_m", fmt::format("{} overlaps grains.sphere[{}], expected a gap", path, k));
-  }
   for (std::size_t k = 0; k < scene.grains.packings.size(); ++k) {
     const Packing& packing = scene.grains.packings[k];
     if (!findings.sound({fmt::format("grains.packing[{}]", k)})) continue;
@@ -130,11 +125,51 @@ void check_sphere(const Scene& scene, std::size_t i, Findings& findings) {
   }
 }
 
+/// A sphere of the scene, by its number there.
+struct NumberedSphere {
+  std::size_t number;
+  Vec3 centre;
+  double radius;
+};
+
+Eigen::AlignedBox3d bounding_box(const NumberedSphere& s) {
+  const Vec3 reach = Vec3::Constant(s.radius);
+  return {s.centre - reach, s.centre + reach};
+}
+
+/// Spheres that are sound by themselves must lie apart. Of two that overlap the later one is to blame, and only once.
+void check_gaps(const Scene& scene, Findings& findings) {
+  const auto path = [](std::size_t i) { return fmt::format("grains.sphere[{}]", i); };
+  std::vector<NumberedSphere> sound;
+  for (std::size_t i = 0; i < scene.grains.spheres.size(); ++i)
+    if (const GrainSphere& s = scene.grains.spheres[i]; findings.sound({path(i)}))
+      sound.push_back({i, s.position, s.diameter / 2});
+  const BoundingTree<NumberedSphere> tree(sound);
+  std::vector<char> to_blame(sound.size());
+  for (std::size_t n = 0; n < sound.size(); ++n) {
+    const NumberedSphere& s = sound[n];
+    std::size_t hit = n;
+    double limit = s.radius * s.radius;
+    tree.visit(SquaredDistanceFrom<double>{s.centre}, limit, [&](std::size_t k) {
+      const NumberedSphere& other = sound[k];
+      const double overlap = s.radius + other.radius - (s.centre - other.centre).norm();
+      if (k < hit && !to_blame[k] && overlap > kLargestOverlap * std::min(s.radius, other.radius)) hit = k;
+    });
+    if (hit == n) continue;
+    to_blame[n] = 1;
+    findings.mistake(path(s.number) + ".position_m",
+                     fmt::format("{} overlaps {}, expected a gap", path(s.number), path(sound[hit].number)));
+  }
+}
+
 }  // namespace
 
 void check_grains(const Scene& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.grains.packings.size(); ++i) check_packing(scene, i, findings);
-  for (std::size_t i = 0; i < scene.grains.spheres.size(); ++i) check_sphere(scene, i, findings);
+  if (scene.grains.spheres.empty()) return;
+  const Walls walls = findings.sound({"wall"}) ? make_walls(scene) : Walls{};
+  for (std::size_t i = 0; i < scene.grains.spheres.size(); ++i) check_sphere(scene, walls, i, findings);
+  check_gaps(scene, findings);
 }
 
 }  // namespace lahar::scene

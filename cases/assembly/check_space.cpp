@@ -232,11 +232,12 @@ void check_speed(const Scene& scene, Findings& findings) {
                      "largest speed");
 }
 
-/// What fluid.max_speed_m_s makes of the liquid's weight (see start_compression). A step that adapts takes it back.
+/// What fluid.max_speed_m_s makes of the liquid's weight (see start_compression). A step that adapts takes most of it
+/// back: of 44 % too much 1.4 % stay, of 200 % 4.4 %.
 void check_compression(const Scene& scene, Findings& findings) {
-  constexpr double most = 0.1;  // of the mass
+  const double most = scene.fluid.adaptive_time_step ? 1.0 : 0.1;  // of the mass
   const std::string path = "fluid.max_speed_m_s";
-  if (scene.fluid.max_speed == 0 || scene.fluid.adaptive_time_step || scene.fluid.regions.empty()) return;
+  if (scene.fluid.max_speed == 0 || scene.fluid.regions.empty()) return;
   if (!findings.sound({"fluid", "domain", "gravity", "wall"})) return;
   const double share = cases::start_compression(scene);
   if (share > most)

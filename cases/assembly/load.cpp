@@ -45,7 +45,7 @@ Scene load(const std::filesystem::path& file, const std::vector<std::string>& ov
   build_rigid_barrier(scene, findings);
   load_shapes(scene, findings);
   check_together(scene, findings);
-  if (const auto mistakes = findings.mistakes(); !mistakes.empty()) throw InputError(mistakes);
+  findings.raise();
   normalise(scene);
   return scene;
 }

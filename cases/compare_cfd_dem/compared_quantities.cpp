@@ -272,6 +272,8 @@ std::vector<Compared> make_quantities() {
   add("e_out_full_cells", "kJ",
       "energy that leaves, about the bed at the net, as if liquid filled the space of the grains too", e_out_full_cells,
       of_table(&Flow::e_out), "Table 5");
+  add("solids_energy_gap", "J", "what the energy ledger of grains and barrier lacks at most",
+      metric("solids_energy_gap_max_J"), not_given, "");
   add("e_d", "kJ", "energy that is dissipated or passed on, E_in - E_out", e_d, of_table(&Flow::e_d), "Table 5");
   add("e_d_lower", "kJ", "the same about the bed 1.30 m downstream", e_d_lower, of_table(&Flow::e_d), "Table 5");
   add("e_b", "kJ", "energy that the barrier holds at the end", e_b, of_table(&Flow::e_b), "Table 5");
@@ -374,6 +376,10 @@ std::vector<Compared> make_quantities() {
 const std::vector<Compared>& compared_quantities() {
   static const std::vector<Compared> all = make_quantities();
   return all;
+}
+
+double mass_by_energies(double e_in, double e_in_lower) {
+  return 1000 * (e_in_lower - e_in) / (kGravity * kLowerDatum);
 }
 
 const std::vector<ShownColumn>& shown_columns() {

@@ -30,6 +30,9 @@ struct Compared {
   std::string where;                                            ///< in the paper
 };
 const std::vector<Compared>& compared_quantities();
+/// kg, all mass that is there while the flow arrives, by its energy about the bed at the net and about the lower one,
+/// kJ.
+[[nodiscard]] double mass_by_energies(double e_in, double e_in_lower);
 
 /// A column of a run's series that is shown over time.
 struct ShownColumn {

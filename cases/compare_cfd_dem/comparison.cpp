@@ -1,8 +1,10 @@
 #include "cases/compare_cfd_dem/comparison.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -27,7 +29,8 @@ double CaseResult::value(const std::string& quantity) const {
 }
 
 CaseResult result_of(const CaseRun& run) {
-  CaseResult result{run.study_case, {}, {}, {}, {}, {}, {}, 0, {}};
+  CaseResult result;
+  result.study_case = run.study_case;
   for (const Compared& q : compared_quantities())
     if (const double value = q.ours(run); std::isfinite(value)) result.values[q.name] = value;
   result.curves.time_s = run.series.time_s;
@@ -70,6 +73,10 @@ CaseResult read_case(const StudyCase& study_case, const std::filesystem::path& f
   CaseResult result = result_of(run);
   take_summary(result, summary, file);
   result.folder = folder;
+  const auto written = std::filesystem::file_time_type::clock::to_sys(std::filesystem::last_write_time(file));
+  result.ended = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                             fmt::gmtime(std::chrono::system_clock::to_time_t(
+                                 std::chrono::time_point_cast<std::chrono::system_clock::duration>(written))));
   return result;
 }
 

@@ -21,6 +21,7 @@ struct CaseResult {
   std::vector<std::string> failed_checks;
   double wall_seconds = 0;
   std::filesystem::path folder;  ///< of its pictures; empty where they are not at hand
+  std::string ended;             ///< UTC, 2026-01-31T23:59:59Z; empty in records of before
 
   /// NaN where there is none.
   [[nodiscard]] double value(const std::string& quantity) const;

@@ -50,6 +50,9 @@ bool is_of_a_case(const std::filesystem::directory_entry& entry) {
 void require_study_folder(const std::filesystem::path& folder, const std::string& option) {
   namespace fs = std::filesystem;
   std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+    throw InputError(std::vector<InputMistake>{
+        {option + " " + folder.string(), 1, 1, "is a file, expected a folder or a new name"}});
   if (!fs::is_directory(folder, error) || fs::is_empty(folder, error)) return;
   if (std::any_of(fs::directory_iterator(folder), {}, is_of_a_case)) return;
   if (cases::holds_table(folder / kComparisonTable, kComparisonColumns)) return;

@@ -11,6 +11,7 @@
 #include "cases/files/output_file.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
+#include "cases/runner/messages.h"
 #include "cases/runner/options.h"
 #include "cases/runner/output_folder.h"
 
@@ -72,9 +73,9 @@ std::vector<CaseResult> results_in(const std::filesystem::path& folder, std::vec
       const Standing s = standing_of(c, folder / c.name());
       if (s == Standing::done) results.push_back(read_case(c, folder / c.name()));
       if (s == Standing::refused)
-        fmt::print(stderr, "warning: {} is left out: this program refuses its scene.resolved.toml\n", c.name());
+        cases::tell(fmt::format("warning: {} is left out: this program refuses its scene.resolved.toml\n", c.name()));
     } catch (const cases::FileError& error) {
-      fmt::print(stderr, "warning: {} is left out: {}\n", c.name(), error.what());
+      cases::tell(fmt::format("warning: {} is left out: {}\n", c.name(), error.what()));
     }
   return results;
 }
@@ -83,25 +84,11 @@ bool holds(const std::vector<CaseResult>& results, const StudyCase& study_case) 
   return std::any_of(results.begin(), results.end(), [&](const CaseResult& c) { return c.study_case == study_case; });
 }
 
-/// Writes records of what is done here and adds those of other cases.
-void share(std::vector<CaseResult>& results, const std::filesystem::path& records) {
-  std::vector<CaseResult> kept = read_records(records);
-  for (const CaseResult& c : results) {
-    for (const CaseResult& former : kept)
-      if (former.study_case == c.study_case && former.commit != c.commit)
-        fmt::print(stderr, "warning: the record of {} was of commit {}, is now of {}\n", c.study_case.name(),
-                   former.commit, c.commit);
-    write_record(c, records);
-  }
-  for (CaseResult& c : kept)
-    if (!holds(results, c.study_case)) results.push_back(std::move(c));
-}
-
 /// What is done, and the page about it.
 void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   const std::filesystem::path folder = a.common.out;
   std::vector<CaseResult> results = results_in(folder, study_cases, a.selection.further);
-  if (!a.records.empty()) share(results, a.records);
+  if (!a.records.empty()) results = share(std::move(results), a.records);
   std::sort(results.begin(), results.end(),
             [](const CaseResult& x, const CaseResult& y) { return comes_before(x.study_case, y.study_case); });
   Sitting sitting{cases::commit(), cases::today(), {}};
@@ -120,9 +107,12 @@ int run(const Arguments& a) {
     cases::refuse_command_line(
         "--records with --set or --precision: records are of the study's own values, expected one of the two");
   check_changes(study_cases);
-  if (a.list) return list(study_cases, a), cases::exit_done;
   require_study_folder(a.common.out, "--out");
+  if (a.list) return list(study_cases, a), cases::exit_done;
   if (!a.records.empty()) require_study_folder(a.records, "--records");
+  if (a.report_only && a.records.empty() && !std::filesystem::exists(a.common.out))
+    throw InputError(std::vector<InputMistake>{
+        {"--out " + a.common.out, 1, 1, "does not exist, expected a folder with cases to report of, or --records"}});
   cases::create_folder(a.common.out);
   if (!a.records.empty()) cases::create_folder(a.records, "--records");
   int code = cases::exit_done;
@@ -140,8 +130,8 @@ int run(const Arguments& a) {
       if (job.exit_code == cases::exit_done) continue;
       code = job.exit_code;
       if (code != cases::exit_interrupted)
-        fmt::print(stderr, "error: {} ended with exit code {}: {} says why\n", job.study_case.name(), code,
-                   log_of(job.study_case, options.folder).string());
+        cases::tell(fmt::format("error: {} ended with exit code {}: {} says why\n", job.study_case.name(), code,
+                                log_of(job.study_case, options.folder).string()));
     }
     if (cases::interrupted()) code = cases::exit_interrupted;
   }

@@ -9,6 +9,7 @@
 
 #include "cases/files/output_file.h"
 #include "cases/files/text_file.h"
+#include "cases/runner/messages.h"
 
 namespace lahar::study {
 
@@ -49,10 +50,11 @@ void write_record(const CaseResult& result, const std::filesystem::path& folder)
   for (const auto& column : result.curves.columns)
     curves += fmt::format(",\n  \"{}\": {}", column.name, list_of(column.values, rows));
   std::filesystem::create_directories(folder);
-  cases::replace_text_file(folder / (result.study_case.name() + ".json"),
-                           fmt::format("{{\n\"summary\": {},\n\"values\": {},\n\"curves\": {{\n{}\n}}\n}}\n",
-                                       nlohmann::ordered_json::parse(result.summary).dump(1),
-                                       nlohmann::json(result.values).dump(1), curves));
+  cases::replace_text_file(
+      folder / (result.study_case.name() + ".json"),
+      fmt::format("{{\n\"ended\": \"{}\",\n\"summary\": {},\n\"values\": {},\n\"curves\": {{\n{}\n}}\n}}\n",
+                  result.ended, nlohmann::ordered_json::parse(result.summary).dump(1),
+                  nlohmann::json(result.values).dump(1), curves));
 }
 
 CaseResult read_record(const StudyCase& study_case, const std::filesystem::path& file) {
@@ -61,6 +63,7 @@ CaseResult read_record(const StudyCase& study_case, const std::filesystem::path&
   try {
     const auto record = nlohmann::ordered_json::parse(cases::read_text_file(file));
     take_summary(result, record.at("summary").dump(1), file);
+    result.ended = record.value("ended", "");
     record.at("values").get_to(result.values);
     const auto& curves = record.at("curves");
     result.curves.time_s = numbers_of(curves.at("time_s"));
@@ -70,8 +73,10 @@ CaseResult read_record(const StudyCase& study_case, const std::filesystem::path&
       if (result.curves.columns.back().values.size() != result.curves.time_s.size())
         throw cases::FileError(file, shown.name + " has not as many values as there are times");
     }
-    // What quantities are asked for since, of what was kept: the scene's grains were not.
-    const CaseRun kept{study_case, metrics_of(result.summary, file), kUnknown, kUnknown, result.curves};
+    // What quantities are asked for since, of what was kept: of the scene's grains only the mass.
+    CaseRun kept{study_case, metrics_of(result.summary, file), kUnknown, kUnknown, result.curves};
+    kept.grain_mass =
+        mass_by_energies(result.value("e_in"), result.value("e_in_lower")) - kept.metric("liquid_mass_start_kg");
     for (const auto& [name, value] : result_of(kept).values) result.values.emplace(name, value);
   } catch (const nlohmann::json::exception&) {
     throw cases::FileError(file, "not the record of a case");
@@ -88,6 +93,30 @@ std::vector<CaseResult> read_records(const std::filesystem::path& folder) {
       results.push_back(read_record(*study_case, entry.path()));
   std::sort(results.begin(), results.end(),
             [](const CaseResult& a, const CaseResult& b) { return comes_before(a.study_case, b.study_case); });
+  return results;
+}
+
+std::vector<CaseResult> share(std::vector<CaseResult> results, const std::filesystem::path& folder) {
+  for (CaseResult& former : read_records(folder)) {
+    const auto here = std::find_if(results.begin(), results.end(),
+                                   [&](const CaseResult& c) { return c.study_case == former.study_case; });
+    if (here == results.end()) {
+      results.push_back(std::move(former));
+      continue;
+    }
+    if (former.commit == here->commit) continue;
+    const std::string name = former.study_case.name();
+    if (!here->ended.empty() && former.ended > here->ended) {
+      cases::tell(fmt::format("warning: the record of {}, of commit {}, stays: the run here, of commit {}, is older\n",
+                              name, former.commit, here->commit));
+      *here = std::move(former);
+    } else {
+      cases::tell(
+          fmt::format("warning: the record of {} was of commit {}, is now of {}\n", name, former.commit, here->commit));
+    }
+  }
+  for (const CaseResult& c : results)
+    if (!c.folder.empty()) write_record(c, folder);
   return results;
 }
 

@@ -53,28 +53,30 @@ std::vector<Curve> curves_of(const std::vector<CaseResult>& results) {
   return curves;
 }
 
-/// One colour in all figures: dark the resolved flows of a sweep, light its averaged ones.
-cases::ChartColour colour_of(const std::string& sweep, const std::string& preset, const std::string& coupling) {
+/// One colour in all figures for a sweep in one coupling: dark the resolved flows, light the averaged ones. Beads by
+/// the law of grains, which few flows have, are as black as the paper's.
+cases::ChartColour colour_of(const std::string& sweep, const std::string& coupling) {
   using enum cases::ChartColour;
   const bool matched = sweep == "matched";
-  if (preset != presets().front().name) return purple;
+  if (coupling == "averaged_beads") return black;
   if (coupling == "resolved") return matched ? vermilion : blue;
-  return coupling != "averaged" ? green : matched ? amber : sky;
+  if (coupling == "averaged") return matched ? amber : sky;
+  return matched ? purple : green;
 }
 
-/// The paper's points are circles.
-cases::PointShape shape_of(const std::string& preset, const std::string& coupling) {
+/// Of one colour presets and packings differ by their points. The paper's are circles.
+cases::PointShape shape_of(const Curve& c) {
   using enum cases::PointShape;
-  if (preset != presets().front().name) return triangle_down;
-  if (coupling == "resolved") return square;
-  return coupling == "averaged" ? triangle : diamond;
+  if (c.coupling == "averaged_beads") return c.sweep == "matched" ? diamond : square;
+  if (c.preset != presets().front().name) return c.preset == "standard" ? triangle_down : triangle;
+  return c.seed == 1 ? square : diamond;
 }
 
-/// Broken where grains are averaged, otherwise broken where the packing is another.
-cases::Dash dash_of(const std::string& coupling, int seed) {
+/// And by their dashes.
+cases::Dash dash_of(const std::string& preset, int seed) {
   using enum cases::Dash;
-  if (coupling == "resolved") return seed == 1 ? solid : dash_dot;
-  return seed == 1 ? dashed : dotted;
+  if (preset != presets().front().name) return preset == "standard" ? dashed : dash_dot;
+  return seed == 1 ? solid : dotted;
 }
 
 /// Theirs over their Froude number, and ours at the flow of the same release distance.
@@ -104,9 +106,9 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
     std::sort(points.begin(), points.end());
     ChartSeries ours{.name = curve.label(),
                      .mark = Mark::line_and_points,
-                     .dash = dash_of(curve.coupling, curve.seed),
-                     .colour = colour_of(curve.sweep, curve.preset, curve.coupling),
-                     .shape = shape_of(curve.preset, curve.coupling)};
+                     .dash = dash_of(curve.preset, curve.seed),
+                     .colour = colour_of(curve.sweep, curve.coupling),
+                     .shape = shape_of(curve)};
     for (const auto& [x, y] : points) ours.x.push_back(x), ours.y.push_back(y);
     if (points.size() < 4) ours.mark = Mark::points;  // what lies between is not known
     chart.series.push_back(ours);
@@ -132,8 +134,8 @@ cases::Chart over_time(const ShownColumn& shown, double release, const std::stri
         .name = fmt::format("{}, {}{}", s.coupling, s.preset, s.seed == 1 ? "" : fmt::format(", seed {}", s.seed)),
         .x = c.curves.time_s,
         .y = values->values,
-        .dash = dash_of(s.coupling, s.seed),
-        .colour = colour_of(s.sweep, s.preset, s.coupling)};
+        .dash = dash_of(s.preset, s.seed),
+        .colour = colour_of(s.sweep, s.coupling)};
     std::replace(line.name.begin(), line.name.end(), '_', ' ');
     for (double& y : line.y) y *= shown.factor;
     chart.series.push_back(line);
@@ -249,19 +251,22 @@ std::string trend_table(const std::vector<CaseResult>& results) {
       "<th>programs</th><th>measure</th><th>agrees</th></tr>\n";
   for (const Trend& t : all)
     html += fmt::format(
-        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{}</td></tr>\n",
-        t.statement, t.sweep, t.coupling, t.preset, t.flows, t.programs, t.measure, name_of(t.agrees));
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+        t.statement, t.sweep, t.coupling, t.preset, t.flows, t.programs,
+        std::isfinite(t.measure) ? fmt::format("{:.2f}", t.measure) : "-", name_of(t.agrees));
   return html + "</table>\n";
 }
 
 std::string ledger_lines(const std::vector<CaseResult>& results) {
+  if (results.empty()) return {};
   std::string html;
   for (const CaseResult& c : results)
     for (const std::string& check : c.failed_checks)
       html += fmt::format("<li>{}: {} did not pass</li>\n", c.study_case.name(), cases::html_text(check));
-  return html.empty()
-             ? "<p>All checks of all runs passed: ledger of the liquid, exchange of momentum, links of rings.</p>\n"
-             : "<ul>" + html + "</ul>\n";
+  return html.empty() ? "<p>All checks of all runs passed: ledgers of liquid and of the particles' energy, exchange of "
+                        "momentum, "
+                        "links of rings.</p>\n"
+                      : "<ul>" + html + "</ul>\n";
 }
 
 }  // namespace

@@ -69,8 +69,8 @@ const std::vector<Choice>& variants() {
        {"coupling.averaging_length_m=0.08"},
        "averaged"},
       {"half_speed", "half the time step of the fluid", {"fluid.lattice_velocity=0.05"}, "", true},
-      {"stiff_rock", "rock as stiff as Table 4 says", {"materials.rock.youngs_modulus_Pa=70e9"}, "", true},
-      {"light_beads", "beads without added inertia", {"barrier.net.bead_mass_scale=1"}, "", true},
+      {"stiff_rock", "rock as stiff as Table 4 says", {"materials.rock.youngs_modulus_Pa=70e9"}, "", true, "coarse"},
+      {"light_beads", "beads without added inertia", {"barrier.net.bead_mass_scale=1"}, "", true, "coarse"},
       {"soft_bonds", "bonds of a fifth of the stiffness", {"solids.bond_stiffness_scale=0.2"}}};
   return all;
 }
@@ -204,14 +204,21 @@ std::vector<StudyCase> cases_of(const Selection& s) {
         for (const auto& sweep : sweep_names)
           for (const double release : releases)
             for (const auto& coupling : coupling_names)
-              if (coupling.starts_with(find(variants(), variant).coupling))
+              if (find(variants(), variant).says_something(preset, coupling))
                 add({sweep, preset, coupling, variant, release, seed, s.further});
   for (const auto& variant : variant_names)
-    if (std::none_of(all.begin(), all.end(), [&](const StudyCase& c) { return c.variant == variant; }))
+    if (std::none_of(all.begin(), all.end(), [&](const StudyCase& c) { return c.variant == variant; })) {
+      const Choice& choice = find(variants(), variant);
+      const std::string where = choice.coupling.empty()
+                                    ? ""
+                                    : fmt::format(" --coupling {}, expected one that begins with {}",
+                                                  fmt::join(coupling_names, ", "), choice.coupling);
+      const std::string when = choice.preset.empty() ? ""
+                                                     : fmt::format(" --preset {}, expected {}",
+                                                                   fmt::join(preset_names, ", "), choice.preset);
       throw InputError(std::vector<InputMistake>{
-          {"command line", 1, 1,
-           fmt::format("--variant {}: says nothing with --coupling {}, expected a coupling that begins with {}",
-                       variant, fmt::join(coupling_names, ", "), find(variants(), variant).coupling)}});
+          {"command line", 1, 1, fmt::format("--variant {}: says nothing with{}{}", variant, where, when)}});
+    }
   return all;
 }
 

@@ -14,6 +14,11 @@ struct Choice {
   std::vector<std::string> changes{};
   std::string coupling{};  ///< how the names of the couplings begin in which it says something; empty: in all
   bool same_flow = false;  ///< of a variant: the same flow by other numerics, so that it counts in the spread
+  std::string preset{};    ///< the one in which it says something; empty: in all
+
+  [[nodiscard]] bool says_something(const std::string& a_preset, const std::string& a_coupling) const {
+    return a_coupling.starts_with(coupling) && (preset.empty() || a_preset == preset);
+  }
 };
 
 /// The scene files as_printed.toml and matched.toml.
@@ -64,8 +69,8 @@ struct Selection {
 };
 
 /// All combinations: by default both sweeps of ten distances, coarse, resolved and averaged, seed 1, the study's
-/// reading. Variants that say nothing in a coupling are left out there. Throws InputError for a name that is none, with
-/// those that there are, and for variants that say nothing in any coupling asked for.
+/// reading. Variants that say nothing in a coupling or preset are left out there. Throws InputError for a name that is
+/// none, with those that there are, and for variants that say nothing in any of those asked for.
 std::vector<StudyCase> cases_of(const Selection& selection);
 
 }  // namespace lahar::study

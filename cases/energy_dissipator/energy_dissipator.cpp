@@ -142,39 +142,47 @@ double EnergyDissipator::energy_to(double force) const {
   return dem::curve_energy(dem::axial_curve(law(), area(*this)), elongation_at(force));
 }
 
-void check(const EnergyDissipator& b) {
-  std::vector<InputMistake> wrong;
-  const auto unless = [&](bool fine, const char* message) {
-    if (!fine) wrong.push_back({"energy_dissipator", 1, 1, message});
-  };
-  if (b.stiffness.size() < 2 || b.stiffness.size() > 3)
-    throw InputError("dissipator.stiffness_N_m3 does not have two or three entries, expected one for each stage");
-  unless(b.force_limit.size() + 1 == b.stiffness.size(),
-         "dissipator.stiffness_N_m3 and force_limit_N do not fit together, expected one limit less than stages");
-  const bool rise =
-      std::adjacent_find(b.force_limit.begin(), b.force_limit.end(), std::greater_equal<>{}) == b.force_limit.end();
-  unless(rise && (b.force_limit.empty() || b.last_force > b.force_limit.back()),
-         "dissipator.force_limit_N and last_force_N do not rise, expected each above the one before");
-  if (b.unloading == BrakeUnloading::plastic)
-    for (std::size_t k = 1; k < b.stiffness.size(); ++k)
-      unless(b.stiffness[k] < b.stiffness[0],
-             "dissipator.unloading is \"plastic\", expected later stages softer than the first");
-  if (!wrong.empty()) throw InputError(wrong);
-  // Slopes are fitted to the points of a stage: they lie equally far apart.
+namespace {
+
+/// Slopes are fitted to the points of a stage: they lie equally far apart.
+void check_samples(const EnergyDissipator& b, scene::Findings& findings) {
   constexpr double least = 6;
   double before = 0;
   for (std::size_t k = 0; k < b.stiffness.size(); ++k) {
     const double after = b.displacement_at(k < b.force_limit.size() ? b.force_limit[k] : b.last_force);
     const double share = (after - std::exchange(before, after)) / b.displacement_at(b.last_force);
     if (share * static_cast<double>(b.samples) < least)
-      throw InputError("loading.samples is " + std::to_string(b.samples) + ", of which stage " + std::to_string(k + 1) +
-                       " gets " + std::to_string(share * static_cast<double>(b.samples)) + ", expected at least " +
-                       std::to_string(static_cast<std::int64_t>(std::ceil(least / share))));
+      return findings.mistake("loading.samples",
+                              "loading.samples is " + std::to_string(b.samples) + ", of which stage " +
+                                  std::to_string(k + 1) + " gets " +
+                                  std::to_string(share * static_cast<double>(b.samples)) + ", expected at least " +
+                                  std::to_string(static_cast<std::int64_t>(std::ceil(least / share))));
   }
 }
 
+}  // namespace
+
+void check(const EnergyDissipator& b, scene::Findings& findings) {
+  const std::string stiffness = "dissipator.stiffness_N_m3", limits = "dissipator.force_limit_N";
+  if (b.stiffness.size() < 2 || b.stiffness.size() > 3)
+    return findings.mistake(stiffness, stiffness + " does not have two or three entries, expected one for each stage");
+  if (b.force_limit.size() + 1 != b.stiffness.size())
+    findings.mistake(stiffness,
+                     stiffness + " and force_limit_N do not fit together, expected one limit less than stages");
+  const bool rise =
+      std::adjacent_find(b.force_limit.begin(), b.force_limit.end(), std::greater_equal<>{}) == b.force_limit.end();
+  if (!rise || (!b.force_limit.empty() && b.last_force <= b.force_limit.back()))
+    findings.mistake(limits, limits + " and last_force_N do not rise, expected each above the one before");
+  if (b.unloading == BrakeUnloading::plastic &&
+      std::any_of(b.stiffness.begin() + 1, b.stiffness.end(), [&](double k) { return k >= b.stiffness.front(); }))
+    findings.mistake(stiffness, "dissipator.unloading is \"plastic\", expected later stages softer than the first");
+  if (findings.mistakes().empty()) check_samples(b, findings);
+}
+
 BrakeCurve stretch(const EnergyDissipator& brake, const std::function<bool()>& go_on) {
-  check(brake);
+  scene::Findings findings("energy_dissipator");
+  check(brake, findings);
+  findings.raise();
   Chain chain = build(brake);
   Pull pull(chain);
   const double dt = chain.solids.options().time_step, end = brake.displacement_at(brake.last_force);

@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "cases/scene/findings.h"
 #include "dem/bonds/bonds.h"
 
 namespace lahar::cases {
@@ -41,8 +42,8 @@ struct EnergyDissipator {
   [[nodiscard]] double energy_to(double force) const;
 };
 
-/// Throws InputError for a law that makes no sense.
-void check(const EnergyDissipator& brake);
+/// Notes a law that makes no sense, and too few samples.
+void check(const EnergyDissipator& brake, scene::Findings& findings);
 
 /// One moment of the test.
 struct BrakePoint {
@@ -69,7 +70,7 @@ struct BrakeCurve {
 };
 
 /// Stretches the cable until the dissipator carries last_force, then lets it go to no force. `go_on` is asked after
-/// each point; it returns false to stop.
+/// each point; it returns false to stop. Throws InputError for what `check` notes.
 [[nodiscard]] BrakeCurve stretch(
     const EnergyDissipator& brake, const std::function<bool()>& go_on = [] { return true; });
 

@@ -50,10 +50,11 @@ int check(const Arguments& arguments) {
 }
 
 int quantities(const Arguments& arguments) {
-  const scene::Scene scene = scene::load(arguments.scene_file, arguments.common.set);
+  const scene::Scene scene = scene::load(arguments.scene_file, overrides_of(arguments.common));
   const auto simulation = build_simulation(scene, Beginning::checkpoint);
   const ObserverList observers(scene, *simulation);
-  fmt::print("{}", quantity_tables(observers.quantities(), arguments.patterns ? Naming::patterns : Naming::names));
+  if (!arguments.common.quiet)
+    fmt::print("{}", quantity_tables(observers.quantities(), arguments.patterns ? Naming::patterns : Naming::names));
   return exit_done;
 }
 
@@ -83,10 +84,8 @@ int main(int argc, char** argv) {
   add_common_options(*resume_command, arguments.common, {.out = "", .overwrite = false});  // a run goes on in its own
   const CLI::App* check_command = add("check", "Validate a scene and print what it will take",
                                       {.out = "As of the run to come; nothing is written", .overwrite = false});
-  CLI::App* quantities_command = app.add_subcommand("quantities", "Print what a run of a scene measures (Markdown)");
-  quantities_command->add_option("scene", arguments.scene_file, "Scene file (TOML)")
-      ->required()
-      ->type_name("SCENE.toml");
+  CLI::App* quantities_command = add("quantities", "Print what a run of a scene measures (Markdown)",
+                                     {.out = "As of the run to come; nothing is written", .overwrite = false});
   quantities_command->add_flag("--patterns", arguments.patterns, "PROBE, SECTION, PART and AXIS in place of names");
   app.add_subcommand("keys", "Print the reference of all scene keys (Markdown)");
   return parse_and_run(app, argc, argv, [&] {

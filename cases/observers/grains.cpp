@@ -7,7 +7,8 @@ namespace lahar::cases {
 Grains::Grains(const Observed& run) : Observer(run), way_(run.simulation.solids()->particles().size()) {
   column("grains_kinetic_J", "J", "translation and rotation of the grains", [this] { return kinetic_; });
   column("grains_potential_J", "J", "potential energy of the grains about the datum", [this] { return potential_; });
-  column("grains_front_x_m", "m", "foremost point of the grains", [this] { return front_; });
+  column("grains_front_x_m", "m", "foremost point of the grains; the domain's lower x where there are none",
+         [this] { return front_; });
   column("grains_passed_kg", "kg", "mass of grains that came past the outflow section, or are gone",
          [this] { return passed_; });
   if (run.section) {

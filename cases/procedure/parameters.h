@@ -14,8 +14,9 @@
 
 namespace lahar::cases {
 
-/// `parameters` as the file (none: its defaults) and the overrides change them. A type of parameters needs a function
-/// `describe(visitor, parameters)` beside it, see cases/scene/schema.h. Throws InputError with every mistake.
+/// `parameters` as the file (none: its defaults) and the overrides change them. A type of parameters needs two
+/// functions beside it: `describe(visitor, parameters)`, see cases/scene/schema.h, and `check(parameters, findings)`,
+/// which notes what cannot be run at the key that is to blame. Throws InputError with every mistake.
 template <class Parameters>
 Parameters load_parameters(const std::optional<std::filesystem::path>& file,
                            const std::vector<std::string>& overrides) {
@@ -32,7 +33,9 @@ Parameters load_parameters(const std::optional<std::filesystem::path>& file,
   scene::Reader reader(root, "", findings);
   describe(reader, parameters);
   reader.refuse_unknown();
-  if (const auto mistakes = findings.mistakes(); !mistakes.empty()) throw InputError(mistakes);
+  findings.raise();
+  check(parameters, findings);
+  findings.raise();
   return parameters;
 }
 

@@ -41,8 +41,7 @@ struct ProcedureArguments {
 void add_procedure_options(CLI::App& app, ProcedureArguments& arguments);
 Workplace workplace_of(const ProcedureArguments& arguments, const std::string& name);
 
-/// The whole main function of a procedure's executable. Beside the parameters there must be a function
-/// `check(parameters)` that throws InputError for what cannot be run.
+/// The whole main function of a procedure's executable.
 template <class Parameters>
 int procedure_main(int argc, char** argv, const std::string& name, const std::string& about,
                    const Procedure<Parameters>& procedure) {
@@ -53,7 +52,6 @@ int procedure_main(int argc, char** argv, const std::string& name, const std::st
     const std::optional<std::filesystem::path> file =
         arguments.file.empty() ? std::nullopt : std::optional<std::filesystem::path>(arguments.file);
     const auto parameters = load_parameters<Parameters>(file, arguments.common.set);
-    check(parameters);  // before anything is written
     const Workplace place = workplace_of(arguments, name);
     return run_in_folder(place, arguments.common.overwrite, parameters_text(parameters),
                          [&](Summary& summary) { return procedure(parameters, place, summary); });

@@ -101,20 +101,23 @@ bool as_in_paper(const RingPull& ring) {
   return as_paper == paper;
 }
 
-void check(const RingPull& ring) {
+void check(const RingPull& ring, scene::Findings& findings) {
   if (ring.beads % 2 != 0)
-    throw InputError("ring.beads is odd, expected an even number: the pulled bead lies opposite the held one");
+    return findings.mistake("ring.beads",
+                            "ring.beads is odd, expected an even number: the pulled bead lies opposite the held one");
   Ends ends{};
   const double in_a_step = ring.speed * build(ring.scaled(), ends).options().time_step;
   if (const double apart = ring.stroke / static_cast<double>(ring.samples); in_a_step > apart)
-    throw InputError(
-        fmt::format("loading.speed_m_s is {:g}, {:.2g} m in a time step, and loading.samples asks for one "
-                    "every {:.2g} m, expected a lower speed or fewer samples",
-                    ring.speed, in_a_step, apart));
+    findings.mistake("loading.speed_m_s",
+                     fmt::format("loading.speed_m_s is {:g}, {:.2g} m in a time step, and loading.samples asks for one "
+                                 "every {:.2g} m, expected a lower speed or fewer samples",
+                                 ring.speed, in_a_step, apart));
 }
 
 PullCurve pull_ring(const RingPull& unscaled, const std::function<bool()>& go_on) {
-  check(unscaled);
+  scene::Findings findings("ring_pull");
+  check(unscaled, findings);
+  findings.raise();
   const RingPull ring = unscaled.scaled();
   Ends ends{};
   dem::Solids solids = build(ring, ends);

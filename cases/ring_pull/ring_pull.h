@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "cases/scene/findings.h"
+
 namespace lahar::cases {
 
 /// The defaults are section 3.1 and Table 1 of the paper; what it does not say is marked.
@@ -70,10 +72,11 @@ struct PullCurve {
   [[nodiscard]] double slope(double from, double to) const;
 };
 
-/// Throws InputError for what cannot be run.
-void check(const RingPull& ring);
+/// Notes what cannot be run.
+void check(const RingPull& ring, scene::Findings& findings);
 
-/// Pulls the ring. Deterministic. `go_on` is asked after each sample; it returns false to stop.
+/// Pulls the ring. Deterministic. `go_on` is asked after each sample; it returns false to stop. Throws InputError for
+/// what cannot be run.
 [[nodiscard]] PullCurve pull_ring(
     const RingPull& ring, const std::function<bool()>& go_on = [] { return true; });
 

@@ -1,5 +1,7 @@
 #include "cases/rockfall/rockfall.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -73,44 +75,40 @@ void guide(barrier::Guides& guides, dem::Solids& solids) {
                          "a cable has slipped out: its dissipator is drawn out by more than net.cable_extension_m");
 }
 
-/// Of the guides and of contacts, which seldom bind.
-void check_step(const Rockfall& r, double time_step, const dem::Particles& particles) {
-  const auto refuse = [&](const char* key, double limit) {
-    if (time_step > limit)
-      throw InputError(std::string(key) + " asks for a time step of at most " + std::to_string(1e9 * limit) +
-                       "e-9 s, and it is " + std::to_string(1e9 * time_step) + "e-9 s: expected less, or a shorter " +
-                       "run.time_step_s");
+double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Particles& particles) {
+  return r.time_step > 0 ? r.time_step : 0.7 * dem::bond_time_step(bonds, particles);
+}
+
+void check_ball(const Rockfall& r, scene::Findings& findings) {
+  if (r.ball_diameter >= r.net_width)
+    findings.mistake("ball.diameter_m",
+                     "ball.diameter_m is not below net.width_m, expected a ball that the net catches");
+  if (r.ball_diameter <= r.ring_diameter)
+    findings.mistake("ball.diameter_m",
+                     "ball.diameter_m is not above net.ring_diameter_m, expected a ball that no ring lets through");
+}
+
+/// Of bonds, of guides and of contacts; the last two seldom bind.
+void check_step(const Rockfall& r, const dem::Particles& particles, const dem::Bonds& bonds,
+                scene::Findings& findings) {
+  const double limit = dem::bond_time_step(bonds, particles), time_step = time_step_of(r, bonds, particles);
+  if (r.time_step > limit)
+    return findings.mistake(
+        "run.time_step_s",
+        fmt::format("run.time_step_s is {:g}, expected at most the limit of the bonds, {:.4g}", r.time_step, limit));
+  if (0.7 * limit < 1e-8)
+    return findings.mistake("bonds", fmt::format("bonds as stiff as these need a time step of {:.4g} s, expected "
+                                                 "stiffnesses per unit area (N/m^3) that allow 1e-8 s",
+                                                 limit));
+  const auto refuse = [&](const char* key, double most) {
+    if (time_step > most)
+      findings.mistake(key, fmt::format("{} asks for a time step of at most {:.4g} s, and it is {:.4g} s: expected "
+                                        "less, or a shorter run.time_step_s",
+                                        key, most, time_step));
   };
   const double bead = *std::min_element(particles.mass.begin(), particles.mass.end());
   refuse("net.guide_stiffness_N_m", 0.5 * barrier::guide_time_step({.stiffness = r.guide_stiffness}, bead));
   refuse("contact.youngs_modulus_Pa", 0.3 * dem::rayleigh_time_step(particles, materials_of(r)));
-}
-
-double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Particles& particles) {
-  const double limit = dem::bond_time_step(bonds, particles);
-  if (r.time_step > limit)
-    throw InputError("run.time_step_s is " + std::to_string(1e6 * r.time_step) +
-                     "e-6, expected at most the limit of the " + "bonds, " + std::to_string(1e6 * limit) + "e-6");
-  if (0.7 * limit < 1e-8)
-    throw InputError("bonds as stiff as these need a time step of " + std::to_string(1e9 * limit) +
-                     "e-9 s, expected stiffnesses per unit area (N/m^3) that allow 1e-8 s");
-  const double time_step = r.time_step > 0 ? r.time_step : 0.7 * limit;
-  check_step(r, time_step, particles);
-  return time_step;
-}
-
-/// Of single values and pairs of them.
-void check_values(const Rockfall& r) {
-  std::vector<InputMistake> wrong;
-  const auto unless = [&](bool fine, const char* message) {
-    if (!fine) wrong.push_back({"rockfall", 1, 1, message});
-  };
-  unless(r.dissipator_stiffness.size() == 2, "dissipators.stiffness_N_m3 does not have 2 entries, expected two stages");
-  unless(r.ball_diameter < r.net_width,
-         "ball.diameter_m is not below net.width_m, expected a ball that the net catches");
-  unless(r.ball_diameter > r.ring_diameter,
-         "ball.diameter_m is not above net.ring_diameter_m, expected a ball that no ring lets through");
-  if (!wrong.empty()) throw InputError(wrong);
 }
 
 }  // namespace
@@ -125,12 +123,20 @@ bool as_in_paper(const Rockfall& rockfall) {
 
 double Rockfall::impact_speed() const { return std::sqrt(2 * kGravity * drop_height); }
 
-void check(const Rockfall& r) {
-  check_values(r);
+void check(const Rockfall& r, scene::Findings& findings) {
+  if (r.dissipator_stiffness.size() != 2)
+    return findings.mistake("bonds.dissipator_stiffness_N_m3",
+                            "bonds.dissipator_stiffness_N_m3 does not have 2 entries, expected two stages");
+  check_ball(r, findings);
   dem::Particles particles;
   dem::Bonds bonds;
-  (void)barrier::build_net(net_spec(r), particles, bonds);
-  (void)time_step_of(r, bonds, particles);
+  try {
+    (void)barrier::build_net(net_spec(r), particles, bonds);
+  } catch (const InputError& e) {
+    for (const InputMistake& m : e.mistakes()) findings.mistake("net", "net: " + m.message);
+    return;
+  }
+  check_step(r, particles, bonds, findings);
 }
 
 /// What settles.
@@ -170,7 +176,9 @@ SettledNet::~SettledNet() = default;
 
 SettledNet::SettledNet(const Rockfall& r, const std::function<bool(double)>& progress)
     : parts_(std::make_unique<Parts>()) {
-  check_values(r);
+  scene::Findings findings("rockfall");
+  check(r, findings);
+  findings.raise();
   Parts& p = *parts_;
   p.net = barrier::build_net(net_spec(r), p.particles, p.bonds);
   p.topology = barrier::find_topology(p.net, p.particles, p.bonds);

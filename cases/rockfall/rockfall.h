@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "cases/scene/findings.h"
+
 namespace lahar::cases {
 
 /// The defaults are section 3.3 and Table 3 of the paper; what it does not say is marked.
@@ -51,8 +53,8 @@ struct Rockfall {
 /// resolution of the series.
 [[nodiscard]] bool as_in_paper(const Rockfall& rockfall);
 
-/// Throws InputError for what cannot be run, such as a net that cannot be built.
-void check(const Rockfall& rockfall);
+/// Notes what cannot be run, such as a net that cannot be built.
+void check(const Rockfall& rockfall, scene::Findings& findings);
 
 /// Everything over the time since time zero.
 struct RockfallSeries {

@@ -13,6 +13,7 @@
 
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
+#include "cases/runner/messages.h"
 #include "cases/scene/names.h"
 #include "core/check.h"
 
@@ -87,16 +88,16 @@ int guarded(const std::function<int()>& command) {
   try {
     return command();
   } catch (const InputError& e) {
-    fmt::print(stderr, "{}\n", e.what());
+    tell(fmt::format("{}\n", e.what()));
     return exit_bad_input;
   } catch (const NumericalFailure& e) {
-    fmt::print(stderr, "numerical failure: {}\n", e.what());
+    tell(fmt::format("numerical failure: {}\n", e.what()));
     return exit_numerical_failure;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: there is not enough memory (lahar check says what a scene takes)\n");
+    tell("error: there is not enough memory (lahar check says what a scene takes)\n");
     return exit_bug;
   } catch (const std::exception& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
+    tell(fmt::format("error: {}\n", e.what()));
     return exit_bug;
   }
 }
@@ -108,13 +109,13 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int(
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
     const std::string unknown = unknown_command(app);
-    fmt::print(stderr, "command line:1:1: {}\n",
-               unknown.empty() ? first_line(e.what()) + ", expected what --help shows" : unknown);
+    tell(fmt::format("command line:1:1: {}\n",
+                     unknown.empty() ? first_line(e.what()) + ", expected what --help shows" : unknown));
     return exit_bad_input;
   }
   const int code = guarded(command);
   if (code != exit_done || (std::fflush(stdout) == 0 && std::ferror(stdout) == 0)) return code;
-  fmt::print(stderr, "error: standard output: {}\n", std::strerror(errno));
+  tell(fmt::format("error: standard output: {}\n", std::strerror(errno)));
   return exit_bug;
 }
 

@@ -45,13 +45,24 @@ bool is_chart(const fs::path& name) {
          std::find(charts.begin(), charts.end(), name.stem().string()) != charts.end();
 }
 
-/// Names of section 1 of the contract with the user, and images.
+/// A series or particle file that was damaged and set aside: NAME.damaged.h5, NAME.damaged2.h5, ...
+bool is_set_aside(std::string_view name) {
+  for (const std::string_view stem : {"series.damaged", "particles.damaged"}) {
+    if (!name.starts_with(stem) || !name.ends_with(".h5")) continue;
+    const std::string_view number = name.substr(stem.size(), name.size() - stem.size() - 3);
+    return std::all_of(number.begin(), number.end(), [](char c) { return c >= '0' && c <= '9'; });
+  }
+  return false;
+}
+
+/// Names of section 1 of the contract with the user, images, and what a killed run left of them half written.
 bool written_by_run(const std::string& name) {
-  static constexpr std::array<std::string_view, 12> names{"summary.json",      "scene.resolved.toml",  "series.h5",
-                                                          "series.h5.open",    "series.damaged.h5",    "particles.h5",
-                                                          "particles.h5.open", "particles.damaged.h5", "particles.xmf",
-                                                          "bonds.xmf",         "checkpoint.h5",        "run.log"};
-  if (std::find(names.begin(), names.end(), name) != names.end() || is_chart(name)) return true;
+  static constexpr std::array<std::string_view, 10> names{
+      "summary.json",      "scene.resolved.toml", "series.h5", "series.h5.open", "particles.h5",
+      "particles.h5.open", "particles.xmf",       "bonds.xmf", "checkpoint.h5",  "run.log"};
+  constexpr std::string_view half_written = ".part";
+  if (name.ends_with(half_written)) return written_by_run(name.substr(0, name.size() - half_written.size()));
+  if (std::find(names.begin(), names.end(), name) != names.end() || is_chart(name) || is_set_aside(name)) return true;
   return number_of_file(name, "fluid_", ".vdb") || number_of_file(name, "image_", ".png") ||
          number_of_file(name, "forces_", ".png");
 }
@@ -65,6 +76,14 @@ std::vector<fs::path> files_of_run(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.is_regular_file() && written_by_run(entry.path().filename().string())) files.push_back(entry.path());
   return files;
+}
+
+/// What a run writes before its first step says nothing that the next run does not.
+bool holds_results(const fs::path& folder) {
+  const std::vector<fs::path> files = files_of_run(folder);
+  return std::any_of(files.begin(), files.end(), [](const fs::path& file) {
+    return file.filename() != "scene.resolved.toml" && file.filename() != "run.log";
+  });
 }
 
 }  // namespace
@@ -173,7 +192,8 @@ PreparedFolder prepare_output(const fs::path& folder, bool overwrite) {
   FormerRun::recover(folder);
   if (fs::is_empty(folder)) return {std::move(lock), {}};
   if (!holds_run(folder)) refuse(folder, "is not empty and holds no former run, expected a new or an empty folder");
-  if (!overwrite) refuse(folder, "holds a former run, expected a new folder, or --overwrite to replace that run");
+  if (!overwrite && holds_results(folder))
+    refuse(folder, "holds a former run, expected a new folder, or --overwrite to replace that run");
   return {std::move(lock), FormerRun(folder)};
 }
 

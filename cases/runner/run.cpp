@@ -18,6 +18,7 @@
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
+#include "cases/runner/messages.h"
 #include "cases/runner/outputs.h"
 #include "cases/runner/schedule.h"
 #include "cases/scene/writer.h"
@@ -126,9 +127,12 @@ class SceneRun {
     observers_->declare(*series_);
     const dem::Solids* solids = simulation_->solids();
     const double step = simulation_->time_step();
-    monitor.log.info("{} particles, fluid step {:.4g} s, {} particle steps in it",
-                     solids ? solids->particles().size() : 0, step,
-                     solids ? std::llround(step / solids->options().time_step) : 0);
+    if (!simulation_->fluid())
+      monitor.log.info("{} particles, particle step {:.4g} s", solids->particles().size(), step);
+    else
+      monitor.log.info("{} particles, fluid step {:.4g} s, {} particle steps in it",
+                       solids ? solids->particles().size() : 0, step,
+                       solids ? std::llround(step / solids->options().time_step) : 0);
   }
 
   RunResult run() {
@@ -263,7 +267,7 @@ class SceneRun {
 
 void RunMonitor::warn(const std::string& text) {
   log.warn("{}", text);
-  std::fputs(fmt::format("warning: {}\n", text).c_str(), stderr);  // nobody may be left to read it
+  tell(fmt::format("warning: {}\n", text));
 }
 
 RunResult run_scene(const scene::Scene& scene, const RunOptions& options, RunMonitor& monitor) {

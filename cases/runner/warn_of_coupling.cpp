@@ -91,16 +91,18 @@ void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& l
     list.push_back(
         "coupling.body_weighting is \"wall_distance\": grains that run through the cells much faster than the liquid "
         "runs past them drag it up to 13 times too much at 30 times that speed; \"inertial\" twice");
-  if (f.cells_per_wire && !s.coupling.wire_drag &&
+  if (f.cells_per_wire && !s.coupling.wire_drag && !s.coupling.beads_as_grains &&
       *f.cells_per_wire < s.coupling.resolve_wires_from_cells.value_or(*f.cells_per_wire + 1))
     list.push_back(fmt::format(
         "wires are {:.1f} cells across and coupling.wire_drag is off: water does not feel the net", *f.cells_per_wire));
   if (s.barrier.enabled && s.barrier.net.kind == scene::NetKind::hexagonal)
     list.push_back("water feels the cables of a hexagonal mesh, but not its wires");
   if (const double post = s.barrier.posts.diameter / s.fluid.cell_size;
-      s.coupling.wire_drag && post > 4 && post < s.coupling.resolve_wires_from_cells.value_or(post + 1))
+      s.coupling.wire_drag && !s.coupling.beads_as_grains && post > 4 &&
+      post < s.coupling.resolve_wires_from_cells.value_or(post + 1))
     list.push_back(fmt::format("posts are {:.1f} cells across: their drag law is for wires up to about 4", post));
-  if (s.coupling.body_weighting == scene::BodyWeighting::noble_torczynski)
+  if (s.coupling.body_weighting == scene::BodyWeighting::noble_torczynski &&
+      s.coupling.grains == scene::GrainFluid::resolved)
     list.push_back("coupling.body_weighting = \"noble_torczynski\" lets water through bodies at low viscosity");
 }
 

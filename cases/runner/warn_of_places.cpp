@@ -54,6 +54,11 @@ void add_places(const scene::Scene& s, Warnings& list) {
             fmt::format("grains.packing[{}] and grains.packing[{}] share space: their grains may overlap", k, i));
 }
 
+/// Names are optional.
+std::string name_of(const scene::Scene& s, const scene::WallSettings& w) {
+  return w.name.empty() ? fmt::format("wall[{}]", &w - s.walls.data()) : fmt::format("wall \"{}\"", w.name);
+}
+
 /// Ground that a heightmap does not reach is level.
 void add_heightmaps(const scene::Scene& s, Warnings& list) {
   for (std::size_t i = 0; i < s.walls.size(); ++i) {
@@ -111,12 +116,12 @@ void add_lost_walls(const scene::Scene& s, Warnings& list) {
     // One that ends at a face of the domain bears what comes to rest there.
     if (bounds && !((bounds->upper.array() >= s.domain.lower.array()).all() &&
                     (bounds->lower.array() <= s.domain.upper.array()).all()))
-      list.push_back(fmt::format("wall \"{}\" stands outside the domain: nothing meets it", w.name));
+      list.push_back(name_of(s, w) + " stands outside the domain: nothing meets it");
     if (s.fluid.enabled && w.file.resolution > s.fluid.cell_size)
       list.push_back(
-          fmt::format("resolution_m of wall \"{}\" is {:g} m, more than a cell ({:g} m): what is smaller is "
+          fmt::format("resolution_m of {} is {:g} m, more than a cell ({:g} m): what is smaller is "
                       "smoothed away",
-                      w.name, w.file.resolution, s.fluid.cell_size));
+                      name_of(s, w), w.file.resolution, s.fluid.cell_size));
   }
 }
 
@@ -128,7 +133,7 @@ void add_thin_walls(const scene::Scene& s, Warnings& list) {
     const bool inside = (bounds->upper.array() > s.domain.lower.array()).all() &&
                         (bounds->lower.array() < s.domain.upper.array()).all();
     if (inside && !has_a_cell(w, *bounds, s))
-      list.push_back(fmt::format("wall \"{}\" has no cell of its own (of {:g} m): the liquid does not feel it", w.name,
+      list.push_back(fmt::format("{} has no cell of its own (of {:g} m): the liquid does not feel it", name_of(s, w),
                                  s.fluid.cell_size));
   }
 }
@@ -163,7 +168,7 @@ void add_rounded_walls(const scene::Scene& s, Warnings& list) {
       tell("domain.upper_m", s.domain.upper[axis], axis, -1);
   for (const scene::WallSettings& w : s.walls) {
     if (!is_between_cells(w.slip)) continue;
-    const std::string what = fmt::format("wall \"{}\"", w.name);
+    const std::string what = name_of(s, w);
     for (int axis = 0; axis < 3; ++axis) {
       if (w.shape == scene::WallShape::plane && std::abs(w.normal.normalized()[axis]) > 1 - 1e-9)
         tell(what, w.point[axis], axis, w.normal[axis] > 0 ? 1 : -1);
@@ -179,7 +184,7 @@ void add_rounded_walls(const scene::Scene& s, Warnings& list) {
 void add_late_gates(const scene::Scene& s, Warnings& list) {
   for (const scene::WallSettings& w : s.walls)
     if (w.opens_at > 0 && w.opens_at >= s.run.duration)
-      list.push_back(fmt::format("wall \"{}\" opens at {:g} s: not within run.duration_s = {:g}", w.name, w.opens_at,
+      list.push_back(fmt::format("{} opens at {:g} s: not within run.duration_s = {:g}", name_of(s, w), w.opens_at,
                                  s.run.duration));
 }
 

@@ -37,7 +37,7 @@ void add_leaks(const scene::Scene& s, Warnings& list) {
                    faces);
 }
 
-/// A grain that sinks into the ground under its own weight (Hertz): its modulus is not in Pa.
+/// A grain that sinks into the ground under its own weight: its modulus is not in Pa, or its stiffness not in N/m.
 void add_soft_grains(const scene::Scene& s, Warnings& list) {
   const auto look = [&](const std::string& name, double diameter, double density) {
     const auto m =
@@ -46,13 +46,16 @@ void add_soft_grains(const scene::Scene& s, Warnings& list) {
     const double radius = diameter / 2, modulus = s.solids.contact_modulus_scale * m->youngs_modulus /
                                                   (2 * (1 - m->poisson_ratio * m->poisson_ratio));
     const double weight = density * std::numbers::pi / 6 * std::pow(diameter, 3) * s.gravity.magnitude;
-    const double sunk = std::pow(0.75 * weight / (modulus * std::sqrt(radius)), 2.0 / 3) / radius;
+    const auto* linear = std::get_if<dem::LinearSpringDashpot>(&s.solids.contact_law);
+    const double sunk = (linear ? weight / linear->normal_stiffness
+                                : std::pow(0.75 * weight / (modulus * std::sqrt(radius)), 2.0 / 3)) /
+                        radius;
     constexpr double bearable = 0.05;
     if (sunk > bearable)
-      list.push_back(
-          fmt::format("grains of \"{}\" sink into each other by {:.2g} of a radius under their own weight: "
-                      "youngs_modulus_Pa of {:g} Pa is small",
-                      name, sunk, m->youngs_modulus));
+      list.push_back(fmt::format(
+          "grains of \"{}\" sink into each other by {:.2g} of a radius under their own weight: {} is small", name, sunk,
+          linear ? fmt::format("solids.normal_stiffness_N_m of {:g} N/m", linear->normal_stiffness)
+                 : fmt::format("youngs_modulus_Pa of {:g} Pa", m->youngs_modulus)));
     return sunk > bearable;
   };
   for (std::size_t i = 0; i < s.grains.packings.size(); ++i)
@@ -60,6 +63,16 @@ void add_soft_grains(const scene::Scene& s, Warnings& list) {
       if (look(size.material, size.diameter, size.density)) return;
   for (const scene::GrainSphere& sphere : s.grains.spheres)
     if (look(sphere.material, sphere.diameter, sphere.density)) return;
+}
+
+/// Wires weigh little on each other: what tells a modulus that is not in Pa is its size.
+void add_soft_wires(const scene::Scene& s, Warnings& list) {
+  constexpr double softest = 1e6;  // Pa, rubber
+  if (std::holds_alternative<dem::LinearSpringDashpot>(s.solids.contact_law)) return;
+  for (const auto& m : s.materials)
+    if (m.name == s.barrier.net.material && s.solids.contact_modulus_scale * m.youngs_modulus < softest)
+      list.push_back(fmt::format("wires of \"{}\" are softer than rubber: youngs_modulus_Pa of {:g} Pa is small",
+                                 m.name, m.youngs_modulus));
 }
 
 void add_barrier(const scene::Scene& s, Warnings& list) {
@@ -122,6 +135,20 @@ void add_step_of_barrier(const scene::Scene& s, double time_step, Warnings& list
                   time_step, limit));
 }
 
+/// Where particles of both rates would have the same step.
+void add_two_rates(const scene::Scene& s, double time_step, Warnings& list) {
+  if (!s.solids.two_rates || long_step_of(s) > 1) return;
+  const std::string what = "solids.two_rates changes nothing";
+  const double grains = s.fluid.enabled && s.barrier.enabled ? grain_time_step(s) : 0;
+  if (!std::isfinite(grains) || grains <= 0)
+    list.push_back(what + " without fluid, grains and a barrier");
+  else if (grains < 2 * time_step)
+    list.push_back(fmt::format("{}: the grains' own step ({:.3g} s) is less than twice that of the beads ({:.3g} s)",
+                               what, grains, time_step));
+  else
+    list.push_back(what + ": a step of the fluid is one of the particles");
+}
+
 }  // namespace
 
 void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
@@ -141,7 +168,8 @@ void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& lis
   if (s.walls.empty() && f.grains > 0) list.push_back("there are grains but no walls: nothing holds them");
   if (!s.walls.empty() && f.grains > 0) add_leaks(s, list);
   if (f.grains > 0) add_soft_grains(s, list);
-  if (s.barrier.enabled) add_barrier(s, list), add_breaking_rings(s, list);
+  if (s.barrier.enabled) add_barrier(s, list), add_soft_wires(s, list), add_breaking_rings(s, list);
+  add_two_rates(s, f.time_step, list);
 }
 
 void warn_of_contacts(const scene::Scene& s, Warnings& list) {

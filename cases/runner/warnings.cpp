@@ -29,6 +29,8 @@ void add_intervals(const scene::Scene& s, double step, Warnings& list) {
   file(s.run.output_interval, "output_interval_s");
   file(s.run.image_interval, "image_interval_s");
   file(s.run.force_map_interval, "force_map_interval_s");
+  if (s.run.force_map_interval > 0 && !s.barrier.enabled)
+    list.emplace_back("run.force_map_interval_s without a barrier: there are no wires to draw");
   file(s.run.checkpoint_interval, "checkpoint_interval_s");
 }
 

@@ -43,4 +43,8 @@ std::vector<InputMistake> Findings::mistakes() const {
   return sorted;
 }
 
+void Findings::raise() const {
+  if (!mistakes_.empty()) throw InputError(mistakes());
+}
+
 }  // namespace lahar::scene

@@ -27,6 +27,8 @@ class Findings {
   [[nodiscard]] bool sound(const std::vector<std::string>& paths) const;
   /// All mistakes, by file and line.
   [[nodiscard]] std::vector<InputMistake> mistakes() const;
+  /// Throws InputError with all of them if there are any.
+  void raise() const;
 
  private:
   std::string file_;

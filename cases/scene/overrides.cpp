@@ -32,7 +32,9 @@ toml::table parse_value(const std::string& value, const std::string& source) {
     return toml::parse("v = " + value, source);
   } catch (const toml::parse_error& e) {
     if (word || path) return toml::parse("v = " + string_text(value), source);
-    throw BadOverride(fmt::format("\"{}\" is no TOML value: {}", value, e.description()));
+    const bool text = !value.empty() && std::isalpha(static_cast<unsigned char>(value[0]));
+    throw BadOverride(fmt::format("\"{}\" is no TOML value: {}{}", value, e.description(),
+                                  text ? "; a text of several words needs quotes, as in key='\"two words\"'" : ""));
   }
 }
 

@@ -65,7 +65,7 @@ class Reader {
     parts.clear();
     for (const auto& [name, entry] : *node->as_table()) {
       const std::string path = fmt::format("{}.{}", path_of(key), name.str());
-      findings_.locate(path, place_of(name.source()));
+      findings_.locate(path, place_of(name.source().path ? name.source() : entry.source()));
       T& part = parts.emplace_back();
       part.name = name.str();
       if (entry.is_table())

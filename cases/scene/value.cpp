@@ -34,7 +34,7 @@ std::string quote(const toml::node& node) {
     if constexpr (toml::is_integer<decltype(n)>)
       out << n.get();
     else if constexpr (toml::is_floating_point<decltype(n)>)
-      out << fmt::format("{:g}", n.get());
+      out << number_text(n.get());
     else if constexpr (toml::is_boolean<decltype(n)>)
       out << (n.get() ? "true" : "false");
     else if constexpr (toml::is_string<decltype(n)>)

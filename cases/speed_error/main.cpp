@@ -6,6 +6,7 @@
 
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
+#include "cases/runner/messages.h"
 #include "cases/runner/options.h"
 #include "cases/runner/table_folder.h"
 #include "cases/speed_error/report.h"
@@ -52,7 +53,7 @@ int run(const Arguments& a) {
     write_results(results, sitting, folder);
   }
   if (!a.common.quiet) fmt::print("report: {}\n", (folder / "report.html").string());
-  fmt::print(stderr, "{}", refusals);
+  cases::tell(refusals);
   if (cases::interrupted()) return cases::exit_interrupted;
   return refusals.empty() ? cases::exit_done : 1;
 }

@@ -301,6 +301,19 @@ Vec3 AveragedExchange<Real>::liquid_velocity(const Vec3& place, const Vec3& samp
   return (sampled - held * of_grains) / (1 - held * phi);
 }
 
+/// The cells were last told of the grains' velocity before the solids' step. What was not wet then came with its own.
+template <class Real>
+Vec3 AveragedExchange<Real>::flow_in_cells(const GrainMap<Real>& map, const DisplacedVolume<Real>& displaced,
+                                           const dem::Particles& particles) const {
+  Vec3 sum = Vec3::Zero();
+  for (const MappedGrain& g : map.grains()) {
+    const State& state = states_[g.id];
+    const Vec3 velocity = state.known ? state.velocity : particles.velocity[particles.index(g.id)];
+    sum += displaced.wet_volume_of(g) * velocity;
+  }
+  return sum;
+}
+
 template <class Real>
 void AveragedExchange<Real>::act_on(const lbm::Fluid<Real>& fluid, double stretch, WetGrain& grain,
                                     dem::Particles& particles) {

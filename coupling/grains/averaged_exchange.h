@@ -39,6 +39,8 @@ class AveragedExchange final : public GrainExchange<Real> {
   void shape_sphere(double radius, GridSphere<Real>& sphere) const override;
   void prepare(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, const GrainMap<Real>& map) override;
   [[nodiscard]] bool fills_with_level() const override { return true; }
+  [[nodiscard]] Vec3 flow_in_cells(const GrainMap<Real>& map, const DisplacedVolume<Real>& displaced,
+                                   const dem::Particles& particles) const override;
   void write_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const override;
   ExchangedMomentum give_impulses(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map,
                                   const DisplacedVolume<Real>& displaced, dem::Particles& particles,

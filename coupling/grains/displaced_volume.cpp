@@ -171,9 +171,10 @@ void DisplacedVolume<Real>::measure_block(lbm::Fluid<Real>& fluid, const GrainMa
 }
 
 template <class Real>
-void DisplacedVolume<Real>::end() {
-  wet_volume_ = 0;
-  for (const Share& share : shares_) wet_volume_ += share.wet;
+double DisplacedVolume<Real>::wet_volume() const {
+  double sum = 0;
+  for (const Share& share : shares_) sum += share.wet;
+  return sum;
 }
 
 template <class Real>
@@ -285,7 +286,6 @@ void DisplacedVolume<Real>::hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Rea
 /// Where grains do not fill with the level all else is measured again.
 template <class Real>
 void DisplacedVolume<Real>::transfer(Archive& archive) {
-  archive.value("wet_volume", wet_volume_);
   if (!fills_with_level_) return;
   std::size_t pairs = shares_.size();
   archive.value("pairs", pairs);

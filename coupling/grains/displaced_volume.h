@@ -8,7 +8,7 @@
 // no liquid: what flows into or out of the interface cells among them goes to the same place (docs/decisions/0041). So
 // a grain entering the water raises the level by its volume, and
 //   liquid = sum of wet masses - sum over grains of their volume in wet cells
-// is conserved exactly (docs/coupling.md, docs/decisions/0003).
+// is conserved exactly, together with what is on its way (docs/decisions/0003).
 //
 // Averaged grains fill with the level instead (docs/decisions/0064): a wet cell holds of a grain its part in the cell
 // times the fill level, so that a grain's wet volume follows the surface, also where that alone moves. No conversion
@@ -19,8 +19,8 @@
 
 namespace lahar::coupling {
 
-/// A mapping: measure_former before GrainMap::update, then begin, measure_block for all blocks with grains, end; and
-/// book, unless the grains were put into liquid that was filled around them.
+/// A mapping: measure_former before GrainMap::update, then begin, measure_block for all blocks with grains; and book,
+/// unless the grains were put into liquid that was filled around them.
 template <class Real>
 class DisplacedVolume {
  public:
@@ -34,7 +34,6 @@ class DisplacedVolume {
   void begin(const GrainMap<Real>& map);
   /// After the block's fields are written. In parallel over blocks. Interface cells that a grain covers are set full.
   void measure_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block);
-  void end();
 
   /// Gives each grain's change of wet volume, and what the interface cells that it covers gained, to its other
   /// interface cells; the pool of isolated liquid takes it where there are none. A grain that was removed leaves a
@@ -42,7 +41,7 @@ class DisplacedVolume {
   void book(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map);
 
   /// Volume of all mapped grains inside wet cells, in cells.
-  [[nodiscard]] double wet_volume() const { return wet_volume_; }
+  [[nodiscard]] double wet_volume() const;
   /// The same of one grain.
   [[nodiscard]] double wet_volume_of(const MappedGrain& grain) const;
   /// What the last mapping gave to interface cells for a grain that fills with the level, lu; below 0 where it took.
@@ -82,7 +81,6 @@ class DisplacedVolume {
   std::vector<double> former_wet_;  // by id, of the former mapping; 0 between mappings
   std::vector<Handout> handouts_;   // by grain
   std::vector<double> for_pool_;    // by grain
-  double wet_volume_ = 0;
 };
 
 extern template class DisplacedVolume<float>;

@@ -39,7 +39,6 @@ void GrainCoupling<Real>::write(lbm::Fluid<Real>& fluid, const dem::Particles& p
     }
     displaced_.measure_block(fluid, map_, b);
   });
-  displaced_.end();
 }
 
 /// Where grains are, and where they were and are no more; a block keeps what its grains would write again.
@@ -82,14 +81,6 @@ Vec3 GrainCoupling<Real>::add_forces(const lbm::Fluid<Real>& fluid, dem::Particl
 template <class Real>
 std::size_t GrainCoupling<Real>::written_blocks() const {
   return static_cast<std::size_t>(std::count(written_.begin(), written_.end(), std::uint8_t{1}));
-}
-
-template <class Real>
-Vec3 GrainCoupling<Real>::wet_volume_flow(const dem::Particles& particles) const {
-  Vec3 sum = Vec3::Zero();
-  for (const MappedGrain& g : map_.grains())
-    sum += displaced_.wet_volume_of(g) * particles.velocity[particles.index(g.id)];
-  return sum;
 }
 
 template <class Real>

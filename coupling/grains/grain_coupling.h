@@ -45,8 +45,11 @@ class GrainCoupling {
 
   /// Volume of the mapped grains inside wet cells, in cells (last update).
   [[nodiscard]] double wet_volume() const { return displaced_.wet_volume(); }
-  /// Momentum of liquid in the place of that volume, moving as the grains do: cells times m/s.
-  [[nodiscard]] Vec3 wet_volume_flow(const dem::Particles& particles) const;
+  /// As GrainExchange's.
+  [[nodiscard]] bool fills_with_level() const { return exchange_->fills_with_level(); }
+  [[nodiscard]] Vec3 flow_in_cells(const dem::Particles& particles) const {
+    return exchange_->flow_in_cells(map_, displaced_, particles);
+  }
   [[nodiscard]] const GrainMap<Real>& map() const { return map_; }
   /// Blocks whose fields the last update wrote.
   [[nodiscard]] std::size_t written_blocks() const;

@@ -42,6 +42,13 @@ class GrainExchange {
   /// surface end where the water ends (displaced_volume.h). Else a wet cell holds all of them.
   [[nodiscard]] virtual bool fills_with_level() const { return false; }
 
+  /// Momentum of what the cells hold of grains that fill with the level, over the liquid's density: their wet volume
+  /// times the velocity that the cells know of them, cells times m/s. Between steps.
+  [[nodiscard]] virtual Vec3 flow_in_cells(const GrainMap<Real>& /*map*/, const DisplacedVolume<Real>& /*displaced*/,
+                                           const dem::Particles& /*particles*/) const {
+    return Vec3::Zero();
+  }
+
   /// Writes the body fields of a block, which are empty. The solid fraction must be the sum of fraction_row of its
   /// grains (sphere_fraction.h), times water_in (rows.h) where grains fill with the level, whatever else is written:
   /// the ledger of the liquid rests on it. In parallel over blocks.

@@ -64,8 +64,8 @@ struct WirePiece {
   double density;  ///< of the liquid
 };
 
-/// Coefficients, over the slip that is left, of the laws across and along a wire at the slip of now, or at one so slow
-/// that the fluid creeps at its limit viscosity: in a steady stream each step takes the law's force off what is left.
+/// Coefficients, over the slip that is left, of the laws across and along a wire at the slip of now: in a steady stream
+/// each step takes the law's force off what is left.
 void set_laws(const WirePiece& piece, const WireInCells& wire, dem::LiquidDrag& drag) {
   constexpr double slowest = 1e-9;     // m/s
   constexpr double least_left = 0.05;  // of the slip: stiffer drag takes all in any case
@@ -75,9 +75,14 @@ void set_laws(const WirePiece& piece, const WireInCells& wire, dem::LiquidDrag& 
   };
   const dem::AlongAndAcross of_law = parts(piece.slip), of_left = parts(piece.slip_left);
   const double along = std::max(of_law.along, slowest);
-  const double sampled = std::max(of_law.across, std::max(slowest, yield_drag(wire, slowest).creep_speed));
-  const double left_along = std::max(of_left.along, least_left * along);
-  const double left_across = std::max(of_left.across, least_left * sampled);
+  const double sampled = std::max(of_law.across, slowest);
+  // What is left of the slip that the law is asked at: the same share as of the slip of now.
+  const auto left = [](double of_law_now, double of_left_now, double asked) {
+    const double share = of_law_now > 0 ? asked / of_law_now : 1.0;
+    return std::max(of_left_now * share, least_left * asked);
+  };
+  const double left_along = left(of_law.along, of_left.along, along);
+  const double left_across = left(of_law.across, of_left.across, sampled);
   const double across = undisturbed_speed(sampled, wire, along), speed = std::hypot(across, along);
   const double scale = piece.density * piece.length;
   const Vec3 viscous = scale * viscous_drag(wire, across * Vec3::UnitX(), along * Vec3::UnitY());
@@ -294,7 +299,8 @@ void WireDrag<Real>::allocate_fields(lbm::Fluid<Real>& fluid, SolidFields<Real>&
     wires_at_[b] = in_reach++;
     const auto block = static_cast<BlockIndex>(b);
     fields.reach(grid, block);
-    if (fields.is_fresh(block)) note_velocities(fluid, block);
+    // Nor before the first sweep: a checkpoint of then does not say which fields are fresh.
+    if (fields.is_fresh(block) || fluid.steps() == 0) note_velocities(fluid, block);
     grid.require_impulse(block);
   }
   if (wires_.size() < in_reach) wires_.resize(in_reach);

@@ -5,8 +5,7 @@
 // Drag follows the beads in their own steps (dem/liquid_drag.h): `apply` says before the step of the fluid what it is,
 // `collect` takes up afterwards what it gave, and the cells get that at the next `apply`. Of the liquid around a bead
 // each wire that is spread over the same cells moves its share. (Immersed boundaries are blind to such wires: as tau ->
-// 1/2 the weighting of Noble & Torczynski lets the water through, B = eps overdrags; DESIGN figures in
-// docs/coupling.md.)
+// 1/2 the weighting of Noble & Torczynski lets the water through, B = eps overdrags.)
 #include <vector>
 
 #include "coupling/audit.h"

@@ -98,12 +98,9 @@ void set_motion(const WireContact& c, const Particles& particles, double dt, Con
   const Triple slip_end =
       a.velocity_end - b.velocity_end + cross(a.spin_end, c.wire.lever) - cross(b.spin_end, c.partner.lever);
   s.closing_speed = c.spread * dot(slip_end, c.normal);
-  const auto together = [&](double inverse_a, double inverse_b) {
-    const double inverse = c.spread * c.spread * (inverse_a + inverse_b);
-    return inverse > 0 ? 1 / inverse : 0.0;
-  };
-  s.effective_mass = together(a.inverse_mass, b.inverse_mass);
-  s.tangential_mass = together(a.tangential_inverse_mass, b.tangential_inverse_mass);
+  const auto together = [](double inverse) { return inverse > 0 ? 1 / inverse : 0.0; };
+  s.effective_mass = together(c.spread * c.spread * (a.inverse_mass + b.inverse_mass));
+  s.tangential_mass = together(a.tangential_inverse_mass + b.tangential_inverse_mass);  // whose force has no lever
   s.tangential_velocity = normal_part(slip, c.normal);
   s.tangential_velocity_end = normal_part(slip_end, c.normal);
   s.twist_rate = 0.5 * dot(a.spin + b.spin, c.normal);

@@ -64,6 +64,7 @@ void WireForces::note_slots(const Particles& p) {
   position_before_ = p.position;
   moved_ = 0;
   idle_to_.assign(slots().size(), 0.0);
+  patches_.list(slots(), chains_);
   counts_.assign(p.size(), 0.0);
   const auto count = [&](ParticleIndex i) {
     for (const ParticleIndex k : {i, chains_.before(i), chains_.behind(i)})
@@ -143,16 +144,42 @@ ContactState WireForces::material_state(const WireSlot& slot, const Particles& p
   return s;
 }
 
+/// Where the wires touch now. Contacts that have parted lose what they remember.
+void WireForces::find_touching(const Particles& p) {
+  auto& slots = detection_.slots();
+  chunks_.resize((slots.size() + kChunk - 1) / kChunk);
+  parallel_for_chunks(slots.size(), kChunk, [&](std::size_t first, std::size_t last) {
+    static thread_local Scratch x;
+    Chunk& chunk = chunks_[first / kChunk];
+    chunk.found.clear();
+    chunk.energy = {}, chunk.worst = {};
+    for (std::size_t k = first; k < last; ++k) {
+      if (moved_ < idle_to_[k]) continue;
+      WireSlot& slot = slots[k];
+      if (!find_contact(slot, p, x)) {
+        if (slot.touching != 0) chunk.energy.friction += stored_energy(slot.history);
+        slot.history = {}, slot.touching = 0;
+        idle_to_[k] = moved_ + 0.5 * x.gap;  // both sides may come nearer by as much as is moved
+        continue;
+      }
+      idle_to_[k] = 0;
+      const auto deepest =
+          std::max_element(x.patch.nodes.begin(), x.patch.nodes.begin() + static_cast<long>(x.patch.count),
+                           [](const auto& a, const auto& b) { return a.overlap < b.overlap; });
+      const ParticleIndex there = slot.count > 0 ? x.partner.segments[deepest->nearest.segment].beads[1] : slot.partner;
+      chunk.found.push_back({static_cast<std::uint32_t>(k), x.contact, x.patch.integral, x.patch.depth, there});
+    }
+  });
+}
+
 template <ContactLaw L>
-void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p, const std::vector<double>& damping,
-                               double dt, Scratch& x, Chunk& chunk) const {
-  if (!find_contact(slot, p, x)) {
-    if (slot.touching != 0) chunk.energy.friction += stored_energy(slot.history);
-    slot.history = {}, slot.touching = 0;
-    return;
-  }
-  const WireContact& c = x.contact;
+void WireForces::evaluate_touch(const L& law, const WireTouch& touch, const Particles& p,
+                                const std::vector<double>& damping, double dt, Chunk& chunk) {
+  WireSlot& slot = detection_.slots()[touch.slot];
+  const WireContact& c = touch.contact;
   ContactState s = material_state(slot, p);
+  s.damping_ratio *= std::sqrt(touch.share * touch.yields);
+  s.effective_shear_modulus *= std::pow(touch.share, 0.8);
   set_motion(c, p, dt, s);
   s.friction *= c.spread;  // Coulomb's limit is one on the resultant
   for (const WireSide* side : {&c.wire, &c.partner})
@@ -169,10 +196,7 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
   const ContactForce f = law(s, slot.history, dt);
   const Triple at_point =
       f.tangential - (f.normal - elastic) * c.spread * c.normal;  // friction and dampers, on the wire
-  slot.touching = 1;
-  const auto deepest = std::max_element(x.patch.nodes.begin(), x.patch.nodes.begin() + static_cast<long>(x.patch.count),
-                                        [](const auto& a, const auto& b) { return a.overlap < b.overlap; });
-  slot.last = slot.count > 0 ? x.partner.segments[deepest->nearest.segment].beads[1] : slot.partner;
+  slot.touching = 1, slot.last = touch.last;
   const auto answer = [&](const WireSide& side, double sign) {
     const Triple moment = cross(side.lever, sign * at_point);
     for (std::size_t k = 0; k < side.count; ++k) {
@@ -188,25 +212,21 @@ void WireForces::evaluate_slot(const L& law, WireSlot& slot, const Particles& p,
   chunk.energy.damping += f.damping_work;
   chunk.energy.damping_of_step += f.damping_work;
   chunk.energy.friction += f.friction_work;
-  const double ratio = x.patch.depth / std::min(p.radius[slot.wire], p.radius[slot.partner]);
+  const double ratio = touch.depth / std::min(p.radius[slot.wire], p.radius[slot.partner]);
   if (ratio > chunk.worst.ratio) chunk.worst = {ratio, p.id(slot.wire), p.id(slot.last), false};
 }
 
 template <ContactLaw L>
 void WireForces::evaluate_with(const L& law, const Particles& p, const std::vector<double>& damping, double dt) {
-  auto& slots = detection_.slots();
-  chunks_.resize((slots.size() + kChunk - 1) / kChunk);
-  parallel_for_chunks(slots.size(), kChunk, [&](std::size_t first, std::size_t last) {
-    static thread_local Scratch scratch;
-    Chunk& chunk = chunks_[first / kChunk];
+  find_touching(p);
+  touching_.clear();
+  for (Chunk& chunk : chunks_)
+    for (WireTouch& touch : chunk.found) touching_.push_back(&touch);
+  patches_.share_out(touching_, p);
+  parallel_for(0, chunks_.size(), 1, [&](std::size_t n) {
+    Chunk& chunk = chunks_[n];
     chunk.answers.clear();
-    chunk.energy = {}, chunk.worst = {};
-    for (std::size_t k = first; k < last; ++k) {
-      if (moved_ < idle_to_[k]) continue;
-      evaluate_slot(law, slots[k], p, damping, dt, scratch, chunk);
-      // Both sides may come nearer by as much as is moved.
-      idle_to_[k] = slots[k].touching != 0 ? 0 : moved_ + 0.5 * scratch.gap;
-    }
+    for (const WireTouch& touch : chunk.found) evaluate_touch(law, touch, p, damping, dt, chunk);
   });
 }
 

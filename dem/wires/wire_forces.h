@@ -5,6 +5,7 @@
 
 #include "dem/contact/contact_forces.h"
 #include "dem/contact/worst_overlap.h"
+#include "dem/wires/shared_patches.h"
 #include "dem/wires/wire_chains.h"
 #include "dem/wires/wire_contact.h"
 #include "dem/wires/wire_detection.h"
@@ -62,6 +63,7 @@ class WireForces {
     double damper;  // N s/m
   };
   struct Chunk {
+    std::vector<WireTouch> found;
     std::vector<Answer> answers;
     ContactEnergy energy;
     WorstOverlap worst;
@@ -72,9 +74,10 @@ class WireForces {
   [[nodiscard]] ContactState material_state(const WireSlot& slot, const Particles& particles) const;
   template <ContactLaw L>
   void evaluate_with(const L& law, const Particles& particles, const std::vector<double>& damping, double dt);
+  void find_touching(const Particles& particles);
   template <ContactLaw L>
-  void evaluate_slot(const L& law, WireSlot& slot, const Particles& particles, const std::vector<double>& damping,
-                     double dt, Scratch& scratch, Chunk& chunk) const;
+  void evaluate_touch(const L& law, const WireTouch& touch, const Particles& particles,
+                      const std::vector<double>& damping, double dt, Chunk& chunk);
   void note_slots(const Particles& particles);
   void note_movement(const Vec3Field& position);
   [[nodiscard]] double energy_at_rest(const WireSlot& slot, const Particles& particles) const;
@@ -90,6 +93,8 @@ class WireForces {
   double moved_ = 0;             // m, the farthest way of such a particle in each step, added up
   std::vector<double> idle_to_;  // per slot: it does not touch while moved_ is less
   std::vector<Chunk> chunks_;    // of kChunk slots each
+  SharedPatches patches_;
+  std::vector<WireTouch*> touching_;
   ContactEnergy energy_;
   WorstOverlap worst_;
   std::int64_t builds_ = 0;

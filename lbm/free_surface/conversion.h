@@ -32,7 +32,7 @@ struct LiquidAccount {
   std::int64_t drop_moves = 0;  ///< moves of spray cells (drops.h)
   std::int64_t limited = 0;     ///< cell updates with a limited stress (collision/stress_limit.h)
   std::int64_t exposed = 0;     ///< cell updates with a bounded relaxation rate (same place)
-  WallAccount walls;            ///< mass that interpolated walls took and gave (boundary/wall_balance.h)
+  WallAccount walls;            ///< mass that walls took and gave (boundary/wall_balance.h)
 
   void transfer(Archive& archive) {
     archive.value("outflow", outflow);

@@ -1,8 +1,8 @@
 #pragma once
 // Cells that a body takes over whole: what is wet in them is the mixture that carries the body through the liquid and
-// moves as the body does, no liquid (docs/decisions/0041). Who writes the body fields says which they are: with
-// BodyWeighting::wall_distance those whose centre is inside a body; the other weightings leave every cell some flow of
-// its own.
+// moves as the body does, no liquid (docs/decisions/0041). Who writes the body fields says which they are: by the
+// distance from the wall (wall_distance, inertial) those whose centre is inside a grain; mapped wires and the other
+// weightings leave every cell some flow of its own.
 #include <algorithm>
 #include <array>
 

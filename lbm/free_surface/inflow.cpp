@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <tuple>
+#include <utility>
 
 #include "core/check.h"
 #include "lbm/free_surface/covered_cells.h"
@@ -30,19 +31,30 @@ int stream_axis(const Vec3& velocity) {
   return std::abs(velocity[axis]) > rounding * velocity.norm() ? axis : -1;
 }
 
+/// The first and the last cell of a box: of those whose centre lies in [lower, upper).
+std::pair<Vec3i, Vec3i> cells_of(const InflowOptions& inflow, const Domain& domain) {
+  const auto cell = [&](const Vec3& x) {
+    const Vec3 at = (x - domain.origin()) / domain.cell_size() - Vec3::Constant(0.5 + 1e-9);
+    return Vec3i(at.array().ceil().cast<int>());
+  };
+  return {cell(inflow.lower), cell(inflow.upper) - Vec3i::Ones()};
+}
+
 }  // namespace
+
+double free_volume(const InflowOptions& inflow, const Domain& domain) {
+  const auto [first, last] = cells_of(inflow, domain);
+  double cells = 0;
+  for (int x = first.x(); x <= last.x(); ++x)
+    for (int y = first.y(); y <= last.y(); ++y)
+      for (int z = first.z(); z <= last.z(); ++z) cells += domain.classify(Vec3i(x, y, z)) != CellType::wall;
+  return std::max(1.0, cells) * std::pow(domain.cell_size(), 3);
+}
 
 template <class Real>
 Inflow<Real>::Inflow(InflowOptions options, const Domain& domain) : options_(std::move(options)) {
-  // Cells whose centre lies in [lower, upper).
-  for (int a = 0; a < 3; ++a) {
-    const auto cell = [&](double x) {
-      return static_cast<int>(std::ceil((x - domain.origin()[a]) / domain.cell_size() - 0.5 - 1e-9));
-    };
-    first_[a] = cell(options_.lower[a]);
-    last_[a] = cell(options_.upper[a]) - 1;
-    require(first_[a] <= last_[a], "Inflow: the box holds the centre of no cell");
-  }
+  std::tie(first_, last_) = cells_of(options_, domain);
+  require((first_.array() <= last_.array()).all(), "Inflow: the box holds the centre of no cell");
   find_columns(domain);
 }
 
@@ -108,15 +120,16 @@ void Inflow<Real>::feed(FluidLevel<Real>& level, CellConversion<Real>& conversio
   cells_.clear();
   columns_.clear();
   collect(level, conversion, free_);
+  const std::size_t free = columns_.size();
   if (owed_ > kLargestDose * static_cast<double>(cells_.size())) collect(level, conversion, at_wall_);
   const double all = (last_ - first_ + Vec3i::Ones()).cast<double>().prod();
   if (owed_ > std::max(all, kLargestDose) || columns_.empty())
     throw NumericalFailure(
         "inflow " + options_.name, step,
         columns_.empty() ? "no free cell in its box" : "its box cannot take the discharge; make it larger");
-  const double share = share_of_column();
-  double arrived = 0;
-  for (const Column& column : columns_) arrived += dose(level, column, std::min(share, largest_dose(column)));
+  const std::span<const Column> columns(columns_);
+  double arrived = pour(level, columns.first(free), owed_);
+  arrived += pour(level, columns.subspan(free), owed_ - arrived);  // only what the others cannot take
   owed_ -= arrived;
   account.inflow += arrived;
   require_room(step);
@@ -134,13 +147,23 @@ void Inflow<Real>::require_room(std::int64_t step) const {
                            "density; give it room, or less discharge");
 }
 
+/// Into columns, in equal parts as far as they can take them; returns what came in.
+template <class Real>
+double Inflow<Real>::pour(FluidLevel<Real>& level, std::span<const Column> columns, double due) {
+  if (columns.empty() || due < kNothingDue) return 0;
+  const double share = share_of_column(columns, due);
+  double arrived = 0;
+  for (const Column& column : columns) arrived += dose(level, column, std::min(share, largest_dose(column)));
+  return arrived;
+}
+
 /// What a column gets of what is due; those that cannot take as much get their largest dose.
 template <class Real>
-double Inflow<Real>::share_of_column() const {
+double Inflow<Real>::share_of_column(std::span<const Column> columns, double due) {
   std::vector<double> largest;
-  for (const Column& column : columns_) largest.push_back(largest_dose(column));
+  for (const Column& column : columns) largest.push_back(largest_dose(column));
   std::sort(largest.begin(), largest.end());
-  double rest = owed_;
+  double rest = due;
   for (std::size_t c = 0; c < largest.size(); ++c) {
     const double even = rest / static_cast<double>(largest.size() - c);
     if (even <= largest[c]) return even;

@@ -29,6 +29,9 @@ struct InflowOptions {
   Hydrograph discharge;
 };
 
+/// m^3, of the cells in the box of an inflow that no wall takes; at least that of one cell.
+double free_volume(const InflowOptions& inflow, const Domain& domain);
+
 template <class Real>
 class Inflow {
  public:
@@ -39,6 +42,8 @@ class Inflow {
 
   /// Makes the blocks of the box if something is due in a step of `duration` from `time` on, s.
   void make_room(FluidGrid<Real>& grid, double time, double duration) const;
+  /// What is due in a step of `duration` from `time` on, s, comes in the next one.
+  void wait(const FluidGrid<Real>& grid, double time, double duration) { owed_ = volume_due(grid, time, duration); }
   /// Puts in what is due in a step of `duration` from `time` on, s. Throws NumericalFailure where the box cannot take
   /// the discharge.
   void feed(FluidLevel<Real>& level, CellConversion<Real>& conversion, double time, double duration, std::int64_t step,
@@ -61,7 +66,8 @@ class Inflow {
   [[nodiscard]] bool has_wall_behind(const Domain& domain, int x, int y) const;
   [[nodiscard]] double volume_due(const FluidGrid<Real>& grid, double time, double duration) const;
   void collect(FluidLevel<Real>& level, CellConversion<Real>& conversion, const std::vector<Eigen::Vector2i>& places);
-  [[nodiscard]] double share_of_column() const;
+  double pour(FluidLevel<Real>& level, std::span<const Column> columns, double due);
+  [[nodiscard]] static double share_of_column(std::span<const Column> columns, double due);
   static double largest_dose(const Column& column);
   void require_room(std::int64_t step) const;
   double dose(FluidLevel<Real>& level, const Column& column, double mass);

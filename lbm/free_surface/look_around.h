@@ -1,5 +1,9 @@
 #pragma once
 // Fills what the interface cells of a block see (surroundings.h), a row of cells at a time.
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
 
 #include "lbm/free_surface/surroundings.h"
 #include "lbm/grid/fluid_grid.h"
@@ -26,6 +30,17 @@ class LookAround {
       for (int by = -1; by <= 1; ++by) see_rows(s, by, bz, needed, sides);
   }
 
+  /// Densities half a step on, where what `run` has seen asks for them: in liquid two links away from interface cells
+  /// that no body reaches. They take a sum over all that a cell sends and gets: few cells are asked for.
+  void see_half_a_step_on(std::uint64_t rows, Surroundings<Real>& s) const {
+    std::uint16_t asked[12][12] = {};  // by z + 2 and y + 2, bit x + 2
+    for (; rows != 0; rows &= rows - 1) ask_two_links_away(std::countr_zero(rows), asked);
+    for (int z = -2; z < 10; ++z)
+      for (int y = -2; y < 10; ++y)
+        if (const unsigned cells = asked[z + 2][y + 2]; cells != 0)
+          see_half_a_step_on(cells & s.wet.all_of_row(y, z) & ~s.interface.all_of_row(y, z), y, z, s);
+  }
+
  private:
   /// A row and two cells to either side, in a vector of sixteen.
   using Sixteen = Pack<Real, 2 * kBlockWidth>;
@@ -38,6 +53,41 @@ class LookAround {
     BlockIndex block = kNoBlock;  ///< where its densities are asked for
     bool keeps_density = false;
   };
+
+  /// Adds the cells two links away from the interface cells of a row that no body reaches.
+  void ask_two_links_away(int row, std::uint16_t (&asked)[12][12]) const {
+    const Block<Real>& block = grid_.block(index_);
+    unsigned cells = interface_cells(block, row);
+    if (block.body) cells &= ~(load<Row<Real>>(block.body->exchange_weight + kBlockWidth * row) > Row<Real>(0)).bits();
+    if (cells == 0) return;
+    const unsigned here = cells << 2, aside = here << 2 | here >> 2;
+    for (int cz = 0; cz < 3; ++cz)
+      for (int cy = 0; cy < 3; ++cy) {
+        const int steps = (cz != 1) + (cy != 1);
+        asked[(row >> 3) + 2 * cz][(row & 7) + 2 * cy] |= static_cast<std::uint16_t>(steps == 0   ? aside
+                                                                                     : steps == 1 ? here | aside
+                                                                                                  : here);
+      }
+  }
+
+  /// Of the cells (bit x + 2) of one row.
+  void see_half_a_step_on(unsigned cells, int y, int z, Surroundings<Real>& s) const {
+    const int slot = neighbour_slot(0, y >> 3, z >> 3), first = cell_index(0, y & 7, z & 7);
+    const auto densities = [&](int bx) {
+      const BlockIndex b = grid_.topology().neighbours(index_)[static_cast<std::size_t>(slot + 9 * bx)];
+      return density_half_a_step_on(grid_.around(b), first, parity_);
+    };
+    Real* const row = s.half_way + Surroundings<Real>::at(0, y, z);
+    if ((cells & 0x3FCU) != 0) store(row, densities(0));
+    if ((cells & 0x003U) != 0) {
+      const Row<Real> left = densities(-1);
+      row[-2] = left[6], row[-1] = left[7];
+    }
+    if ((cells & 0xC00U) != 0) {
+      const Row<Real> right = densities(1);
+      row[8] = right[0], row[9] = right[1];
+    }
+  }
 
   /// Columns x of the interface cells, as bits.
   unsigned columns_of(std::uint64_t rows) const {
@@ -92,11 +142,10 @@ class LookAround {
     const auto covered = [&](std::size_t k) { return unsigned{views[k].covered[first / kBlockWidth]}; };
     s.covered.set_row(y, z, covered(0) >> 6 | covered(1) << 2 | (covered(2) & 3U) << 10);
     if (wet == 0) return store(s.full + place, zero);
-    alignas(64) Real now[3][kBlockWidth], half_way[3][kBlockWidth];
-    Densities row[3];
-    for (std::size_t k = 0; k < 3; ++k) row[k] = densities(views[k], types[k], first, now[k], half_way[k]);
-    store(s.density + place, row_and_sides(row[0].now, row[1].now, row[2].now));
-    store(s.half_way + place, row_and_sides(row[0].half_way, row[1].half_way, row[2].half_way));
+    alignas(64) Real computed[3][kBlockWidth];
+    const Real* drho[3];
+    for (std::size_t k = 0; k < 3; ++k) drho[k] = densities(views[k], types[k], first, computed[k]);
+    store(s.density + place, row_and_sides(drho[0], drho[1], drho[2]));
     using Lanes = typename Sixteen::mask_type;
     const Sixteen liquid = select(Lanes::from_bits(wet), one, zero);
     if (interface == 0) return store(s.full + place, liquid);
@@ -105,21 +154,13 @@ class LookAround {
     store(s.full + place, select(Lanes::from_bits(interface), half * fill, liquid));
   }
 
-  /// What a row of a block is seen to hold: the numbers of its own fields, or of buffers.
-  struct Densities {
-    const Real *now, *half_way;
-  };
-
-  /// The sweep keeps no density of blocks without a surface: it is computed. Of cells of liquid half a step on it is
-  /// the mean of all that they send and get (docs/decisions/0089).
-  [[gnu::always_inline]] Densities densities(const View& v, std::uint64_t types, int first, Real (&now)[kBlockWidth],
-                                             Real (&half_way)[kBlockWidth]) const {
-    if (v.block == kNoBlock || (wet_cells(types) & ~interface_cells(types)) == 0)
-      return {v.density + first, v.density + first};
-    store_aligned(half_way, density_half_a_step_on(grid_.around(v.block), first, parity_));
-    if (v.keeps_density) return {v.density + first, half_way};
-    store_aligned(now, outgoing_density(grid_.around(v.block), first, parity_));
-    return {now, half_way};
+  /// Those of a row of a block: its own field, or the buffer. The sweep keeps no density of blocks without a surface:
+  /// it is computed.
+  [[gnu::always_inline]] const Real* densities(const View& v, std::uint64_t types, int first,
+                                               Real (&computed)[kBlockWidth]) const {
+    if (v.keeps_density || v.block == kNoBlock || wet_cells(types) == 0) return v.density + first;
+    store_aligned(computed, outgoing_density(grid_.around(v.block), first, parity_));
+    return computed;
   }
 
   /// The last two numbers of a row, a row, the first two of another, and four that are of no use.

@@ -48,7 +48,6 @@ class RowExchange {
         home_ahead_(around, parity.next(), nowhere_),
         away_ahead_(around, parity, nowhere_),
         order_(physics.equilibrium_order),
-        gas_drho_(physics.gas_drho),
         largest_gradient_(physics.largest_gradient),
         gravity_{V(physics.gravity[0]), V(physics.gravity[1]), V(physics.gravity[2])},
         weight_(physics.weight),
@@ -98,7 +97,7 @@ class RowExchange {
     const Velocity u = velocity_half_a_step_on(link.row, s);
     const auto* c = D3Q19::c[link.direction];
     const V height = s.depth + V(Real(0.5)) * (V(Real(c[0])) * s.x + V(Real(c[1])) * s.y + V(Real(c[2])) * s.z);
-    const V drho = V(3) * height + (capillary_ ? V(gas_drho_ + load<V>(capillary_ + 8 * link.row)) : gas_drho_);
+    const V drho = V(3) * height + gas_density(link.row);
     const HigherMoments<V> higher(order_, u.x, u.y, u.z);
     const V even =
         V(equilibrium_pair_sum(link.direction, drho, u.x, u.y, u.z)) + (V(1) + drho) * higher.pair_sum(link.direction);
@@ -221,7 +220,7 @@ class RowExchange {
     const Velocity u = velocity_half_a_step_on(row, s);
     const Rows rows = Rows::at(kBlockWidth * row, kRows);
     const HigherMoments<V> higher(order_, u.x, u.y, u.z);
-    const V gas = capillary_ ? V(gas_drho_ + load<V>(capillary_ + 8 * row)) : gas_drho_;
+    const V gas = gas_density(row);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       const auto from_ahead = open && sight.template empty<CX, CY, CZ>();
       const auto from_behind = open && sight.template empty<-CX, -CY, -CZ>();
@@ -263,20 +262,18 @@ class RowExchange {
   template <class Mask>
   SurfacePressure surface_pressure(int row, const Sight<V>& sight, const Mask& open) const {
     if (largest_gradient_ <= 0) return {V(0), V(0), V(0), V(0)};
-    Mask layer = on_a_layer(row, sight);
-    V surface = gas_drho_;
-    if (capillary_) {  // not on drops: there the fit would follow what is wrong in the curvature from cell to cell
-      const V drho = load<V>(capillary_ + 8 * row);
-      surface += drho;
-      layer = layer && drho * drho < V(9) * squared(gravity_);  // less than the weight of a cell
-    }
-    const PressureFit<V> fit =
-        pressure_gradient(sight, KnownPressure<V>{layer, surface, {gravity_[0], gravity_[1], gravity_[2]}});
+    Mask layer = open && on_a_layer(row, sight);
+    const V surface = gas_density(row);
+    if (capillary_)  // not on drops: there the fit would follow what is wrong in the curvature from cell to cell
+      layer = layer && surface * surface < V(9) * squared(gravity_);  // less than the weight of a cell
+    const bool layers = any(layer);
+    const KnownPressure<V> known{layer, surface, {gravity_[0], gravity_[1], gravity_[2]}};
+    const PressureFit<V> fit = layers ? pressure_gradient<true>(sight, known) : pressure_gradient<false>(sight, known);
     const V fill = fill_of_now(row), largest(largest_gradient_);
     V a[3] = {fit.at_surface[0], fit.at_surface[1], fit.at_surface[2]};
-    if (any(layer && open)) {
+    if (layers) {
       // a = at_surface - depth x per_depth, depth = |a| x the centre's distance from the surface: solved along a.
-      const V first = depths_of_centres(a, fill, layer && open), square = squared(a);
+      const V first = depths_of_centres(a, fill, layer), square = squared(a);
       const V along = a[0] * fit.per_depth[0] + a[1] * fit.per_depth[1] + a[2] * fit.per_depth[2];
       const V share = V(1) + first * along / max(square, V(Real(1e-30)));
       const V depth = first / max(share, V(static_cast<Real>(kLeastShare)));
@@ -287,17 +284,22 @@ class RowExchange {
     return {depths_of_centres(a, fill, open), a[0], a[1], a[2]};
   }
 
+  /// rho - 1 on the surface: of the gas, 0, and by surface tension.
+  [[gnu::always_inline]] V gas_density(int row) const { return capillary_ ? load<V>(capillary_ + 8 * row) : V(0); }
+
   [[gnu::always_inline]] static V squared(const V (&a)[3]) { return a[0] * a[0] + a[1] * a[1] + a[2] * a[2]; }
 
   /// Cells with liquid on one side, as in the surface of a layer, and without bodies.
   [[gnu::always_inline]] typename V::mask_type on_a_layer(int row, const Sight<V>& sight) const {
+    using Mask = typename V::mask_type;
+    const Mask bare = block_.body ? !(load<V>(block_.body->exchange_weight + 8 * row) > V(0)) : Mask::all(true);
+    if (none(bare && sight.template interface<0, 0, 0>())) return Mask::all(false);
     V links(0);
     for_each_pair([&]<int P, int CX, int CY, int CZ>() __attribute__((always_inline)) {
       links = select(sight.template liquid<CX, CY, CZ>(), links + V(1), links);
       links = select(sight.template liquid<-CX, -CY, -CZ>(), links + V(1), links);
     });
-    const auto layer = links >= V(kLinksToLiquid);
-    return block_.body ? layer && !(load<V>(block_.body->exchange_weight + 8 * row) > V(0)) : layer;
+    return bare && links >= V(kLinksToLiquid);
   }
 
   /// The level of now: that of the last conversion is a step old, and a pressure that lags feeds waves.
@@ -317,7 +319,8 @@ class RowExchange {
   /// `open` to it, the liquid around in the others.
   template <class Mask>
   void note_lacking(int row, const Sight<V>& sight, const Mask& held, const Mask& open, const SurfacePressure& s) {
-    const V depth = select(open, s.depth, V(Real(1.0 / 3.0)) * (sight.template density<0, 0, 0>() - gas_drho_));
+    const V depth = select(open, s.depth, V(Real(1.0 / 3.0)) * sight.template density<0, 0, 0>());
+    const V gas = select(open, gas_density(row), V(0));
     BodyFields<Real>& body = *block_.body;
     const V inverse = V(1) / max(load<V>(body.exchange_weight + 8 * row), V(Real(1e-12)));
     BodyLinks<V> links(order_, {V(load<V>(body.weighted_velocity_x + 8 * row) * inverse),
@@ -328,9 +331,8 @@ class RowExchange {
       const auto behind = held && sight.template covered<-CX, -CY, -CZ>() && sight.template wet<-CX, -CY, -CZ>();
       const V half_way = V(Real(0.5)) * (V(Real(CX)) * s.x + V(Real(CY)) * s.y + V(Real(CZ)) * s.z);
       constexpr int i = D3Q19::forward(P);
-      if (any(ahead)) links.add(i, ahead, outgoing_a_[P], incoming_b_[P], V(gas_drho_ + V(3) * (depth + half_way)));
-      if (any(behind))
-        links.add(i + 1, behind, outgoing_b_[P], incoming_a_[P], V(gas_drho_ + V(3) * (depth - half_way)));
+      if (any(ahead)) links.add(i, ahead, outgoing_a_[P], incoming_b_[P], V(gas + V(3) * (depth + half_way)));
+      if (any(behind)) links.add(i + 1, behind, outgoing_b_[P], incoming_a_[P], V(gas + V(3) * (depth - half_way)));
     });
     const V lacks = V(1) - fill_of_now(row);
     Real* const lacking[3] = {body.lacking_x, body.lacking_y, body.lacking_z};
@@ -381,7 +383,6 @@ class RowExchange {
   alignas(64) Real nowhere_[kBlockCells];
   const AwayPopulations<Real> home_ahead_, away_ahead_;
   const EquilibriumOrder order_;
-  const V gas_drho_;
   const Real largest_gradient_;
   const V gravity_[3];
   const V weight_;
@@ -436,16 +437,21 @@ void exchange_surface(FluidGrid<Real>& grid, BlockIndex b, Parity parity, const 
   const bool tense = physics.surface_tension > 0;
   if (tense) capillary_densities(grid, b, physics.surface_tension, capillary);
   const Real* const drho = tense ? capillary : nullptr;
+  LookAround<Real> look(grid, b, parity);
+  const auto look_around = [&](std::uint64_t rows) {
+    look.run(rows, near);
+    if (physics.largest_gradient > 0) look.see_half_a_step_on(surface.rows, near);
+  };
   if constexpr (kNativeLanes<Real> == 2 * kBlockWidth)
     if (!shear) {
       constexpr std::uint64_t even = 0x5555555555555555U;
       const std::uint64_t pairs = (surface.rows | surface.rows >> 1) & even;
-      LookAround<Real>(grid, b, parity).run(pairs | pairs << 1, near);
+      look_around(pairs | pairs << 1);
       RowExchange<Pack<Real, 2 * kBlockWidth>> exchange(grid.around(b), near, parity, physics, drho);
       for (std::uint64_t rows = pairs; rows != 0; rows &= rows - 1) exchange.run(std::countr_zero(rows), nullptr);
       return end_mirrors_at_gas(grid, b, parity, physics, near, drho);
     }
-  LookAround<Real>(grid, b, parity).run(surface.rows, near);
+  look_around(surface.rows);
   RowExchange<Row<Real>> exchange(grid.around(b), near, parity, physics, drho);
   for (std::uint64_t rows = surface.rows; rows != 0; rows &= rows - 1)
     exchange.run(std::countr_zero(rows), shear ? shear++ : nullptr);

@@ -38,7 +38,6 @@ namespace lahar::lbm {
 template <class Real>
 struct SurfacePhysics {
   EquilibriumOrder equilibrium_order = EquilibriumOrder::fourth;  ///< of the collision operator
-  Real gas_drho = 0;                                              ///< rho - 1 at the pressure of the gas
   Real largest_gradient = 0;  ///< of |a|: beyond it densities are sound and splash, no weight of liquid; 0: plain rule
   Real surface_tension = 0;   ///< sigma over the density; 0 is off
   Real gravity[3] = {};       ///< lu

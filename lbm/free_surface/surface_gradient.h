@@ -44,39 +44,40 @@ struct KnownPressure {
 /// (PressureFit) towards cells of liquid: its own density follows from the gradient of the step before, which fed sound
 /// between the surface and the bed. Where a layer has one cell of liquid on a wall, what the wall holds is weight.
 /// (docs/decisions/0089)
-template <class V>
+/// Layers: whether any of the cells are on one; if not, what only they need is left out.
+template <bool Layers, class V>
 [[gnu::always_inline]] inline PressureFit<V> pressure_gradient(const Sight<V>& sight, const KnownPressure<V>& known) {
   const V none = number<V>(1e-6), zero(0);  // in directions without wet cells the gradient is 0
   const V here = sight.template density<0, 0, 0>();
   V m[6] = {none, none, none, zero, zero, zero}, b[3] = {zero, zero, zero}, v[3] = {zero, zero, zero};
   const auto add = [&]<int CX, int CY, int CZ>(double weight) __attribute__((always_inline)) {
     const auto once = sight.template wet<CX, CY, CZ>(), twice = once && sight.template wet<2 * CX, 2 * CY, 2 * CZ>();
-    const auto on_wall =
-        known.layer && sight.template liquid<CX, CY, CZ>() && !twice && !sight.template empty<2 * CX, 2 * CY, 2 * CZ>();
-    const auto by_surface = known.layer && twice && sight.template liquid<2 * CX, 2 * CY, 2 * CZ>();
     const V rise_once = sight.template density<CX, CY, CZ>() - here,
-            far = sight.template density<2 * CX, 2 * CY, 2 * CZ>(),
-            rise_twice = select(by_surface, sight.template density_half_way<2 * CX, 2 * CY, 2 * CZ>() - known.surface,
-                                far - here);
+            far = sight.template density<2 * CX, 2 * CY, 2 * CZ>();
+    V rise_twice = far - here;
+    constexpr int c[3] = {CX, CY, CZ};
+    if constexpr (Layers) {
+      const auto by_surface = known.layer && twice && sight.template liquid<2 * CX, 2 * CY, 2 * CZ>();
+      rise_twice =
+          select(by_surface, sight.template density_half_way<2 * CX, 2 * CY, 2 * CZ>() - known.surface, rise_twice);
+      const V half_weight = select(by_surface, number<V>(weight / 2), zero);
+      for (int k = 0; k < 3; ++k)
+        if (c[k] != 0) v[k] += number<V>(c[k]) * half_weight;
+    }
     V slope = select(once, select(twice, number<V>(weight / 6) * rise_twice, number<V>(weight / 3) * rise_once), zero);
     V w = select(once, number<V>(weight), zero);
-    constexpr int c[3] = {CX, CY, CZ};
-    constexpr bool axis = CX * CX + CY * CY + CZ * CZ == 1;
-    if constexpr (axis) {
+    if constexpr (Layers) {
+      const auto on_wall = known.layer && sight.template liquid<CX, CY, CZ>() && !twice &&
+                           !sight.template empty<2 * CX, 2 * CY, 2 * CZ>();
       V weight_along(0);
       for (int k = 0; k < 3; ++k)
         if (c[k] != 0) weight_along += number<V>(weight * c[k]) * known.gravity[k];
-      slope = select(on_wall, weight_along, slope);
-    } else {
-      slope = select(on_wall, zero, slope), w = select(on_wall, zero, w);
+      constexpr bool axis = CX * CX + CY * CY + CZ * CZ == 1;
+      slope = select(on_wall, axis ? weight_along : zero, slope);
+      if constexpr (!axis) w = select(on_wall, zero, w);
     }
-    const V half_weight = select(by_surface, number<V>(weight / 2), zero);
-    for (int k = 0; k < 3; ++k) {
-      if (c[k] == 0) continue;
-      b[k] += number<V>(c[k]) * slope;
-      v[k] += number<V>(c[k]) * half_weight;
-      m[k] += w;
-    }
+    for (int k = 0; k < 3; ++k)
+      if (c[k] != 0) b[k] += number<V>(c[k]) * slope, m[k] += w;
     if constexpr (CX * CY != 0) m[3] += number<V>(CX * CY) * w;
     if constexpr (CX * CZ != 0) m[4] += number<V>(CX * CZ) * w;
     if constexpr (CY * CZ != 0) m[5] += number<V>(CY * CZ) * w;
@@ -87,7 +88,10 @@ template <class V>
   (std::make_index_sequence<D3Q19::q - 1>{});
   PressureFit<V> fit;
   solve_symmetric(m, b, fit.at_surface);
-  solve_symmetric(m, v, fit.per_depth);
+  if constexpr (Layers)
+    solve_symmetric(m, v, fit.per_depth);
+  else
+    for (V& component : fit.per_depth) component = zero;
   return fit;
 }
 

@@ -15,6 +15,8 @@ class SeenCells {
  public:
   static constexpr int at(int y, int z) { return (y + 2) + 12 * (z + 2); }
   void set_row(int y, int z, unsigned bits) { rows_[at(y, z)] = static_cast<std::uint16_t>(bits); }
+  /// The twelve cells from (-2, y, z) on, as bits.
+  [[nodiscard]] unsigned all_of_row(int y, int z) const { return rows_[at(y, z)]; }
   /// The eight cells from (x, y, z) on, as bits.
   [[nodiscard]] [[gnu::always_inline]] unsigned row(int x, int y, int z) const {
     return rows_[at(y, z)] >> (x + 2) & 0xFFU;
@@ -38,7 +40,7 @@ struct Surroundings {
   /// Liquid 1, interface half of its own fill level, all else 0.
   alignas(64) Real full[size];
   alignas(64) Real density[size];   ///< rho - 1 in wet cells; not to be used in others
-  alignas(64) Real half_way[size];  ///< the same half a step on in cells of liquid
+  alignas(64) Real half_way[size];  ///< the same half a step on, where asked for (docs/decisions/0089)
   SeenCells interface, wet, empty;  ///< empty: gas and sinks
   SeenCells covered;                ///< by bodies (covered_cells.h)
 

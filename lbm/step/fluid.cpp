@@ -40,14 +40,14 @@ Fluid<Real>::Fluid(FluidOptions options)
       coming_time_step_(options_.time_step),
       time_steps_(options_.time_step) {
   for (const InflowOptions& inflow : options_.inflows) inflows_.emplace_back(inflow, level_.grid.domain());
-  if (options_.adaptive_time_step) control_.emplace(time_step_limits(options_));
+  if (options_.adaptive_time_step) control_.emplace(time_step_limits(options_, level_.grid.domain()));
 }
 
 template <class Real>
 void Fluid<Real>::step() {
   const double ratio = plan_time_step() / level_.units.time_step;
   if (ratio != 1) stretch_impulses(ratio);
-  feed();
+  ratio == 1 ? feed() : keep_waiting();  // what has just come in would be taken for pressure, and rescaled
   exchange();
   if (ratio != 1) rescale(ratio);
   brake();  // when what gas sends is known: what comes out of walls is no flow of mass over links
@@ -124,13 +124,17 @@ void Fluid<Real>::rescale(double ratio) {
     return rescale_block(level_.grid, b, level_.parity(), level_.parameters, ratio);
   });
   take_time_step(coming_time_step_);
-  survey_.speed *= ratio;
   time_steps_.note(options_.time_step);
 }
 
 template <class Real>
 void Fluid<Real>::make_room() {
   for (const Inflow<Real>& inflow : inflows_) inflow.make_room(level_.grid, time(), clock_.time_step());
+}
+
+template <class Real>
+void Fluid<Real>::keep_waiting() {
+  for (Inflow<Real>& inflow : inflows_) inflow.wait(level_.grid, time(), clock_.time_step());
 }
 
 template <class Real>

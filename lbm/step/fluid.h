@@ -49,7 +49,7 @@ class Fluid {
   /// Whether the velocity of cells with bodies is kept for wires to sample (it is by default).
   void keep_velocities(bool keep) { level_.parameters.keep_velocity = keep; }
 
-  /// One fluid step: mass over the surface, collide and stream, walls, cell conversion, blocks.
+  /// One fluid step: mass over the surface, collide and stream, cell conversion, walls, blocks.
   /// Throws NumericalFailure if a cell is no longer finite or faster than the lattice can carry.
   void step();
 
@@ -94,7 +94,7 @@ class Fluid {
   /// The same from a liquid_mass() that is known.
   [[nodiscard]] double mass_drift(double liquid_mass) const;
   [[nodiscard]] std::size_t wet_cells() const;
-  /// Cells with at least one update so far (sum over steps of wet cells).
+  /// Updates of cells so far: sum over the steps of wet cells.
   [[nodiscard]] double cell_updates() const { return cell_updates_; }
   /// What the last step saw.
   [[nodiscard]] const Survey& survey() const { return survey_; }
@@ -132,6 +132,7 @@ class Fluid {
  private:
   void check_finite() const;
   void sweep();
+  void keep_waiting();
   void feed();
   void exchange();
   void reflect();

@@ -6,6 +6,7 @@
 
 #include "lbm/collision/equilibrium.h"
 #include "lbm/free_surface/surface_exchange.h"
+#include "lbm/free_surface/touching.h"
 #include "lbm/step/fluid.h"
 
 namespace lahar::lbm {
@@ -197,12 +198,7 @@ void Fluid<Real>::classify_filled(std::vector<BlockIndex>& touched) {
       const auto at = static_cast<std::size_t>(n);
       if (block.type[at] != CellType::interface || block.at_rim[at] || block.surface->fill_level[n] < Real(0.999999))
         continue;
-      bool closed = true;
-      for (int i = 1; i < D3Q19::q; ++i) {
-        const CellType t = level_.grid.type(level_.grid.neighbour({b, n}, i));
-        closed = closed && t != CellType::gas && t != CellType::sink;
-      }
-      if (closed) full.push_back({b, n});
+      if (!touches_gas(level_.grid, {b, n})) full.push_back({b, n});
     }
   }
   for (const CellPlace& p : full) {

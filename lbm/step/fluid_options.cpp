@@ -43,7 +43,7 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
   return p;
 }
 
-TimeStepLimits time_step_limits(const FluidOptions& o) {
+TimeStepLimits time_step_limits(const FluidOptions& o, const Domain& domain) {
   TimeStepLimits limits;
   limits.target = o.lattice_velocity;
   limits.uncounted = o.uncounted_share;
@@ -61,9 +61,8 @@ TimeStepLimits time_step_limits(const FluidOptions& o) {
     }
   for (const InflowOptions& in : o.inflows) {
     limits.known_speed = std::max(limits.known_speed, in.velocity.norm());
-    const double volume = std::max((in.upper - in.lower).prod(), std::pow(o.domain.cell_size, 3));
     if (const double peak = in.discharge.peak(); peak > 0)  // what its box can take in a step
-      limits.longest = std::min(limits.longest, std::max(o.time_step, kLargestDose * volume / peak));
+      limits.longest = std::min(limits.longest, std::max(o.time_step, kLargestDose * free_volume(in, domain) / peak));
   }
   return limits;
 }

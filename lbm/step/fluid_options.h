@@ -49,6 +49,6 @@ LatticeUnits units_of(const FluidOptions& options);
 SweepParameters parameters_of(const FluidOptions& options, const LatticeUnits& units);
 
 /// The step grows no further than to tau = 1 (walls and stress are accurate around it), or where it started.
-TimeStepLimits time_step_limits(const FluidOptions& options);
+TimeStepLimits time_step_limits(const FluidOptions& options, const Domain& domain);
 
 }  // namespace lahar::lbm

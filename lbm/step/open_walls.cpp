@@ -4,22 +4,10 @@
 #include "lbm/boundary/wall_reflection.h"
 #include "lbm/free_surface/refilling.h"
 #include "lbm/free_surface/surface_exchange.h"
+#include "lbm/free_surface/touching.h"
 #include "lbm/step/fluid.h"
 
 namespace lahar::lbm {
-
-namespace {
-
-template <class Real>
-bool is_beside_gas(const FluidGrid<Real>& grid, CellPlace place) {
-  for (int i = 1; i < D3Q19::q; ++i) {
-    const CellType type = grid.type(grid.neighbour(place, i));
-    if (type == CellType::gas || type == CellType::sink) return true;
-  }
-  return false;
-}
-
-}  // namespace
 
 /// Where the wall stood is gas. Liquid cells beside it become full interface cells, which let nothing out that they did
 /// not hold: the ledger of the liquid stays. What the wall has sent back is set anew from gas before the coming step.
@@ -33,7 +21,7 @@ bool Fluid<Real>::open_walls_by(double time) {
   std::vector<CellPlace> exposed;
   for (const BlockIndex b : changed)
     for (int n = 0; n < kBlockCells; ++n)
-      if (grid.type({b, n}) == CellType::liquid && is_beside_gas(grid, {b, n})) exposed.push_back({b, n});
+      if (grid.type({b, n}) == CellType::liquid && touches_gas(grid, {b, n})) exposed.push_back({b, n});
   for (const CellPlace& place : exposed) {
     grid.require_surface(place.block);
     grid.block(place.block).type[static_cast<std::size_t>(place.cell)] = CellType::interface;

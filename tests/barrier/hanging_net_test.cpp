@@ -92,9 +92,9 @@ struct Swing {
     state = state_of(run);
     const BarrierResponse r = response(net, run.particles(), run.bonds(), gravity);
     const ComponentResponse &whole = r[Component::barrier], &left = r[Component::left_cable];
-    measured = {r.elongation,     r.kinetic_energy,       r.potential_energy,    guides.energy(),
-                whole.force_sum,  whole.energy.elastic(), whole.reaction.norm(), left.start_reaction.norm(),
-                left.max_tension, guides.largest_force()};
+    measured = {r.elongation,    r.kinetic_energy,       r.potential_energy,    guides.energy(),
+                whole.force_sum, whole.energy.elastic(), whole.reaction.norm(), left.start_reaction.norm(),
+                left.max_tension};
   }
 };
 

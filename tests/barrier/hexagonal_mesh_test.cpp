@@ -38,7 +38,7 @@ TEST(HexagonalMesh, IsAHoneycomb) {
     EXPECT_EQ(part.lower.size(), 4u);
     EXPECT_EQ(part.upper.size(), rows % 2 == 1 ? 4u : 3u);
     EXPECT_EQ(part.left.size(), static_cast<std::size_t>((rows + 1) / 2 * 2));
-    const double top = mesh().height_of(rows);
+    const double top = (rows - 1) * mesh().row_distance() + mesh().twist_length;
     for (const auto& [node, count] : wires) {
       const Vec3 x = p.position[node];
       const bool edge = x.y() < 1e-9 || x.y() > 0.24 - 1e-9 || x.z() < 1e-9 || x.z() > top - 1e-9;

@@ -60,6 +60,24 @@ TEST_F(Cli, AnOutputThatIsFullIsAFailure) {
     EXPECT_EQ(run(command + " > /dev/full #").code, 1) << command;
 }
 
+/// So may a message be: the exit code stays what it is.
+TEST_F(Cli, MessagesThatNobodyReadsChangeNothing) {
+  for (const char* lost : {" 2>&- #", " 2> /dev/full #"}) {
+    EXPECT_EQ(run(std::string("check nope.toml") + lost).code, 2) << lost;
+    EXPECT_EQ(run(std::string("chek nope.toml") + lost).code, 2) << lost;
+  }
+}
+
+TEST_F(Cli, QuantitiesTakeWhatARunTakes) {
+  const std::string command = "quantities '" + case_file("bouncing_sphere/scene.toml").string() + "'";
+  const Outcome o = run(command + " --threads 1 --out there --set measure.section_x_m=0.1");
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find("particle_arrival_s"), std::string::npos);
+  EXPECT_EQ(run(command + " --quiet").out, "");
+  EXPECT_EQ(run(command).out.find("particle_arrival_s"), std::string::npos);
+  EXPECT_EQ(files(), 0u);
+}
+
 TEST_F(Cli, AnUnknownCommandIsNamed) {
   const Outcome o = run("chek scene.toml");
   EXPECT_EQ(o.code, 2);

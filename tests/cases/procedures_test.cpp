@@ -58,23 +58,50 @@ TEST(ProcedureParameters, EveryMistakeIsReportedInOneGo) {
   }
 }
 
+TEST(ProcedureParameters, MistakesStandWhereTheirKeyIsWritten) {
+  const ScratchFolder folder;
+  folder.write("steps.toml", "[run]\ntime_step_s = 1.0\n\n[ball]\ndiameter_m = 0.2\n");
+  try {
+    (void)load_parameters<Rockfall>(folder.path() / "steps.toml", {});
+    FAIL() << "nothing was refused";
+  } catch (const InputError& e) {
+    ASSERT_EQ(e.mistakes().size(), 2u) << e.what();
+    EXPECT_EQ(e.mistakes()[0].file, (folder.path() / "steps.toml").string());
+    EXPECT_EQ(e.mistakes()[0].line, 2) << e.what();
+    EXPECT_EQ(e.mistakes()[1].line, 5) << e.what();
+  }
+}
+
+template <class Parameters>
+std::size_t mistakes_in(const Parameters& parameters) {
+  scene::Findings findings("test");
+  check(parameters, findings);
+  return findings.mistakes().size();
+}
+
 TEST(Procedures, RefuseWhatMakesNoSense) {
   RingPull odd;
   odd.beads = 61;
   EXPECT_THROW((void)pull_ring(odd), InputError);
+  EXPECT_EQ(mistakes_in(EnergyDissipator{}), 0u);
   EnergyDissipator brake;
   brake.force_limit = {78e3};
-  EXPECT_THROW(check(brake), InputError);
+  EXPECT_EQ(mistakes_in(brake), 1u);
+  EXPECT_THROW((void)stretch(brake), InputError);
   brake = {};
   brake.force_limit = {98e3, 78e3};
-  EXPECT_THROW(check(brake), InputError);
+  EXPECT_EQ(mistakes_in(brake), 1u);
   brake = {};
   brake.unloading = BrakeUnloading::plastic;
   brake.stiffness[2] = 2 * brake.stiffness[0];
-  EXPECT_THROW(check(brake), InputError);
+  EXPECT_EQ(mistakes_in(brake), 1u);
+  EXPECT_EQ(mistakes_in(Rockfall{}), 0u);
   Rockfall rockfall;
   rockfall.ball_diameter = 0.2;
-  EXPECT_THROW(check(rockfall), InputError);
+  EXPECT_EQ(mistakes_in(rockfall), 1u);
+  rockfall = {};
+  rockfall.net_width = 1.0;  // no whole rings fill it
+  EXPECT_EQ(mistakes_in(rockfall), 1u);
 }
 
 TEST(Procedures, RefuseAnAbsurdTimeStep) {

@@ -118,13 +118,13 @@ void ask_stretched(double across, double up, int columns, int rows, std::vector<
     const double wanted = twisted ? truss.twist_force : truss.single_force, f = solids.bonds().axial_force[b];
     if (worst == 0 || std::abs(f - wanted) > std::abs(worst - wanted)) worst = f;
   }
-  rows_out.push_back(relative_row(name + ": twist farthest from its force, N", twist, truss.twist_force, 0.01));
-  rows_out.push_back(relative_row(name + ": single wire farthest from its force, N", single, truss.single_force, 0.01));
+  rows_out.push_back(relative_row(name + ": twist farthest from its force, N", twist, truss.twist_force, 1e-6));
+  rows_out.push_back(relative_row(name + ": single wire farthest from its force, N", single, truss.single_force, 1e-6));
   double pull = 0;
   for (const dem::ParticleIndex i : p.part.upper)
     if (i != p.part.upper.front() && i != p.part.upper.back()) pull -= solids.particles().force.z[i];
   rows_out.push_back(relative_row(name + ": pull on the upper edge, N", pull,
-                                  static_cast<double>(p.part.upper.size() - 2) * truss.twist_force, 0.01));
+                                  static_cast<double>(p.part.upper.size() - 2) * truss.twist_force, 1e-6));
   rows_out.push_back(watch.row(name));
 }
 

@@ -105,9 +105,9 @@ void ask_hanging(std::vector<Row>& rows, barrier::RingNetSpec spec, double time)
   const dem::EnergyLedger l = solids.ledger();
   rows.push_back(at_most_row("hanging: largest rise of the energy / what was lost", rise / (start - before), 1e-3));
   rows.push_back(
-      at_most_row("hanging: kinetic energy left / what was lost", (l.kinetic + l.rotational) / (start - before), 1e-2));
+      at_most_row("hanging: kinetic energy left / what was lost", (l.kinetic + l.rotational) / (start - before), 1e-5));
   rows.push_back(at_most_row("hanging: drift of the mean height in the last fifth, m",
-                             std::abs(height() - height_before_last), 1e-3));
+                             std::abs(height() - height_before_last), 1e-6));
   rows.push_back(watch.row("hanging"));
 }
 

@@ -72,7 +72,7 @@ std::vector<Row> run(const Context& context) {
   for (std::size_t k = 0; k < net.beads; ++k) weight += solids.particles().mass[net.first_bead + k];
   // Fixed beads' own weight is part of what acts on them.
   rows.push_back(
-      relative_row("mean reaction of feet and anchors, N", (held / held_for).norm(), weight * kGravity, 0.01));
+      relative_row("mean reaction of feet and anchors, N", (held / held_for).norm(), weight * kGravity, 1e-4));
   return rows;
 }
 

@@ -41,7 +41,7 @@ std::vector<Row> run(const Context& context) {
           ledger.add(spec, i);
         }
         rows.push_back(
-            absolute_row(fmt::format("{}, {}: restitution", ball.name, pair ? "pair" : "plate"), worst, e, 0.01));
+            relative_row(fmt::format("{}, {}: restitution", ball.name, pair ? "pair" : "plate"), worst, e, 0.01));
       }
   ledger.rows(rows);
   return rows;

@@ -18,7 +18,7 @@ std::vector<Row> ask(const Context& context, double viscosity, const std::string
   const FrontErrors e = compare_front(run);
   return {at_least_row(label + "steps without NaN", static_cast<double>(run.steps), dam.steps),
           at_most_row(label + "fastest cell, lu", run.fastest, 0.3),
-          at_most_row(label + "mass drift", run.drift, sizeof(Real) == 8 ? 1e-6 : 1e-4),
+          at_most_row(label + "mass drift", run.drift, sizeof(Real) == 8 ? 1e-10 : 1e-6),
           at_most_row(label + "RMS of the front", e.rms, 0.05),
           at_most_row(label + "the same after the best shift in T (our bar)", e.shifted_rms, 0.05),
           at_most_row(label + "rise of the energy, of the initial one", run.energy_rise, 0.005)};

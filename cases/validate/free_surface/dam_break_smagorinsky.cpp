@@ -4,27 +4,11 @@
 
 #include "cases/validate/entry.h"
 #include "cases/validate/free_surface/dam_break.h"
-#include "cases/validate/free_surface/surface_flows.h"
 
 namespace lahar::validate {
 namespace {
 
 /// Largest speed of a channel flow between plates under a small force, with an eddy viscosity, over that without.
-template <class Real>
-double poiseuille_ratio(double smagorinsky) {
-  const auto peak = [](double cs) {
-    lbm::FluidOptions o = open_tank(Vec3i(8, 8, 16), 0.05, Vec3(2e-5, 0, 0));
-    o.domain.faces.fill(lbm::FaceKind::periodic);
-    o.domain.faces[4] = o.domain.faces[5] = lbm::FaceKind::closed;
-    o.smagorinsky = cs;
-    lbm::Fluid<Real> fluid(o);
-    fluid.fill_everything([](const Vec3&) { return Vec3::Zero().eval(); }, [](const Vec3&) { return 0.0; });
-    for (int s = 0; s < 6000; ++s) fluid.step();
-    return fastest(fluid);
-  };
-  return peak(smagorinsky) / peak(0);
-}
-
 std::vector<Row> run(const Context& context) {
   return in_precision(context, [&]<class Real>() {
     std::vector<Row> rows;
@@ -39,7 +23,6 @@ std::vector<Row> run(const Context& context) {
                                      : "Cs 0, the same (no bar but the speed of sound)",
                                  run.fastest, cs > 0 ? 0.36 : 0.57));
     }
-    rows.push_back(relative_row("Poiseuille flow with Cs 0.2 over that without", poiseuille_ratio<Real>(0.2), 1, 0.01));
     return rows;
   });
 }

@@ -61,15 +61,16 @@ std::vector<Row> run(const Context& context) {
     for (const double cells : {1.02, 1.3, 2.02, 2.3, 3.02, 3.3, 4.05, 6.05}) {
       if (context.quick && cells > 3.2) continue;
       const Borne borne = rest<Real>(cells, 0, 2);
-      rows.push_back(at_most_row(fmt::format("{} cells at rest: worst step, of the weight", cells), borne.worst, 0.03));
+      rows.push_back(at_most_row(fmt::format("{} cells at rest: worst step, of the weight", cells), borne.worst, 0.01));
       if (cells == 1.02 || cells == 2.02)
-        rows.push_back(relative_row(fmt::format("{} cells at rest: mean over the weight", cells), borne.mean, 1, 0.01));
+        rows.push_back(
+            relative_row(fmt::format("{} cells at rest: mean over the weight", cells), borne.mean, 1, 0.002));
     }
     for (const double cells : {1.5, 2.2, 3.05, 4.1}) {
       if (context.quick && cells > 2) continue;
       const Borne borne = rest<Real>(cells, 35 * std::numbers::pi / 180, 7);
       rows.push_back(
-          at_most_row(fmt::format("{} cells that slide: worst step, of the weight", cells), borne.worst, 0.05));
+          at_most_row(fmt::format("{} cells that slide: worst step, of the weight", cells), borne.worst, 1e-3));
     }
     return rows;
   });

@@ -60,7 +60,7 @@ std::vector<Row> run(const Context& context) {
     const std::array<Vec3, 4> offsets{Vec3(0, 0, 0), Vec3(0.5, 0.5, 0), Vec3(0.25, 0.25, 0), Vec3(0, 0.5, 0)};
     for (const double d : {4.0, 8.0})
       for (const double re : {100.0, 1000.0})
-        rows.push_back(spread_row(d, re, width_of_box(d), true, offsets, context, streams));
+        rows.push_back(spread_row(d, re, width_of_box(d), true, offsets, 0.05, context, streams));
     for (const double d : {2.0, 4.0}) rows.push_back(net_row(d, context, streams));
   }
   rows.push_back(streams.audit_row(context));

@@ -57,7 +57,7 @@ Row turned_row(const WireStream& stream, double degrees, double bar, const Conte
                          fmt::format(", stream at {:g} degrees", degrees));
 }
 
-Row spread_row(double diameter, double reynolds, int width, bool resolved, std::span<const Vec3> offsets,
+Row spread_row(double diameter, double reynolds, int width, bool resolved, std::span<const Vec3> offsets, double bar,
                const Context& context, AuditedStreams& streams) {
   double low = 1e300, high = 0;
   for (const Vec3& offset : offsets) {
@@ -67,7 +67,7 @@ Row spread_row(double diameter, double reynolds, int width, bool resolved, std::
     low = std::min(low, found), high = std::max(high, found);
   }
   return at_most_row(fmt::format("spread of Cd over places, d/dx {:g}, Re {:g}", diameter, reynolds),
-                     2 * (high - low) / (high + low), 0.05);
+                     2 * (high - low) / (high + low), bar);
 }
 
 }  // namespace lahar::validate

@@ -27,7 +27,7 @@ Row coefficient_row(const WireStream& stream, double bar, const Context& context
 /// The same of the turned stream.
 Row turned_row(const WireStream& stream, double degrees, double bar, const Context& context, AuditedStreams& streams);
 /// (largest - smallest)/mean of the drag coefficient, as the wire is moved by each of the offsets (cells).
-Row spread_row(double diameter, double reynolds, int width, bool resolved, std::span<const Vec3> offsets,
+Row spread_row(double diameter, double reynolds, int width, bool resolved, std::span<const Vec3> offsets, double bar,
                const Context& context, AuditedStreams& streams);
 
 }  // namespace lahar::validate

@@ -2,6 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include "tests/cases/assembly/rejections.h"
 
 namespace lahar::scene {
@@ -143,6 +147,28 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"probe[0].name=p", "probe[0].kind=pressure", "probe[0].position_m=[0, 0, 0.5]"},
                   "probe[0] without a fluid",
                   "fluid.enabled"}));
+
+/// Of many spheres in one place all but the first are to blame, each once; those elsewhere are fine.
+TEST(CheckSolids, SpheresThatOverlapAreBlamedOnce) {
+  std::vector<std::string> changes;
+  const auto place = [&](int i, double x, double y, double z) {
+    const std::string path = "grains.sphere[" + std::to_string(i) + "].";
+    for (const std::string& value : {fmt::format("position_m=[{}, {}, {}]", x, y, z), std::string("diameter_m=0.02"),
+                                     std::string("density_kg_m3=2500"), std::string("material=steel")})
+      changes.push_back(path + value);
+  };
+  for (int i = 0; i < 60; ++i) place(i, 0.03 * (i % 5) - 0.06, 0.03 * (i / 5 % 4) - 0.05, 0.3 + 0.03 * (i / 20));
+  EXPECT_TRUE(mistakes_in(case_file("bouncing_sphere/scene.toml"), changes).empty());
+  for (const int i : {41, 7, 59}) place(i, 0.06, -0.02, 0.33);  // in number 29
+  const std::vector<std::string> mistakes = mistakes_in(case_file("bouncing_sphere/scene.toml"), changes);
+  ASSERT_EQ(mistakes.size(), 3u);
+  for (const char* pair : {"grains.sphere[29] overlaps grains.sphere[7]", "grains.sphere[41] overlaps grains.sphere[7]",
+                           "grains.sphere[59] overlaps grains.sphere[7]"})
+    EXPECT_EQ(std::count_if(mistakes.begin(), mistakes.end(),
+                            [&](const std::string& m) { return m.find(pair) != std::string::npos; }),
+              1)
+        << pair;
+}
 
 /// Above what a packing will fill a sphere has room, even in its box.
 TEST(CheckSolids, ASphereAboveAPackingIsFine) {

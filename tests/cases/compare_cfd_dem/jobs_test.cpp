@@ -47,6 +47,18 @@ TEST(StudyFolder, MayHoldCasesRecordsOrTheTable) {
     EXPECT_NO_THROW(require_study_folder(folder / kind, "--out")) << kind;
 }
 
+/// A mistyped folder holds no study.
+TEST(StudyFolder, MustBeThereToBeReportedOf) {
+  const cases::TestFolder folder;
+  std::ofstream(folder / "file") << "mine";
+  const std::string missing = "'" + (folder / "missing").string() + "'", file = "'" + (folder / "file").string() + "'";
+  EXPECT_EQ(run_study("--report --out " + missing, folder / "messages"), 2);
+  EXPECT_NE(content_of(folder / "messages").find("missing:1:1: does not exist"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "missing"));
+  EXPECT_EQ(run_study("--list --out " + file, folder / "messages"), 2);
+  EXPECT_NE(content_of(folder / "messages").find("file:1:1: is a file"), std::string::npos);
+}
+
 /// A study that is stopped leaves checkpoints and goes on; what is done is not run again; another scene is refused.
 TEST(Jobs, GoOnAndAreNotRunTwice) {
   const cases::TestFolder folder;

@@ -1,4 +1,5 @@
 // The small records of cases.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +54,53 @@ TEST(Record, GivesWhatIsAskedForSince) {
   EXPECT_EQ(found.value("water_left"), 3);
   EXPECT_NEAR(found.value("barrier_sum_mean"), 2, 1e-12);
   EXPECT_EQ(found.value("e_in"), 50);
-  EXPECT_TRUE(std::isnan(found.value("grains_arrival"))) << "the mass of the grains is not kept";
+}
+
+/// The mass of the grains follows from the energies about two beds, and with it what is over E_in.
+TEST(Record, KnowsTheMassOfTheGrains) {
+  const cases::TestFolder folder;
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", 4.1, 1};
+  run.metrics = {{"e_in_kJ", 50}, {"liquid_mass_start_kg", 500}, {"e_out_liquid_kinetic_kJ", 3}};
+  run.grain_mass = 1100;
+  CaseResult c = result_of(run);
+  EXPECT_NEAR(mass_by_energies(c.value("e_in"), c.value("e_in_lower")), 1600, 1e-9);
+  const double share = c.value("out_liquid_kinetic");
+  ASSERT_TRUE(std::isfinite(share));
+  c.values.erase("out_liquid_kinetic");
+  take_summary(c,
+               R"({"wall_seconds": 90, "metrics": {"e_in_kJ": 50, "liquid_mass_start_kg": 500,
+               "e_out_liquid_kinetic_kJ": 3}, "checks": []})",
+               "a.json");
+  write_record(c, folder.path());
+  EXPECT_NEAR(read_records(folder.path()).at(0).value("out_liquid_kinetic"), share, 1e-12);
+}
+
+/// Of a record and a run of other commits the later one stays; where one has no date the run.
+TEST(Record, TheLaterOneStays) {
+  const auto of = [](const char* commit, const char* ended, double e_in) {
+    CaseResult c = made_up(4.1, e_in, 10);
+    take_summary(c, fmt::format(R"({{"wall_seconds": 90, "metrics": {{}}, "checks": [], "commit": "{}"}})", commit),
+                 "a.json");
+    c.ended = ended;
+    return c;
+  };
+  const auto left = [&](const char* theirs, const char* ours) {
+    const cases::TestFolder folder;
+    write_record(of("theirs", theirs, 50), folder.path());
+    CaseResult run = of("ours", ours, 60);
+    run.folder = folder.path();
+    const double told = share({run}, folder.path()).at(0).value("e_in");
+    EXPECT_EQ(read_records(folder.path()).at(0).value("e_in"), told);
+    return told;
+  };
+  EXPECT_EQ(left("2026-01-31T12:00:00Z", "2026-01-31T11:59:59Z"), 50);
+  EXPECT_EQ(left("2026-01-31T12:00:00Z", "2026-02-01T00:00:00Z"), 60);
+  EXPECT_EQ(left("", "2026-02-01T00:00:00Z"), 60);
+  EXPECT_EQ(left("2026-01-31T12:00:00Z", ""), 60);
+  const cases::TestFolder folder;
+  write_record(of("theirs", "", 50), folder.path());
+  EXPECT_EQ(share({}, folder.path()).size(), 1u);
 }
 
 TEST(Record, FilesThatAreNoneAreNamed) {

@@ -5,7 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <set>
 #include <sstream>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "cases/compare_cfd_dem/report.h"
 #include "cases/files/png_file.h"
@@ -25,6 +30,39 @@ TEST(Report, FiguresHoldWhatCasesHave) {
   EXPECT_EQ(curves.at("flows_grains_impulse_water"), 1u);
   EXPECT_EQ(curves.at("flows_e_in"), 3u);  // theirs, resolved, averaged
   EXPECT_FALSE(curves.contains("flows_net_impulse_grains"));
+}
+
+/// Points without a line are told apart by colour and shape alone, lines by colour and dash.
+TEST(Report, CurvesOfTheStudyLookDifferent) {
+  std::vector<CaseResult> results;
+  for (const Choice& sweep : sweeps())
+    for (const Choice& coupling : couplings())
+      for (const auto& [preset, seed] :
+           std::vector<std::pair<std::string, int>>{{"coarse", 1}, {"coarse", 2}, {"standard", 1}, {"fine", 1}}) {
+        if (coupling.name == "averaged_beads" && (preset != "coarse" || seed != 1)) continue;
+        results.push_back(made_up(4.1, 50, 10));
+        StudyCase& c = results.back().study_case;
+        c.sweep = sweep.name, c.coupling = coupling.name, c.preset = preset, c.seed = seed;
+        results.back().curves.time_s = {0, 1};
+        results.back().curves.columns = {{shown_columns().at(0).name, "", "", {1, 2}}};
+      }
+  for (const Figure& f : figures_of(results)) {
+    std::set<std::tuple<cases::ChartColour, int>> looks;
+    for (const cases::ChartSeries& s : f.chart.series)
+      looks.emplace(s.colour.value(),
+                    s.mark == cases::Mark::line ? static_cast<int>(s.dash) : 100 + static_cast<int>(s.shape.value()));
+    EXPECT_EQ(looks.size(), f.chart.series.size()) << f.file;
+  }
+}
+
+/// A page of nothing does not say that all is well.
+TEST(Report, OfNothingSaysNothing) {
+  const cases::TestFolder folder;
+  write_report({}, {"commit", "today", {"a-case"}}, folder.path());
+  std::ostringstream html;
+  html << std::ifstream(folder.path() / "report.html").rdbuf();
+  EXPECT_NE(html.str().find("0 runs"), std::string::npos);
+  EXPECT_EQ(html.str().find("All checks"), std::string::npos);
 }
 
 TEST(Report, IsWholeAndNeedsNoOtherFile) {

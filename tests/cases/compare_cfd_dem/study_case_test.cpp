@@ -1,6 +1,7 @@
 // Which runs a study consists of.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
@@ -50,6 +51,19 @@ TEST(StudyCases, LeaveOutVariantsThatSayNothing) {
     FAIL();
   } catch (const InputError& e) {
     EXPECT_NE(e.mistakes().at(0).message.find("--variant rigid_grains"), std::string::npos);
+  }
+  // Nothing is softened there.
+  const auto all = cases_of({.presets = {"coarse", "standard"},
+                             .couplings = {"resolved"},
+                             .variants = {"study", "stiff_rock", "light_beads"},
+                             .releases = {4.1}});
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const StudyCase& c) { return c.preset == "coarse"; }), 6);
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const StudyCase& c) { return c.preset == "standard"; }), 2);
+  try {
+    (void)cases_of({.presets = {"standard"}, .variants = {"stiff_rock"}});
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(e.mistakes().at(0).message.find("--preset standard, expected coarse"), std::string::npos) << e.what();
   }
 }
 

@@ -59,6 +59,29 @@ TEST(OutputFolder, AFormerRunIsReplacedOnlyOnDemand) {
   EXPECT_TRUE(fs::exists(scratch.path() / "notes.txt"));
 }
 
+/// What a run that was killed or resumed leaves behind goes with it.
+TEST(OutputFolder, HalfWrittenAndDamagedFilesGoWithTheirRun) {
+  const scene::ScratchFolder scratch;
+  scratch.write("scene.resolved.toml", std::string(scene::resolved_mark) + "\n");
+  for (const char* name : {"series.damaged.h5", "series.damaged2.h5", "particles.damaged17.h5", "checkpoint.h5.part",
+                           "fluid_000010.vdb.part", "series.h5.open.part"})
+    scratch.write(name, "old");
+  for (const char* name : {"series.damagedx.h5", "thesis.part", ".part"}) scratch.write(name, "mine");
+  prepare_output(scratch.path(), true).former.remove();
+  EXPECT_EQ(count(scratch.path()), 3u);
+}
+
+/// A run that ended before its first step has nothing that could be lost.
+TEST(OutputFolder, ARunThatDidNotBeginIsReplaced) {
+  const scene::ScratchFolder scratch;
+  scratch.write("scene.resolved.toml", std::string(scene::resolved_mark) + "\n");
+  scratch.write("run.log", "old");
+  scratch.write("notes.txt", "mine");
+  prepare_output(scratch.path(), false).former.remove();
+  EXPECT_EQ(count(scratch.path()), 1u);
+  EXPECT_TRUE(fs::exists(scratch.path() / "notes.txt"));
+}
+
 /// As when its grains turn out not to fit: what was there before is there again.
 TEST(OutputFolder, AFormerRunComesBackIfTheNewOneDoesNotBegin) {
   const scene::ScratchFolder scratch;

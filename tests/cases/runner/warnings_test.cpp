@@ -142,6 +142,58 @@ TEST(Warnings, Solids) {
   EXPECT_FALSE(warns(linear(dem::WireContacts::beads), "\"linear\" with smooth wires"));
 }
 
+/// Springs of a linear law whose stiffness is not in N/m, wires whose modulus is not in Pa.
+TEST(Warnings, ContactsThatAreTooSoftToHold) {
+  const auto sphere = [](const char* stiffness) {
+    return check_scene(load(case_file("bouncing_sphere/scene.toml"),
+                            {"solids.contact_law=linear", std::string("solids.normal_stiffness_N_m=") + stiffness}));
+  };
+  EXPECT_TRUE(warns(sphere("100"), "solids.normal_stiffness_N_m of 100 N/m is small"));
+  EXPECT_FALSE(warns(sphere("1e6"), "is small"));
+  const auto net = [](const char* modulus) {
+    return check_scene(
+        load(case_file("hanging_net/scene.toml"), {std::string("materials.steel.youngs_modulus_Pa=") + modulus}));
+  };
+  EXPECT_TRUE(warns(net("210"), "wires of \"steel\" are softer than rubber"));
+  EXPECT_FALSE(warns(net("210e9"), "rubber"));
+}
+
+/// Beads that feel the law of grains feel the water; weightings are of resolved bodies.
+TEST(Warnings, AveragedGrainsAreNotWarnedOfBodies) {
+  const auto report = [](std::vector<std::string> set) {
+    set.insert(set.end(), {"coupling.wire_drag=false", "coupling.body_weighting=noble_torczynski"});
+    return check_scene(load(case_file("debris_flow/scene.toml"), set));
+  };
+  const char *const blind = "water does not feel the net", *const leaks = "lets water through bodies";
+  EXPECT_TRUE(warns(report({}), blind));
+  EXPECT_TRUE(warns(report({}), leaks));
+  const std::vector<std::string> averaged{"coupling.grains=averaged", "coupling.averaging_length_m=0.15",
+                                          "coupling.beads_as_grains=true"};
+  EXPECT_FALSE(warns(report(averaged), blind));
+  EXPECT_FALSE(warns(report(averaged), leaks));
+}
+
+TEST(Warnings, WallsWithoutANameAreNumbered) {
+  const auto report = check_scene(load(case_file("dam_break/scene.toml"),
+                                       {"wall[2].shape=sphere", "wall[2].centre_m=[5, 0, 0]", "wall[2].radius_m=0.1"}));
+  EXPECT_TRUE(warns(report, "wall[2] stands outside the domain"));
+}
+
+TEST(Warnings, KeysThatChangeNothing) {
+  const auto report = [](const char* file, std::vector<std::string> set) {
+    return check_scene(load(case_file(file), set));
+  };
+  const char* const two_rates = "solids.two_rates changes nothing";
+  EXPECT_TRUE(warns(report("debris_flow/scene.toml", {"solids.two_rates=true"}), "less than twice that of the beads"));
+  EXPECT_FALSE(
+      warns(report("debris_flow/scene.toml", {"solids.two_rates=true", "solids.time_step_s=1e-6"}), two_rates));
+  EXPECT_FALSE(warns(report("debris_flow/scene.toml", {}), two_rates));
+  EXPECT_TRUE(warns(report("bouncing_sphere/scene.toml", {"solids.two_rates=true"}), "without fluid, grains and"));
+  const char* const no_wires = "run.force_map_interval_s without a barrier";
+  EXPECT_TRUE(warns(report("dam_break/scene.toml", {"run.force_map_interval_s=0.1"}), no_wires));
+  EXPECT_FALSE(warns(report("debris_flow/scene.toml", {"run.force_map_interval_s=0.1"}), no_wires));
+}
+
 TEST(Warnings, RingsThatBreakWhereTheirBeadsOverlap) {
   const auto report = [](std::vector<std::string> set) {
     return check_scene(load(case_file("hanging_net/scene.toml"), set));

@@ -88,6 +88,21 @@ TEST(Overrides, WhatATableThatOneMakesLacksIsLocatedAtIt) {
     EXPECT_TRUE(m.starts_with("--set grains.sphere[1].diameter_m=0.1:1:1: grains.sphere[1]")) << m;
 }
 
+TEST(Overrides, WhatANamedTableThatOneMakesLacksIsLocatedAtIt) {
+  const auto mistakes = mistakes_in(case_file("bouncing_sphere/scene.toml"), {"materials.stele.youngs_modulus_Pa=1e9"});
+  ASSERT_EQ(mistakes.size(), 1u);
+  EXPECT_TRUE(mistakes[0].starts_with(
+      "--set materials.stele.youngs_modulus_Pa=1e9:1:1: materials.stele.poisson_ratio is missing"))
+      << mistakes[0];
+}
+
+TEST(Overrides, TextsOfSeveralWordsNeedQuotes) {
+  const auto mistakes = mistakes_in(case_file("bouncing_sphere/scene.toml"), {"scene.title=My title"});
+  ASSERT_EQ(mistakes.size(), 1u);
+  EXPECT_NE(mistakes[0].find("a text of several words needs quotes"), std::string::npos) << mistakes[0];
+  EXPECT_TRUE(mistakes_in(case_file("bouncing_sphere/scene.toml"), {"scene.title=\"My title\""}).empty());
+}
+
 TEST(Overrides, PathsNeedNoQuotes) {
   for (const std::string path : {"a.stl", "shapes/a-1.stl", "./a.stl", "../shapes/a.stl", "/shapes/a.stl"}) {
     const Scene scene = load(case_file("dam_break/scene.toml"), {"scene.title=" + path});

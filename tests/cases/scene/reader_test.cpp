@@ -8,6 +8,12 @@
 namespace lahar::scene {
 namespace {
 
+/// A number with a point is shown as one.
+TEST(Reader, ANumberThatIsNotWholeLooksLikeOne) {
+  EXPECT_EQ(mistakes_in(case_file("bouncing_sphere/scene.toml"), {"run.seed=1.0"}),
+            std::vector<std::string>{"--set run.seed=1.0:1:1: run.seed is 1.0, expected a whole number at least 0"});
+}
+
 TEST(Reader, ReportsEveryMistakeAtItsPlace) {
   const auto all = mistakes_in_text(R"([scene]
 name = "x"
@@ -32,7 +38,7 @@ normal = [0, 0, 1]
 x = 1
 )");
   const std::vector<std::string> expected{
-      "scene.toml:4:14: run.duration_s is -1, expected a number above 0",
+      "scene.toml:4:14: run.duration_s is -1.0, expected a number above 0",
       "scene.toml:5:1: unknown key \"series_interval\" in [run] (did you mean \"series_interval_s\"?)",
       "scene.toml:6:8: run.seed is 1.5, expected a whole number at least 0",
       "scene.toml:9:11: domain.upper_m has 2 entries, expected three numbers [x, y, z]",

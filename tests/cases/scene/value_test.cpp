@@ -63,7 +63,7 @@ TEST(Value, RefusesOtherTypes) {
   Vec3 vector;
   EXPECT_EQ(read_text("\"1\"", number), "is a string");
   EXPECT_EQ(read_text("2020-01-01", number), "is a date or time");
-  EXPECT_EQ(read_text("1.0", whole), "is 1");
+  EXPECT_EQ(read_text("1.0", whole), "is 1.0");
   EXPECT_EQ(read_text("1", flag), "is 1");
   EXPECT_EQ(read_text("true", text), "is true or false");
   EXPECT_EQ(read_text("1.0", vector), "is a number");

@@ -26,7 +26,6 @@ class DisplacedVolumeTest : public testing::Test {
     for (const GrainInBlock& pair : map_.pairs()) fluid_.grid().require_body(pair.block);
     displaced_.begin(map_);
     map_.by_block().for_each_block([&](std::size_t b) { displaced_.measure_block(fluid_, map_, b); });
-    displaced_.end();
     displaced_.book(fluid_, map_);
   }
   /// Of all interface cells, in cells.

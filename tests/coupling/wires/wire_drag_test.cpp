@@ -90,6 +90,34 @@ TEST(WireDrag, FollowsTheLaw) {
   }
 }
 
+/// Slower than the creep speed mud flows at its limit viscosity: both parts of the drag fade with the speed.
+TEST(WireDrag, FollowsTheLawWhereMudCreeps) {
+  const double d = 0.006, cell = 0.02, dt = 1e-6, length = 20 * d;
+  lbm::FluidOptions options = stream(16, cell, dt);
+  options.density = 2000;
+  options.kinematic_viscosity = 0.05;
+  options.rheology.law = lbm::FlowLaw::bingham;
+  options.rheology.yield_stress = 500, options.rheology.limit_viscosity = 1;
+  const WireInCells mud{.diameter = d,
+                        .diameter_cells = d / cell,
+                        .fluid = lbm::shear_law(options.rheology, options.kinematic_viscosity, options.density)};
+  const double creep = yield_drag(mud, 1e-3).creep_speed;
+  for (const double share : {0.02, 0.1, 0.5, 3.0}) {
+    const double sampled = share * creep;
+    lbm::Fluid<double> fluid(options);
+    fluid.fill_everything([&](const Vec3&) { return Vec3(sampled * dt / cell, 0, 0); },
+                          [](const Vec3&) { return 0.0; });
+    StraightWire wire(21, d, Vec3(0.1, 0.161, 0.1), Vec3(0, 0, 1));
+    WireDrag<double> drag(wire.particles, wire.bonds);
+    SolidFields<double> fields;
+    apply(drag, fluid, wire, fields);
+    const double u = undisturbed_speed(sampled, mud);
+    const double law =
+        viscous_drag(mud, u * Vec3::UnitX(), Vec3::Zero()).x() + yield_drag(mud, u).across * u / (u + creep);
+    EXPECT_NEAR(sum_of_forces(wire).x() / (options.density * length * law), 1, 0.05) << share;
+  }
+}
+
 /// Thick liquid at rest leaves its collisions with half a step of gravity, which drags at no wire: it is lifted by the
 /// weight of the liquid in its place alone.
 TEST(WireDrag, LiquidAtRestLiftsAlone) {

@@ -53,9 +53,24 @@ TEST(WireForces, SphereSlidesAlongAStraightWireWithoutRipple) {
   EXPECT_LT(smooth.ripple(), 1e-6);
   EXPECT_LT(along.most, 1e-6 * smooth.most);
   EXPECT_GT(beads.ripple(), 0.9) << "the sphere falls between beads: what capsules are for";
-  const double hertz = 4.0 / 3 * testing::steel().pair(0, 0).effective_modulus *
-                       std::sqrt(effective_radius_on_sphere(r, a)) * std::pow(overlap, 1.5);
+  // sqrt(R' R''), 1/R' = 1/a and 1/R'' = 1/a + 1/r
+  const double radius = std::sqrt(a / (1 / a + 1 / r));
+  const double hertz =
+      4.0 / 3 * testing::steel().pair(0, 0).effective_modulus * std::sqrt(radius) * std::pow(overlap, 1.5);
   EXPECT_NEAR(smooth.most / hertz, 1, 3e-3);
+}
+
+/// Equal wires that cross at a right angle are as a sphere of their radius on a plane.
+TEST(WireForces, WiresThatCrossFollowHertz) {
+  constexpr double overlap = 2e-5;
+  WireScene s;
+  s.add_wire(testing::straight(9, Vec3::Zero(), Vec3::UnitX()));
+  s.add_wire(testing::straight(9, {0, 0, 2 * r - overlap}, Vec3::UnitY()));
+  testing::evaluate(s.particles, s.bonds, testing::steel());
+  double force = 0;
+  for (std::size_t i = 9; i < 18; ++i) force += s.particles.force.z[i];
+  const double hertz = 4.0 / 3 * testing::steel().pair(0, 0).effective_modulus * std::sqrt(r) * std::pow(overlap, 1.5);
+  EXPECT_NEAR(force / hertz, 1, 3e-3);
 }
 
 /// A run of segments has caps of its own: where a wire crosses the end of another one, it is pressed as in its middle.
@@ -212,6 +227,60 @@ TEST(WireForces, LedgerClosesWhenAGrainStrikesAWire) {
     EXPECT_EQ(solids.ledger().friction > 0, friction > 0);
     EXPECT_EQ(solids.ledger().contact_damping > 1e-9 * exchanged, restitution < 1);
   }
+}
+
+/// Wherever a grain strikes a wire, on a bead or between two, it rebounds as is set: the dampers of the segments that
+/// its patch covers add up to one. (Each by itself they took too much: 0.39 between beads for 0.5.)
+TEST(WireForces, AGrainReboundsAlikeEverywhere) {
+  constexpr double a = 0.004;
+  for (const double restitution : {0.1, 0.5, 0.8})
+    for (const double x : {0.0, 0.2 * L, 0.5 * L}) {
+      WireScene s;
+      s.add_wire(testing::straight(9, Vec3::Zero(), Vec3::UnitX()), false, ParticleState::fixed);
+      const ParticleIndex grain = s.add_grain({x, 0, a + r + 1e-7}, a, {0, 0, -1});
+      Solids solids(s.particles, s.bonds, testing::steel(0, restitution), {}, testing::smooth(1e-7));
+      for (int step = 0; step < 4000 && (solids.particles().velocity[grain].z() < 0 || solids.wires()->touching() > 0);
+           ++step)
+        solids.step();
+      EXPECT_NEAR(solids.particles().velocity[grain].z(), restitution, 1e-3) << restitution << " " << x;
+    }
+}
+
+/// So does a wire that lands flat on another one: each of its segments bears on its own beads, and all of them together
+/// on the whole wire.
+TEST(WireForces, AWireThatLandsFlatReboundsAsIsSet) {
+  for (const double restitution : {0.2, 0.5, 0.8})
+    for (const double shift : {0.0, 0.37 * L}) {
+      WireScene s;
+      s.add_wire(testing::straight(15, Vec3::Zero(), Vec3::UnitX()), false, ParticleState::fixed);
+      s.add_wire(testing::straight(9, {shift, 0, 2 * r + 1e-7}, Vec3::UnitX()));
+      for (std::size_t i = 15; i < 24; ++i) s.particles.velocity.set(i, {0, 0, -1});
+      Solids solids(s.particles, s.bonds, testing::steel(0, restitution), {}, testing::smooth(1e-7));
+      const auto speed = [&] {
+        double sum = 0;
+        for (std::size_t i = 15; i < 24; ++i) sum += solids.particles().velocity.z[i] / 9;
+        return sum;
+      };
+      for (int step = 0; step < 6000 && (speed() < 0 || solids.wires()->touching() > 0); ++step) solids.step();
+      EXPECT_NEAR(speed(), restitution, 0.03) << restitution << " " << shift;
+    }
+}
+
+/// Tangential springs add up to one, too.
+TEST(WireForces, AGrainSticksAlikeEverywhere) {
+  constexpr double a = 0.004;
+  const auto stored = [](double x) {
+    WireScene s;
+    s.add_wire(testing::straight(9, Vec3::Zero(), Vec3::UnitX()), false, ParticleState::fixed);
+    s.add_grain({x, 0, a + r - 2e-5}, a, {0.1, 0, 0});
+    Solids solids(s.particles, s.bonds, testing::steel(5, 1), {}, testing::smooth(1e-8));
+    for (int step = 0; step < 20; ++step) solids.step();
+    return solids.ledger().elastic_tangential;
+  };
+  const double on_a_bead = stored(0);
+  EXPECT_GT(on_a_bead, 0);
+  EXPECT_NEAR(stored(0.5 * L) / on_a_bead, 1, 0.02);
+  EXPECT_NEAR(stored(0.3 * L) / on_a_bead, 1, 0.02);
 }
 
 TEST(WireForces, LedgerClosesWhenWiresStrikeAndRub) {

@@ -150,9 +150,53 @@ TEST(Inflow, BoundsTheStepByWhatItsBoxTakes) {
   FluidOptions o = filling(Vec3(0.0, 0.0, 0.0), Vec3(0.04, 0.16, 0.05), Vec3(0.5, 0, 0));
   const double taken = kLargestDose * 0.04 * 0.16 * 0.05;  // m^3 in a step
   o.inflows[0].discharge.points[1].discharge = o.inflows[0].discharge.points[2].discharge = taken / (3 * o.time_step);
-  EXPECT_NEAR(time_step_limits(o).longest / o.time_step, 3, 1e-9);
+  EXPECT_NEAR(time_step_limits(o, Domain(o.domain)).longest / o.time_step, 3, 1e-9);
   o.inflows[0].discharge.points[1].discharge = taken / (0.1 * o.time_step);
-  EXPECT_EQ(time_step_limits(o).longest, o.time_step);
+  EXPECT_EQ(time_step_limits(o, Domain(o.domain)).longest, o.time_step);
+  // What a wall takes of the box takes nothing.
+  o.inflows[0].discharge.points[1].discharge = taken / (3 * o.time_step);
+  o.domain.walls.add({"block", SolidBox{Vec3(-1, -1, -1), Vec3(0.02, 1, 1)}});
+  EXPECT_NEAR(time_step_limits(o, Domain(o.domain)).longest / o.time_step, 1.5, 1e-9);
+}
+
+/// What comes while the step changes would be taken for pressure, and scaled: it comes a step later.
+TEST(Inflow, WaitsWhileTheStepChanges) {
+  for (const double next : {0.5, 1.25}) {
+    FluidOptions o;
+    o.domain.upper = Vec3::Constant(16);
+    o.domain.cell_size = o.time_step = 1;
+    o.kinematic_viscosity = 0.1;
+    o.domain.faces.fill(FaceKind::periodic);
+    o.gravity = Vec3::Zero();
+    o.inflows.push_back(
+        {"spring", Vec3::Constant(6), Vec3::Constant(10), Vec3::Zero(), {{{0, 1}, {10, 1}}}});  // a cell a step
+    Fluid<double> fluid(o);
+    fluid.fill_everything([](const Vec3&) { return Vec3::Zero().eval(); }, [](const Vec3&) { return 0.0; });
+    const double start = fluid.liquid_mass();
+    fluid.set_time_step(next);
+    fluid.step();
+    EXPECT_NEAR(fluid.rescaled_mass() / start, 0, 1e-12) << next;
+    fluid.step();
+    fluid.step();
+    EXPECT_NEAR((fluid.liquid_mass() - start) / fluid.inflow_mass(), 1, 1e-9) << next;
+    EXPECT_GT(fluid.inflow_mass(), 0);
+  }
+}
+
+/// Three cells along a stream that comes from a wall: the column that is free of it gets what it can take, those at the
+/// wall the rest.
+TEST(Inflow, ColumnsAtAWallGetOnlyWhatIsLeft) {
+  FluidOptions o = tank_options(Vec3(0.4, 0.16, 0.2), 0.01, 2.0);
+  o.kinematic_viscosity = 1e-5;
+  const double due = 0.25 * 16 * 1e-6;  // m^3 in a step: a quarter of a cell a row
+  o.inflows.push_back({"source", Vec3::Zero(), Vec3(0.03, 0.16, 0.05), Vec3(0.5, 0, 0), {}});
+  o.inflows[0].discharge = {{{0, due / o.time_step}, {1, due / o.time_step}}};
+  Fluid<double> fluid(o);
+  fluid.step();
+  double at_wall = 0, free = 0;
+  fluid.for_each_wet_cell([&](const WetCell& c) { (c.centre.x() < 0.02 ? at_wall : free) += c.liquid_volume; });
+  EXPECT_NEAR(free / due, 0.8, 0.05);
+  EXPECT_NEAR(at_wall / due, 0.2, 0.05);
 }
 
 TEST(Inflow, RefusesWhatItsBoxCannotTake) {

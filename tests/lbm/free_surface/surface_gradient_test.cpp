@@ -35,10 +35,13 @@ void set_density(Fluid<double>& fluid, const Field& drho) {
 void gradient_at(Fluid<double>& fluid, CellPlace place, bool on_layer, double (&a)[3]) {
   using V = Row<double>;
   Surroundings<double> near;
-  LookAround<double>(fluid.grid(), place.block, fluid.parity()).run(~std::uint64_t{0}, near);
+  LookAround<double> look(fluid.grid(), place.block, fluid.parity());
+  look.run(~std::uint64_t{0}, near);
+  look.see_half_a_step_on(~std::uint64_t{0}, near);
   const auto p = cell_position(place.cell);
-  const PressureFit<V> fit =
-      pressure_gradient(Sight<V>(near, p[1], p[2]), KnownPressure<V>{V::mask_type::all(on_layer), V(0), {}});
+  const KnownPressure<V> known{V::mask_type::all(on_layer), V(0), {}};
+  const Sight<V> sight(near, p[1], p[2]);
+  const PressureFit<V> fit = on_layer ? pressure_gradient<true>(sight, known) : pressure_gradient<false>(sight, known);
   const double depth = fluid.grid().block(place.block).surface->density[place.cell] / 3;
   const auto x = static_cast<std::size_t>(p[0]);
   for (int k = 0; k < 3; ++k) a[k] = fit.at_surface[k][x] - depth * fit.per_depth[k][x];
