@@ -28,6 +28,7 @@ struct WireTouch {
   double yields = 1;       ///< W_i/W
 };
 
+/// Which slots lie on one patch, and what each has of it: found anew in every step.
 class SharedPatches {
  public:
   /// Finds which slots may lie on one patch, after they were listed: those of segments that follow each other and that
