@@ -63,14 +63,4 @@ double smallest_wire_gap(const std::vector<Polyline>& wires, double diameter) {
   return nearest - diameter;
 }
 
-double smallest_bead_gap(const std::vector<Polyline>& wires, double diameter) {
-  double nearest = 2 * diameter;
-  for (const SegmentPair& p : close_segments(wires, nearest)) {
-    const Polyline &a = wires[p.wire_a], &b = wires[p.wire_b];
-    for (const Vec3& u : {a.start(p.segment_a), a.end(p.segment_a)})
-      for (const Vec3& v : {b.start(p.segment_b), b.end(p.segment_b)}) nearest = std::min(nearest, (u - v).norm());
-  }
-  return nearest - diameter;
-}
-
 }  // namespace lahar::barrier

@@ -20,7 +20,4 @@ struct SegmentPair {
 /// most one diameter. As bodies swept along the centre-line, which no bead surface exceeds.
 [[nodiscard]] double smallest_wire_gap(const std::vector<Polyline>& wires, double diameter);
 
-/// The same for the surfaces of their beads.
-[[nodiscard]] double smallest_bead_gap(const std::vector<Polyline>& wires, double diameter);
-
 }  // namespace lahar::barrier

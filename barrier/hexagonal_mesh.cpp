@@ -48,8 +48,11 @@ dem::BondSort wire_law_bond(const WireLaw& law, double length, const HexagonalMe
     if (!(law.strain[k] > strain && law.force[k] > force))
       throw InputError("the tensile law of a wire does not rise in strain and force from point to point");
     slope[k] = (law.force[k] - force) / (law.strain[k] - strain);
-    if (k > 0 && slope[k] >= slope[k - 1])
+    constexpr double rounding = 1e-9;
+    if (k > 0 && slope[k] > slope[k - 1] * (1 + rounding))
       throw InputError("the tensile law of a wire is steeper after a point than before it");
+    if (k == 1 && mesh.plastic_unloading && slope[1] > slope[0] * (1 - rounding))  // see dem/bonds/axial_law.h
+      throw InputError("the tensile law of a wire that unloads plastically goes on straight after its first point");
     strain = law.strain[k], force = law.force[k];
   }
   dem::BondSort sort = link_bond(slope[0] / length, 0.5 * mesh.node_diameter);

@@ -50,7 +50,8 @@ struct MeshPlace {
 };
 
 /// Bond sort of a wire of this length: tension only, breaking at the last point of its law. Throws InputError for a law
-/// that does not rise or whose later pieces are steeper than the earlier.
+/// that does not rise, whose later pieces are steeper than the earlier, or which goes on straight after its first point
+/// where it unloads plastically.
 [[nodiscard]] dem::BondSort wire_law_bond(const WireLaw& law, double length, const HexagonalMesh& mesh);
 
 /// Adds a panel of `columns` meshes across and `rows` rows of twists, at rest. Throws InputError for a mesh that makes

@@ -11,6 +11,12 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
+# Without a build type the compiler would not optimise at all; presets that mean that give flags of their own.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CXX_FLAGS AND NOT CMAKE_CONFIGURATION_TYPES)
+  message(STATUS "No build type given: taking Release")
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # What it has to overlook to serve translation units with precompiled headers (its manual, "Precompiled headers").
@@ -22,7 +28,8 @@ if(LAHAR_NATIVE)
   add_compile_options(-march=native)
 endif()
 if(LAHAR_SANITIZE)
-  add_compile_options(-fsanitize=${LAHAR_SANITIZE} -fno-omit-frame-pointer)
+  # Undefined behaviour ends the program: else it would only be printed.
+  add_compile_options(-fsanitize=${LAHAR_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${LAHAR_SANITIZE})
 endif()
 

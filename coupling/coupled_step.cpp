@@ -247,6 +247,7 @@ void CoupledStep<Real>::advance_in_films() {
     particles.external_force.add(drag.particle, drag.impulse / clock_.time_step());
     particles.external_torque.add(drag.particle, drag.angular_impulse / clock_.time_step());
   }
+  solids_->advance(0);  // so that the particles' forces, too, contain the means of the whole step
 }
 
 template class CoupledStep<float>;

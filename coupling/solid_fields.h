@@ -81,11 +81,6 @@ class SolidFields {
     }
   }
 
-  /// The next step writes all fields again.
-  void forget() {
-    for (Entry& e : entries_) e.writer = Writer::several;
-  }
-
  private:
   struct Entry {
     std::uint64_t birth = 0;  ///< of the block: its index may be used again

@@ -36,7 +36,8 @@ Solids::Solids(Particles particles, Bonds bonds, Materials materials, Walls wall
 
 void Solids::set_time_step(double time_step) {
   require(time_step > 0, "the time step must be positive");
-  if (time_step > options_.time_step) checked_elongation_ = 0;  // what is drawn out may be too stiff for it
+  if (time_step > options_.time_step)  // what is drawn out may be too stiff for it
+    std::fill(checked_elongation_.begin(), checked_elongation_.end(), 0.0);
   options_.time_step = time_step;
 }
 
@@ -78,6 +79,7 @@ void Solids::substep(bool first, bool last, std::span<LiquidDrag> drags, double 
   }
   detect();
   evaluate_forces(dt, drags, drag_kick);
+  add_wall_impulses(contact_forces_, contacts_, dt);
   if (last) {
     const ScopedTimer timer(*section_integrate_);
     kick(particles_, 0.5 * dt);
@@ -224,6 +226,7 @@ void Solids::build_bonds() {
   for (std::size_t b = 0; b < bonds_.size(); ++b)
     if (std::isfinite(bonds_.sorts[static_cast<std::size_t>(bonds_.sort[b])].axial.force_limit[0]))
       yielding_bonds_.push_back(b);
+  checked_elongation_.resize(yielding_bonds_.size(), 0.0);  // bonds are only ever added behind
 }
 
 void Solids::build_all() {
@@ -334,11 +337,13 @@ void Solids::renumber(const Renumbering& change) {
 void Solids::watch() {
   check_motion(particles_, options_.watchdog, step_count_);
   check_overlap(particles_, worst_overlap(), options_.watchdog, step_count_);
-  double drawn_out = 0;
-  for (const std::size_t b : yielding_bonds_)
-    if (bonds_.intact[b]) drawn_out = std::max(drawn_out, bonds_.elongation[b]);
-  if (drawn_out <= 1.05 * checked_elongation_) return;
-  checked_elongation_ = drawn_out;
+  bool drawn_out = false;
+  for (std::size_t k = 0; k < yielding_bonds_.size(); ++k)
+    drawn_out = drawn_out || (bonds_.intact[yielding_bonds_[k]] != 0 &&
+                              bonds_.elongation[yielding_bonds_[k]] > 1.05 * checked_elongation_[k]);
+  if (!drawn_out) return;
+  for (std::size_t k = 0; k < yielding_bonds_.size(); ++k)
+    checked_elongation_[k] = std::max(checked_elongation_[k], bonds_.elongation[yielding_bonds_[k]]);
   check_bonds(bonds_, particles_, options_.time_step, step_count_);
 }
 
@@ -358,7 +363,7 @@ EnergyLedger Solids::ledger() const {
   ledger.elastic_tangential = c.elastic_tangential;
   ledger.elastic_rolling = c.elastic_rolling;
   // What acts in a kick is booked for all of it, and half of the last one is still to come.
-  ledger.contact_damping += c.damping - 0.5 * c.damping_of_step;
+  ledger.contact_damping += c.damping - 0.5 * c.damping_of_step + c.damped_ahead;
   ledger.friction = c.friction;
   ledger.rolling = c.rolling;
   ledger.bonds = bond_energy();

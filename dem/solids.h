@@ -1,6 +1,7 @@
 #pragma once
 // The ordered particle step: grains, rings and cables together.
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -33,8 +34,13 @@ struct SolidsOptions {
   WatchdogOptions watchdog;
 };
 
-/// All solids of a scene. Results do not depend on the number of threads, on when neighbour lists are rebuilt nor on
-/// where particles stand in their arrays.
+/// What particles gave a wall over some time: N s, and its moment about the origin of the coordinates, N m s.
+struct WallImpulse {
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+};
+
+/// All solids of a scene. Results do not depend on the number of threads, on where particles stand in their arrays nor,
+/// but for smooth wires, whose runs are made with the lists, on when neighbour lists are rebuilt.
 class Solids {
  public:
   /// Throws std::logic_error if the time step is not positive.
@@ -85,10 +91,14 @@ class Solids {
   /// Contacts of smooth wires; none with WireContacts::beads.
   [[nodiscard]] const std::optional<WireForces>& wires() const { return wires_; }
   [[nodiscard]] WorstOverlap worst_overlap() const;
-  /// Force of all particles on a wall in the last step, N.
+  /// Force of all particles on a wall at the end of the last step, N.
   [[nodiscard]] Vec3 force_on_wall(std::uint32_t wall) const;
   /// Its moment about the origin of the coordinates, N m.
   [[nodiscard]] Vec3 moment_on_wall(std::uint32_t wall) const;
+  /// From now on sums up what these walls get in each sub-step: a blow may be shorter than a step of the fluid.
+  void measure_walls(const std::vector<std::uint32_t>& walls);
+  /// What a wall that is measured got since this was last asked for; zero of others.
+  WallImpulse take_impulse_on(std::uint32_t wall);
   [[nodiscard]] const Timers& timers() const { return timers_; }
 
   [[nodiscard]] Timers& timers() { return timers_; }
@@ -123,6 +133,7 @@ class Solids {
   void hold_more_on_rails();
   [[nodiscard]] bool note_broken_bonds();
   void watch();
+  void add_wall_impulses(const ContactForces& forces, const ContactDetection& contacts, double dt);
 
   Particles particles_;
   Bonds bonds_;
@@ -148,8 +159,9 @@ class Solids {
   std::size_t known_particles_ = 0, known_bonds_ = 0;
   std::vector<std::uint8_t> known_intact_;  // bonds that were whole when the lists were built
   double known_breakage_ = 0;
-  std::vector<std::size_t> yielding_bonds_;  // that may be drawn out far, and so bind the time step
-  double checked_elongation_ = 0;            // m, of the longest of them when the time step was last held against it
+  std::vector<std::size_t> yielding_bonds_;             // that may be drawn out far, and so bind the time step
+  std::vector<double> checked_elongation_;              // m, of each when the time step was last held against them
+  std::map<std::uint32_t, WallImpulse> wall_impulses_;  // of those that are measured, since they were asked for
   bool prepared_ = false, external_acts_ = false;
   double time_ = 0, external_work_ = 0, removed_energy_ = 0;
   std::int64_t step_count_ = 0;

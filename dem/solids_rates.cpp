@@ -45,6 +45,7 @@ void Solids::long_step(int substeps, std::span<LiquidDrag> drags, bool final) {
   }
   detect_slow();
   evaluate_slow(dt, &mean_);
+  add_wall_impulses(slow_forces_, slow_contacts_, dt);
   kick_slow(0.5 * dt);
 }
 
@@ -111,6 +112,22 @@ Vec3 Solids::force_on_wall(std::uint32_t wall) const {
 Vec3 Solids::moment_on_wall(std::uint32_t wall) const {
   return contact_forces_.moment_on_wall(particles_, contacts_, walls_, wall) +
          slow_forces_.moment_on_wall(particles_, slow_contacts_, walls_, wall);
+}
+
+void Solids::measure_walls(const std::vector<std::uint32_t>& walls) {
+  for (const std::uint32_t wall : walls) wall_impulses_.try_emplace(wall);
+}
+
+WallImpulse Solids::take_impulse_on(std::uint32_t wall) {
+  const auto found = wall_impulses_.find(wall);
+  return found == wall_impulses_.end() ? WallImpulse{} : std::exchange(found->second, {});
+}
+
+void Solids::add_wall_impulses(const ContactForces& forces, const ContactDetection& contacts, double dt) {
+  for (auto& [wall, sum] : wall_impulses_) {
+    sum.linear += dt * forces.force_on_wall(particles_, contacts, wall);
+    sum.angular += dt * forces.moment_on_wall(particles_, contacts, walls_, wall);
+  }
 }
 
 }  // namespace lahar::dem

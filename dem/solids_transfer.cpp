@@ -201,7 +201,7 @@ void Solids::transfer_by_id(Archive& archive) {
   archive.part("contact_forces", contact_forces_);
   archive.list_of("known_intact", known_intact_, prepared_ ? bonds_.size() : 0);
   archive.value("known_breakage", known_breakage_);
-  archive.value("checked_elongation", checked_elongation_);
+  archive.list("checked_elongation", checked_elongation_);
   if (prepared_ && archive.loading()) {
     for (std::size_t k = 0; k < bonds_.size(); ++k)
       if (std::max(bonds_.i[k], bonds_.j[k]) >= particles_.size() ||

@@ -30,6 +30,9 @@ double stiffest_branch(const AxialLaw& law) {
   return stiffest;
 }
 
+/// Against a shift of one end, along the bond or across, N/m^3.
+double stiffest_shift(const BondSort& sort) { return std::max(stiffest_branch(sort.axial), sort.shear_stiffness); }
+
 /// What holds a bead, summed over its bonds: against a shift, N/m, against turning by the shear of bonds times their
 /// levers, and by their bending and torsion, N m/rad. The highest frequency of a bead's neighbourhood is below
 /// sqrt(sum / inertia) when a bond counts twice whose other end is free as well (Gershgorin; exact for a long chain).
@@ -40,7 +43,7 @@ struct BeadStiffness {
   void add(const BondSort& sort, double lever, double count) {
     const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius;
     const double second_moment = 0.25 * area * sort.bond_radius * sort.bond_radius;
-    shift += count * stiffest_branch(sort.axial) * area;
+    shift += count * stiffest_shift(sort) * area;
     shear += count * sort.shear_stiffness * area * lever * lever;
     bending += count * std::max(sort.axial.stiffness[0], 2 * sort.shear_stiffness) * second_moment;
     damping = std::max(damping, sort.damping_ratio);
@@ -72,19 +75,13 @@ double rayleigh_time_step(const Particles& particles, const Materials& materials
   return least;
 }
 
-double hertz_contact_time(double effective_mass, double effective_radius, double effective_modulus, double speed) {
-  return 2.87 *
-         std::pow(effective_mass * effective_mass / (effective_radius * effective_modulus * effective_modulus * speed),
-                  0.2);
-}
-
 double linear_contact_time(double effective_mass, double stiffness) {
   return std::numbers::pi * std::sqrt(effective_mass / stiffness);
 }
 
 double bond_time_step(const BondSort& sort, double mass, double inertia_scale) {
-  const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius, axial = stiffest_branch(sort.axial);
-  const double translation = axial > 0 ? std::sqrt(mass / (axial * area)) : kInfinity;
+  const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius, shifted = stiffest_shift(sort);
+  const double translation = shifted > 0 ? std::sqrt(mass / (shifted * area)) : kInfinity;
   const double rotation =
       sort.shear_stiffness > 0 ? std::sqrt(inertia_scale * 0.4 * mass / (sort.shear_stiffness * area)) : kInfinity;
   return std::min(translation, rotation) * lowered_by(sort.damping_ratio);

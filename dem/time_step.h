@@ -14,10 +14,6 @@ double rayleigh_time_step(double radius, double density, const Material& materia
 /// The smallest Rayleigh time of all particles that are not removed, s; infinity if there are none.
 double rayleigh_time_step(const Particles& particles, const Materials& materials);
 
-/// Duration of an elastic Hertz impact at `speed` (m/s), s: 2.87 (m*^2 / (R* E*^2 v))^(1/5) (Johnson 1985, Contact
-/// Mechanics, Eq. 11.24).
-double hertz_contact_time(double effective_mass, double effective_radius, double effective_modulus, double speed);
-
 /// Half a period of a linear contact, s: pi sqrt(m* / k). Effective mass in kg, stiffness in N/m.
 double linear_contact_time(double effective_mass, double stiffness);
 

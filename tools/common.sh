@@ -10,11 +10,13 @@ die() {
   exit 1
 }
 
-# Names in tools/packages.txt that dpkg does not know as installed.
+# missing_packages [optional]: names in tools/packages.txt that dpkg does not know as installed, of those that are
+# needed or of those that are optional.
 missing_packages() {
-  local package status
-  while read -r package; do
+  local package note status
+  while read -r package note; do
     case "$package" in '' | '#'*) continue ;; esac
+    [ "$note" = "${1:-}" ] || continue
     status="$(dpkg-query -W -f='${Status}' "$package" 2>/dev/null || true)"
     [ "$status" = 'install ok installed' ] || printf '%s\n' "$package"
   done <"$lahar_root/tools/packages.txt"
@@ -48,6 +50,19 @@ install_packages() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "${missing[@]}" ||
     die "apt-get could not install: ${missing[*]}
   Lahar is built and tested on Debian 12 (bookworm); see tools/packages.txt."
+}
+
+# One by one: what one of them serves is left out where it cannot be had.
+install_optional_packages() {
+  command -v dpkg-query >/dev/null || return 0
+  local package missing
+  mapfile -t missing < <(missing_packages optional)
+  for package in "${missing[@]}"; do
+    say "installing $package, which is optional"
+    (as_root apt-get update -q &&
+      as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends "$package") ||
+      say "going on without $package: what needs it is skipped"
+  done
 }
 
 # Memory that a build may use, MiB: what is available, or less where a control group sets a limit.

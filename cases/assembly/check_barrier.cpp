@@ -24,7 +24,8 @@ bool check_directions(const Net& net, Findings& findings) {
   const bool square = std::abs(net.width_direction.normalized().dot(net.height_direction.normalized())) < 1e-6;
   if (!square)
     findings.mistake("barrier.net.height_direction",
-                     "barrier.net.height_direction is not at right angles to width_direction, expected it so");
+                     "barrier.net.height_direction is not at right angles to width_direction, expected it so",
+                     {"barrier.net.width_direction"});
   return square;
 }
 
@@ -36,7 +37,8 @@ void check_frame(const Net& net, Findings& findings) {
        {std::pair{net.width, "barrier.net.width_m"}, std::pair{net.height, "barrier.net.height_m"}})
     if (length < least)
       findings.mistake(key,
-                       fmt::format("{} is {:g}, expected at least a ring and its cables, {:g}", key, length, least));
+                       fmt::format("{} is {:g}, expected at least a ring and its cables, {:g}", key, length, least),
+                       {"barrier.net.ring_diameter_m", "barrier.net.wire_diameter_m"});
 }
 
 void check_net_place(const Scene& scene, Findings& findings) {
@@ -59,8 +61,11 @@ void check_net_place(const Scene& scene, Findings& findings) {
     const char* where = !scene.domain.contains(p, slack) ? "the domain" : depth > slack ? "the walls" : nullptr;
     if (where)
       findings.mistake(
-          key, fmt::format("{}: the net's corner ({:g}, {:g}, {:g}) lies outside {}, expected it in the channel", key,
-                           p.x(), p.y(), p.z(), where));
+          key,
+          fmt::format("{}: the net's corner ({:g}, {:g}, {:g}) lies outside {}, expected it in the channel", key, p.x(),
+                      p.y(), p.z(), where),
+          {"barrier.net.origin_m", "barrier.net.width_direction", "barrier.net.height_direction", "barrier.posts.spans",
+           "domain.lower_m", "domain.upper_m"});
   }
 }
 
@@ -78,6 +83,14 @@ void check_dissipators(const BarrierBonds& bonds, Findings& findings) {
         path, fmt::format("{} has {} entries, expected {}: one less than stages", path, limits.size(), expected));
   if (limits.size() == 2 && limits[1] <= limits[0])
     findings.mistake(path, path + " does not rise, expected the second above the first");
+  for (const auto& [key, given] :
+       {std::pair{"plastic_unloading", bonds.plastic_unloading},
+        std::pair{"dissipator_places", bonds.dissipator_places != BarrierBonds{}.dissipator_places}})
+    if (k.empty() && given)
+      findings.mistake(fmt::format("barrier.bonds.{}", key),
+                       fmt::format("barrier.bonds.{} without dissipator_stiffness_N_m3, expected the stiffness of "
+                                   "their stages",
+                                   key));
   // Plastic elongation would not grow under load (dem/bonds/axial_law.h).
   if (bonds.plastic_unloading && k.size() > 1 && (k[1] >= k[0] || k.back() > k[0]))
     findings.mistake(
@@ -182,17 +195,23 @@ void check_net_can_be_built(const Scene& scene, Findings& findings) {
   if (!scene.barrier.enabled || !findings.mistakes().empty() || !cases::can_be_tried(scene)) return;
   dem::Particles particles;
   dem::Bonds bonds;
-  const auto attempt = [&](const std::string& path, const auto& build) {
+  const auto attempt = [&](const std::string& path, const std::vector<std::string>& keys, const auto& build) {
+    std::vector<std::string> others;
+    for (const std::string& key : keys) others.push_back(fmt::format("{}.{}", path, key));
     try {
       build();
     } catch (const InputError& e) {
-      for (const InputMistake& m : e.mistakes()) findings.mistake(path, path + ": " + m.message);
+      for (const InputMistake& m : e.mistakes()) findings.mistake(path, path + ": " + m.message, others);
     }
   };
-  attempt("barrier.net", [&] { barrier::build_net(make_net_spec(scene), particles, bonds); });
+  attempt("barrier.net",
+          {"ring_diameter_m", "ring_pitch_m", "beads_per_ring", "wire_diameter_m", "width_m", "height_m",
+           "mesh_width_m", "mesh_height_m", "twist_length_m", "node_diameter_m"},
+          [&] { barrier::build_net(make_net_spec(scene), particles, bonds); });
   if (scene.barrier.posts.enabled && findings.mistakes().empty()) {
     particles = {}, bonds = {};
-    attempt("barrier.posts", [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
+    attempt("barrier.posts", {"spans", "height_m", "diameter_m"},
+            [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
   }
   if (findings.mistakes().empty()) check_grains_beside_barrier(scene, particles, findings);
   if (findings.mistakes().empty()) check_beads_beside_walls(scene, particles, findings);

@@ -30,6 +30,11 @@ void check_count(double volume, double mean, const std::string& path, const std:
 
 /// Returns whether an amount is given.
 bool check_amount(const Packing& packing, const GrainAmount& amount, const std::string& path, Findings& findings) {
+  if (amount.mass > 0 && amount.solid_fraction != GrainAmount{}.solid_fraction) {
+    findings.mistake(path + ".solid_fraction",
+                     path + ".solid_fraction with mass_kg, which says how much there is, expected one of the two");
+    return true;
+  }
   if (amount.mass > 0 || packing.target_height > 0) return true;
   findings.mistake(path + ".mass_kg", path +
                                           ".mass_kg is 0 and the packing has no target_height_m to fill to, expected "

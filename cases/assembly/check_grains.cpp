@@ -80,9 +80,15 @@ void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
   check_gradings(scene, i, findings);
   if (findings.sound({path})) check_packing_content(packing, path, findings);
   const double slack = 1e-6 * (packing.upper - packing.lower).norm();
-  if (findings.sound({"domain"}) &&
-      !(scene.domain.contains(packing.lower, slack) && scene.domain.contains(packing.upper, slack)))
-    return findings.mistake(path + ".lower_m", path + " reaches outside the domain, expected it inside [domain]");
+  if (findings.sound({"domain"})) {
+    bool outside = false;
+    for (const auto& [corner, key] : {std::pair{packing.lower, ".lower_m"}, std::pair{packing.upper, ".upper_m"}})
+      if (!scene.domain.contains(corner, slack)) {
+        findings.mistake(path + key, path + " reaches outside the domain, expected it inside [domain]");
+        outside = true;
+      }
+    if (outside) return;
+  }
   if (!findings.sound({"wall"})) return;
   double smallest = (packing.upper - packing.lower).minCoeff();
   for (const GrainSize& size : findings.sound({path}) ? grain_sizes(scene, i) : packing.sizes)

@@ -18,8 +18,18 @@ namespace {
 bool check_box(const Vec3& lower, const Vec3& upper, const std::string& path, Findings& findings) {
   if (!findings.sound({path + ".lower_m", path + ".upper_m"})) return false;
   if ((upper.array() > lower.array()).all()) return true;
-  findings.mistake(path + ".upper_m", path + ".upper_m is not above lower_m, expected every component above");
+  findings.mistake(path + ".upper_m", path + ".upper_m is not above lower_m, expected every component above",
+                   {path + ".lower_m"});
   return false;
+}
+
+/// Adds a mistake for each corner of a box that lies outside the domain.
+void check_corners(const Vec3& lower, const Vec3& upper, const Domain& domain, const std::string& path,
+                   Findings& findings) {
+  const double slack = 1e-9 * (domain.upper - domain.lower).norm();
+  for (const auto& [corner, key] : {std::pair{lower, ".lower_m"}, std::pair{upper, ".upper_m"}})
+    if (!domain.contains(corner, slack))
+      findings.mistake(path + key, fmt::format("{}{} lies outside the domain, expected it inside [domain]", path, key));
 }
 
 /// Whether a box has a face in the domain that its velocity leaves: liquid would be pumped through.
@@ -81,9 +91,7 @@ void check_region(const Scene& scene, std::size_t i, Findings& findings) {
       findings.mistake(path + ".shape", path + " reaches outside the domain, expected it inside [domain]");
     return;
   }
-  for (const auto& [corner, key] : {std::pair{r.lower, ".lower_m"}, std::pair{r.upper, ".upper_m"}})
-    if (!scene.domain.contains(corner, slack))
-      findings.mistake(path + key, fmt::format("{}{} lies outside the domain, expected it inside [domain]", path, key));
+  check_corners(r.lower, r.upper, scene.domain, path, findings);
 }
 
 /// s, when liquid begins to come.
@@ -111,9 +119,7 @@ void check_inflow(const Scene& scene, std::size_t i, Findings& findings) {
   const Inflow& in = scene.fluid.inflows[i];
   const std::string path = fmt::format("fluid.inflow[{}]", i);
   if (!check_box(in.lower, in.upper, path, findings)) return;
-  const double slack = 1e-9 * (scene.domain.upper - scene.domain.lower).norm();
-  if (findings.sound({"domain"}) && !(scene.domain.contains(in.lower, slack) && scene.domain.contains(in.upper, slack)))
-    findings.mistake(path + ".lower_m", path + " lies outside the domain, expected it inside [domain]");
+  if (findings.sound({"domain"})) check_corners(in.lower, in.upper, scene.domain, path, findings);
   if (findings.sound({"fluid.cell_size_m"}) && (in.upper - in.lower).minCoeff() < scene.fluid.cell_size)
     findings.mistake(path + ".upper_m", path + ".upper_m: the box is thinner than a cell, expected at least one");
   if (!findings.sound({path + ".discharge_m3_s"})) return;
@@ -162,8 +168,11 @@ void check_rheology(const Scene& scene, Findings& findings) {
         ".limit_viscosity_m2_s",
         fmt::format(" is {:g}, expected the viscosity below the yield stress, above that of flow", r.limit_viscosity));
   if (scene.fluid.smagorinsky > 0)
-    wrong(".law",
-          " with fluid.smagorinsky above 0, expected one or the other: an eddy viscosity would hide the yield stress");
+    findings.mistake(path + ".law",
+                     path +
+                         ".law with fluid.smagorinsky above 0, expected one or the other: an eddy viscosity would "
+                         "hide the yield stress",
+                     {"fluid.smagorinsky"});
   if (!takes_flow_laws(scene.fluid.collision))
     wrong(".law", fmt::format(" with collision = \"{}\", expected another operator: it is for Newtonian fluids alone",
                               name(scene.fluid.collision)));
@@ -213,9 +222,11 @@ void check_periodic(const Scene& scene, Findings& findings) {
       findings.mistake(path, path + " names an axis with an open face, expected one or the other");
     if (!scene.fluid.enabled || !findings.sound({"fluid.cell_size_m"})) continue;
     const double blocks = (scene.domain.upper - scene.domain.lower)[k] / (8 * scene.fluid.cell_size);
-    if (std::abs(blocks - std::round(blocks)) > 1e-6 || blocks < 0.5)
+    constexpr double rounding = 1e-7;  // of a block: lbm::Domain rounds up from 1e-6 cells on
+    if (std::abs(blocks - std::round(blocks)) > rounding || blocks < 0.5)
       findings.mistake(
-          path, fmt::format("{}: \"{}\" is {:g} cells long, expected a multiple of 8", path, "xyz"[k], 8 * blocks));
+          path, fmt::format("{}: \"{}\" is {:.9g} cells long, expected a multiple of 8", path, "xyz"[k], 8 * blocks),
+          {"fluid.cell_size_m", "domain.upper_m", "domain.lower_m"});
   }
 }
 

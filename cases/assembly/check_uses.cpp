@@ -30,14 +30,15 @@ void check_section(const Scene& scene, Findings& findings) {
   if (!section || !findings.sound({"measure", "domain", "barrier.net.origin_m"})) return;
   const double low = scene.domain.lower.x(), high = scene.domain.upper.x();
   const auto inside = [&](double x) { return x >= low && x <= high; };
-  const auto refuse = [&](const std::string& key, double x) {
+  const auto refuse = [&](const std::string& key, double x) {  // of a default, what it counts from is to blame
     if (!inside(x))
-      findings.mistake(
-          key, fmt::format("{} leads to x = {:g}, expected inside the domain, {:g} to {:g}", key, x, low, high));
+      findings.mistake(key,
+                       fmt::format("{} leads to x = {:g}, expected inside the domain, {:g} to {:g}", key, x, low, high),
+                       {"measure.section_x_m", "barrier.net.origin_m", "domain.lower_m", "domain.upper_m"});
   };
   refuse("measure.section_x_m", *section);
   if (!findings.sound({"measure"})) return;
-  refuse("measure.inflow_distance_m", *section - m.inflow_distance);
+  if (scene.fluid.enabled) refuse("measure.inflow_distance_m", *section - m.inflow_distance);
   refuse("measure.outflow_distance_m", *section + m.outflow_distance);
 }
 
@@ -47,6 +48,10 @@ void check_averaged(const Scene& scene, Findings& findings) {
     findings.mistake("coupling.lubrication",
                      "coupling.lubrication is for what resolved grains miss between them, expected false with grains = "
                      "\"averaged\"");
+  if (c.solid_operator != lbm::kSolidOperator)
+    findings.mistake("coupling.solid_operator",
+                     "coupling.solid_operator is what resolved bodies put in place of the fluid's collision, expected "
+                     "none with grains = \"averaged\"");
   if (c.averaging_length < scene.fluid.cell_size)
     findings.mistake("coupling.averaging_length_m",
                      fmt::format("coupling.averaging_length_m is {:g}, expected at least a cell (fluid.cell_size_m = "
@@ -139,10 +144,15 @@ void check_uses(const Scene& scene, Findings& findings) {
     if (!scene.has_solids())
       findings.mistake("coupling.enabled", "coupling.enabled is true without grains or barrier, expected some");
   }
+  if (scene.coupling.enabled && scene.coupling.lubrication && scene.grains.packings.empty() &&
+      scene.grains.spheres.empty() && findings.sound({"coupling", "grains"}))
+    findings.mistake("coupling.lubrication",
+                     "coupling.lubrication is for the film between grains, expected false without grains");
   if (scene.coupling.enabled && scene.coupling.grains == GrainFluid::averaged && findings.sound({"coupling", "fluid"}))
     check_averaged(scene, findings);
   check_substeps(scene, findings);
-  if (scene.coupling.enabled) check_solid_operator(scene, findings), check_body_weighting(scene, findings);
+  if (scene.coupling.enabled && scene.coupling.grains == GrainFluid::resolved) check_solid_operator(scene, findings);
+  if (scene.coupling.enabled) check_body_weighting(scene, findings);
   if (!scene.fluid.enabled && !scene.has_solids() && findings.sound({"fluid", "grains", "barrier"}))
     findings.mistake("scene", "the scene is empty, expected a fluid, grains or a barrier");
   check_section(scene, findings);

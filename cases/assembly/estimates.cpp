@@ -32,7 +32,14 @@ double face_across(const Vec3& extent, const Vec3& direction) {
 
 double peak_discharge(const scene::Inflow& inflow) {
   double peak = 0;
-  for (const scene::TimeValue& entry : inflow.discharge) peak = std::max(peak, entry.value);
+  const auto& points = inflow.discharge;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (points[k].time >= 0)
+      peak = std::max(peak, points[k].value);
+    else if (k + 1 < points.size() && points[k + 1].time > 0)
+      peak = std::max(peak, std::lerp(points[k].value, points[k + 1].value,
+                                      -points[k].time / (points[k + 1].time - points[k].time)));
+  }
   return peak;
 }
 
@@ -142,16 +149,23 @@ std::int64_t grain_count(const scene::Scene& scene) {
   return count;
 }
 
+bool has_free_grains(const scene::Scene& scene) {
+  const auto& spheres = scene.grains.spheres;
+  return !scene.grains.packings.empty() ||
+         std::any_of(spheres.begin(), spheres.end(), [](const scene::GrainSphere& s) { return !s.fixed; });
+}
+
 namespace {
 
 struct GrainKind {
   double diameter, density;
+  bool fixed;
 };
 
 std::vector<GrainKind> grain_kinds(const scene::Scene& scene) {
   std::vector<GrainKind> kinds;
-  for (const scene::GrainSize& s : scene::grain_sizes(scene)) kinds.push_back({s.diameter, s.density});
-  for (const scene::GrainSphere& s : scene.grains.spheres) kinds.push_back({s.diameter, s.density});
+  for (const scene::GrainSize& s : scene::grain_sizes(scene)) kinds.push_back({s.diameter, s.density, false});
+  for (const scene::GrainSphere& s : scene.grains.spheres) kinds.push_back({s.diameter, s.density, s.fixed});
   return kinds;
 }
 
@@ -159,19 +173,20 @@ std::vector<GrainKind> grain_kinds(const scene::Scene& scene) {
 
 double smallest_grain(const scene::Scene& scene) {
   double smallest = never;
-  for (const auto& [diameter, density] : grain_kinds(scene)) smallest = std::min(smallest, diameter);
+  for (const GrainKind& kind : grain_kinds(scene)) smallest = std::min(smallest, kind.diameter);
   return smallest;
 }
 
 double largest_grain(const scene::Scene& scene) {
   double largest = 0;
-  for (const auto& [diameter, density] : grain_kinds(scene)) largest = std::max(largest, diameter);
+  for (const GrainKind& kind : grain_kinds(scene)) largest = std::max(largest, kind.diameter);
   return largest;
 }
 
-double lightest_grain(const scene::Scene& scene) {
+double lightest_free_grain(const scene::Scene& scene) {
   double lightest = never;
-  for (const auto& [diameter, density] : grain_kinds(scene)) lightest = std::min(lightest, density);
+  for (const GrainKind& kind : grain_kinds(scene))
+    if (!kind.fixed) lightest = std::min(lightest, kind.density);
   return lightest;
 }
 

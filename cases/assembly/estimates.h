@@ -7,7 +7,7 @@
 
 namespace lahar::cases {
 
-/// m^3/s, the largest of its hydrograph.
+/// m^3/s, the largest of its hydrograph from t = 0 on.
 double peak_discharge(const scene::Inflow& inflow);
 
 /// m/s, with which liquid comes out of an inflow's box: its velocity, or the peak of its discharge over the box's face
@@ -44,11 +44,14 @@ std::int64_t net_rows(const scene::Net& net);
 std::int64_t barrier_beads(const scene::Scene& scene);
 /// Grains of all packings and spheres.
 std::int64_t grain_count(const scene::Scene& scene);
+/// Whether some of them are free to move.
+bool has_free_grains(const scene::Scene& scene);
 
 /// Diameters of the smallest and the largest grain, m; infinity and 0 without grains.
 double smallest_grain(const scene::Scene& scene);
 double largest_grain(const scene::Scene& scene);
-double lightest_grain(const scene::Scene& scene);  ///< its density, kg/m^3
+/// Density of the lightest grain that is free to move, kg/m^3; infinity without.
+double lightest_free_grain(const scene::Scene& scene);
 
 /// m/s: at which a sphere sinks or rises in still liquid, `density_ratio` its density over the liquid's; drag of
 /// Schiller & Naumann 1935 up to Re 1000, Cd = 0.44 beyond.

@@ -83,7 +83,10 @@ double liquid_cells(const Scene& scene) {
 
 double inflow_cells(const Scene& scene, double time) {
   double volume = 0;
-  for (const Inflow& i : scene.fluid.inflows) volume += hydrograph_of(i).volume_until(time);
+  for (const Inflow& i : scene.fluid.inflows) {
+    const lbm::Hydrograph h = hydrograph_of(i);
+    volume += h.volume_until(time) - h.volume_until(0);
+  }
   return volume / std::pow(scene.fluid.cell_size, 3);
 }
 

@@ -12,6 +12,9 @@ void build_rigid_barrier(Scene& scene, Findings& findings) {
   if (rigid.slits > 0 && rigid.slit_width == 0)
     return findings.mistake("rigid_barrier.slit_width_m",
                             "rigid_barrier.slit_width_m is 0, expected the width of the slits");
+  if (rigid.slits == 0 && rigid.slit_width > 0)
+    return findings.mistake("rigid_barrier.slit_width_m",
+                            "rigid_barrier.slit_width_m without slits, expected rigid_barrier.slits above 0");
   if (pier <= 0)
     return findings.mistake("rigid_barrier.slits",
                             fmt::format("rigid_barrier.slits: {} slits of {:g} m leave nothing of a width of {:g} m, "

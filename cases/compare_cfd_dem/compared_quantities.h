@@ -39,6 +39,7 @@ struct ShownColumn {
   std::string name, title, unit;
   double factor = 1;       ///< from the column's unit to the shown one
   std::string where = {};  ///< in the paper
+  bool mean = false;       ///< since the row before, not of the row's time
 };
 const std::vector<ShownColumn>& shown_columns();
 

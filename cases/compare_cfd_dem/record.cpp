@@ -36,6 +36,24 @@ std::string list_of(const std::vector<double>& values, const std::vector<std::si
   return "[" + text + "]";
 }
 
+/// Of values that are means since the row before: at kept rows the means since the kept row before.
+std::vector<double> means_between(const std::vector<std::size_t>& rows, const std::vector<double>& time,
+                                  std::vector<double> values) {
+  for (std::size_t n = 1; n < rows.size(); ++n) {
+    const std::size_t first = rows[n - 1], last = rows[n];
+    if (last == first + 1) continue;
+    double sum = 0;
+    for (std::size_t k = first + 1; k <= last; ++k) sum += values[k] * (time[k] - time[k - 1]);
+    values[last] = sum / (time[last] - time[first]);
+  }
+  return values;
+}
+
+bool is_mean(const std::string& column) {
+  const auto& all = shown_columns();
+  return std::any_of(all.begin(), all.end(), [&](const ShownColumn& c) { return c.name == column && c.mean; });
+}
+
 std::vector<double> numbers_of(const nlohmann::json& list) {
   std::vector<double> numbers;
   for (const auto& item : list) numbers.push_back(item.is_null() ? kUnknown : item.get<double>());
@@ -47,8 +65,10 @@ std::vector<double> numbers_of(const nlohmann::json& list) {
 void write_record(const CaseResult& result, const std::filesystem::path& folder) {
   const std::vector<std::size_t> rows = kept_rows(result.curves.time_s);
   std::string curves = fmt::format("  \"time_s\": {}", list_of(result.curves.time_s, rows));
-  for (const auto& column : result.curves.columns)
-    curves += fmt::format(",\n  \"{}\": {}", column.name, list_of(column.values, rows));
+  for (const auto& column : result.curves.columns) {
+    const auto values = is_mean(column.name) ? means_between(rows, result.curves.time_s, column.values) : column.values;
+    curves += fmt::format(",\n  \"{}\": {}", column.name, list_of(values, rows));
+  }
   std::filesystem::create_directories(folder);
   cases::replace_text_file(
       folder / (result.study_case.name() + ".json"),

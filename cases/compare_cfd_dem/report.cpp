@@ -305,7 +305,9 @@ void write_report(const std::vector<CaseResult>& results, const Sitting& sitting
   html += "<h2>Pictures</h2>\n";
   for (const CaseResult& c : results)
     if (c.study_case.release == 4.1) html += pictures_of(c, "image_");
-  html += "<h2>Forces in the net</h2>\n<p>Force in each bond, seen along the flow (as Fig. 12).</p>\n";
+  html +=
+      "<h2>Forces in the net</h2>\n<p>Force in each bond, seen from downstream (as Fig. 12): the net's width, and with "
+      "it the left cable, begins on the left.</p>\n";
   for (const CaseResult& c : results)
     if (c.study_case.release == 4.1) html += pictures_of(c, "forces_");
   cases::replace_text_file(folder / "report.html", html + "</body></html>\n");

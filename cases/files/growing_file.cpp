@@ -10,6 +10,7 @@ namespace lahar::cases {
 namespace {
 
 constexpr std::chrono::seconds kLeastInterval{1};
+constexpr std::chrono::seconds kAfterRefusal{60};
 constexpr int kCopyTimes = 50;  // from one copy to the next, over the time that it takes
 
 void copy_bytes(const std::filesystem::path& from, const std::filesystem::path& to) {
@@ -44,7 +45,13 @@ void GrowingFile::take_up() const {
 
 void GrowingFile::copy() {
   const Clock::time_point start = Clock::now();
-  replace_file(name_, [&](const std::filesystem::path& next) { copy_bytes(open_name(), next); });
+  try {
+    replace_file(name_, [&](const std::filesystem::path& next) { copy_bytes(open_name(), next); });
+  } catch (const FileError& e) {
+    next_copy_ = Clock::now() + kAfterRefusal;
+    throw CannotCopy(name_,
+                     std::string("cannot be brought up to date with ") + open_name().string() + " (" + e.what() + ")");
+  }
   const Clock::time_point end = Clock::now();
   next_copy_ = end + std::max<Clock::duration>(kLeastInterval, kCopyTimes * (end - start));
 }

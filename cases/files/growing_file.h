@@ -14,6 +14,11 @@ class CannotTakeUp : public FileError {
   using FileError::FileError;
 };
 
+/// What others see cannot be brought up to date, for want of room; what has grown is whole.
+class CannotCopy : public FileError {
+  using FileError::FileError;
+};
+
 class GrowingFile {
  public:
   /// NAME is what others see.
@@ -25,9 +30,10 @@ class GrowingFile {
   /// Starts from the file that others see. Throws FileError where there is none, CannotTakeUp where it cannot be
   /// copied.
   void take_up() const;
-  /// Whether a copy is due: one a second, or as seldom as they take a fiftieth of the time.
+  /// Whether a copy is due: one a second, or as seldom as they take a fiftieth of the time; a minute after one that
+  /// could not be made.
   [[nodiscard]] bool copy_due() const { return Clock::now() >= next_copy_; }
-  /// Replaces what others see by a copy of what has grown, which must be flushed. Throws FileError.
+  /// Replaces what others see by a copy of what has grown, which must be flushed. Throws CannotCopy.
   void copy();
   /// Replaces it by what has grown itself, which must be closed. Throws FileError.
   void finish() const;

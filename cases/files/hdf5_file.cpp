@@ -206,12 +206,6 @@ Hdf5File Hdf5File::open_for_appending(const std::filesystem::path& path) {
   return {path, owned(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.id()), path, "cannot be opened for writing")};
 }
 
-void Hdf5File::create_group(const std::string& name) {
-  const Hdf5Handle links = links_with_parents(path_);
-  owned(H5Gcreate2(file_.id(), name.c_str(), links.id(), H5P_DEFAULT, H5P_DEFAULT), path_,
-        "cannot create group " + name);
-}
-
 bool Hdf5File::contains(const std::string& name) const {
   // Every part of the path must exist before the next may be asked for.
   for (std::size_t end = name.find('/', 1);; end = name.find('/', end + 1)) {
@@ -359,10 +353,6 @@ double Hdf5File::number_attribute(const std::string& object, const std::string& 
   double value = 0;
   check(H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value), path_, what);
   return value;
-}
-
-bool Hdf5File::has_attribute(const std::string& object, const std::string& key) const {
-  return H5Aexists_by_name(file_.id(), object.c_str(), key.c_str(), H5P_DEFAULT) > 0;
 }
 
 void Hdf5File::flush() { check(H5Fflush(file_.id(), H5F_SCOPE_GLOBAL), path_, "cannot be flushed"); }

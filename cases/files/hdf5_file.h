@@ -86,8 +86,6 @@ class Hdf5File {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
-  /// Makes a group; groups on the way to it are made as well.
-  void create_group(const std::string& name);
   [[nodiscard]] bool contains(const std::string& name) const;
   /// Names of the members of a group, in alphabetical order.
   [[nodiscard]] std::vector<std::string> members(const std::string& group) const;
@@ -115,7 +113,6 @@ class Hdf5File {
   void set_attribute(const std::string& object, const std::string& key, double value);
   [[nodiscard]] std::string text_attribute(const std::string& object, const std::string& key) const;
   [[nodiscard]] double number_attribute(const std::string& object, const std::string& key) const;
-  [[nodiscard]] bool has_attribute(const std::string& object, const std::string& key) const;
 
   /// Hands everything to the operating system: what was written so far stays readable if the program is killed.
   void flush();

@@ -138,6 +138,7 @@ void ParticleWriter::write(double time_s, const dem::Particles& particles, const
     return write(time_s, by_id, bonds);
   }
   if (!file_) file_ = Hdf5File::create(grown_.open_name());
+  whole_ = false;
   if (frames_ == constants_from_ || particles.size() != particles_ || bonds.size() != bonds_)
     write_constants(particles, bonds);
   const std::string group = fmt::format("/frames/{:06}/", frames_);
@@ -153,7 +154,14 @@ void ParticleWriter::write(double time_s, const dem::Particles& particles, const
   // A grid without elements upsets the readers: such a time is left out.
   if (particles.size() > 0) particle_grids_ += xdmf_grid(grid);
   if (bonds.size() > 0) bond_grids_ += xdmf_grid(bond_grid);
-  if (grown_.copy_due()) flush();
+  whole_ = true;
+  if (!grown_.copy_due()) return;
+  try {
+    flush();
+    refusal_.clear();
+  } catch (const CannotCopy& e) {
+    refusal_ = e.what();
+  }
 }
 
 void ParticleWriter::write_xdmf() const {
@@ -163,15 +171,18 @@ void ParticleWriter::write_xdmf() const {
 
 void ParticleWriter::flush() {
   if (!file_) return;
+  whole_ = false;
   file_->flush();
+  whole_ = true;
   grown_.copy();
   write_xdmf();
 }
 
 void ParticleWriter::close() {
   if (!file_) return;
-  file_->close();
+  if (whole_) file_->close();
   file_.reset();
+  if (!whole_) return;
   grown_.finish();
   write_xdmf();
 }

@@ -38,10 +38,11 @@ class ParticleWriter {
   /// What of the earlier run could not be read; empty if all could.
   [[nodiscard]] const std::string& lost() const { return lost_; }
 
-  /// Adds a frame. Throws FileError.
+  /// Adds a frame. Throws FileError, after which others go on seeing the last whole file.
   void write(double time_s, const dem::Particles& particles, const dem::Bonds& bonds);
-  [[nodiscard]] std::uint64_t frames() const { return frames_; }
-  /// Puts all frames into the files. Throws FileError.
+  /// Why write could not bring up to date what others see; empty if it could.
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
+  /// Puts all frames into the files. Throws FileError, CannotCopy if they are only in what grows (growing_file.h).
   void flush();
   /// The same, and closes; nothing may be written afterwards. Throws FileError.
   void close();
@@ -64,7 +65,8 @@ class ParticleWriter {
   std::size_t particles_ = 0, bonds_ = 0;          // sizes that the constants belong to
   XdmfArray ids_, connectivity_;
   std::vector<XdmfField> particle_constants_, bond_constants_;
-  std::string particle_grids_, bond_grids_, lost_;
+  std::string particle_grids_, bond_grids_, lost_, refusal_;
+  bool whole_ = true;  // the last frame was written in full
 };
 
 }  // namespace lahar::cases

@@ -96,7 +96,13 @@ void SeriesWriter::append(double time_s, std::span<const double> values) {
   for (std::size_t c = 0; c < values.size(); ++c) columns_[c].pending.push_back(values[c]);
   ++rows_;
   if (time_[0].pending.size() >= rows_per_write_) write_rows();
-  if (grown_.copy_due()) flush();
+  if (!grown_.copy_due()) return;
+  try {
+    flush();
+    refusal_.clear();
+  } catch (const CannotCopy& e) {
+    refusal_ = e.what();
+  }
 }
 
 void SeriesWriter::write_pending(Column& column) {
@@ -105,22 +111,33 @@ void SeriesWriter::write_pending(Column& column) {
 }
 
 void SeriesWriter::write_rows() {
+  whole_ = false;
   for (Column& column : columns_) write_pending(column);
   write_pending(time_[0]);
+  whole_ = true;
+}
+
+/// To the system as well: as columns close nobody hears of what fails.
+void SeriesWriter::write_all() {
+  write_rows();
+  whole_ = false;
+  file_.flush();
+  whole_ = true;
 }
 
 void SeriesWriter::flush() {
   if (time_.empty()) return;
-  write_rows();
-  file_.flush();
+  write_all();
   grown_.copy();
 }
 
 void SeriesWriter::close() {
   if (time_.empty()) return;
-  write_rows();
+  const bool whole = whole_;
+  if (whole) write_all();
   columns_.clear();
   time_.clear();
+  if (!whole) return;
   file_.close();
   grown_.finish();
 }

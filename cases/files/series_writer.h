@@ -14,7 +14,7 @@ namespace lahar::cases {
 
 /// Writes series.h5 row by row. Whatever happens the file is whole: a killed run loses at most the rows of its last
 /// second, or of 50 times as long as a copy takes, and those that were not yet gathered. Every function throws
-/// FileError when the file cannot be written.
+/// FileError when the file cannot be written, after which others go on seeing the last whole one.
 class SeriesWriter {
  public:
   /// Starts a new file. `rows_per_write` rows are gathered before they are written.
@@ -38,13 +38,15 @@ class SeriesWriter {
     append(time_s, std::span<const double>(values.begin(), values.size()));
   }
 
-  /// Puts all rows into the file.
+  /// Puts all rows into the file. Throws CannotCopy if they are only in what grows (growing_file.h).
   void flush();
   /// The same, and closes; nothing may be appended afterwards.
   void close();
 
   [[nodiscard]] std::size_t columns() const { return columns_.size(); }
   [[nodiscard]] std::size_t rows() const { return rows_; }
+  /// Why append could not bring up to date what others see; empty if it could.
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
   /// Columns of the earlier run that could not be read.
   [[nodiscard]] const std::vector<std::string>& lost() const { return lost_; }
 
@@ -57,10 +59,13 @@ class SeriesWriter {
   SeriesWriter(std::filesystem::path path, Hdf5File file, std::size_t rows_per_write);
   static void write_pending(Column& column);
   void write_rows();
+  void write_all();
 
   GrowingFile grown_;
   Hdf5File file_;
   std::size_t rows_per_write_, rows_ = 0;
+  bool whole_ = true;  // no write has failed: after one HDF5 may have lost rows that it was given before
+  std::string refusal_;
   std::vector<std::string> lost_;
   double last_time_s_;
   std::vector<Column> time_;  // one element, none once closed

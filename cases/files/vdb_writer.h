@@ -20,7 +20,6 @@ class VdbWriter {
       : directory_(std::move(directory)), frames_(first_frame) {}
   /// Writes the next file and returns its path. Throws FileError.
   std::filesystem::path write(double time_s, const lbm::FluidSnapshot& fluid);
-  [[nodiscard]] std::uint64_t frames() const { return frames_; }
 
  private:
   std::filesystem::path directory_;

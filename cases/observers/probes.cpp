@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "cases/observers/fluid_samples.h"
 
@@ -26,6 +27,9 @@ Probes::Probes(const Observed& run) : Observer(run), looked_at_(run.simulation.t
     if (p.kind == scene::ProbeKind::grain) declare_grain(p);
   }
   if (!forces_.empty() && run.simulation.fluid()) run.simulation.fluid()->measure_walls();
+  std::vector<std::uint32_t> walls;
+  for (const ForceProbe& probe : forces_) walls.push_back(probe.wall);
+  if (run.simulation.solids()) run.simulation.solids()->measure_walls(walls);
 }
 
 void Probes::declare_level(const scene::Probe& probe) {
@@ -127,14 +131,19 @@ void Probes::declare_load(std::size_t probe, const std::string& source, const st
 }
 
 void Probes::after_step() {
-  const double time_step = run_.simulation.time_step(), now = run_.simulation.time();
+  const double now = run_.simulation.time();
   for (Sensor& sensor : sensors_)  // by the time of the fluid: its step may just have changed
     if (sensor.time_mean) sensor.since += (now - looked_at_) * pressure_on(sensor);
   looked_at_ = now;
   if (!run_.simulation.solids()) return;
+  std::map<std::uint32_t, dem::WallImpulse> taken;  // several probes may look at one wall
   for (ForceProbe& probe : forces_) {
-    probe.grains_since.force += time_step * run_.simulation.solids()->force_on_wall(probe.wall);
-    probe.grains_since.moment += time_step * run_.simulation.solids()->moment_on_wall(probe.wall);
+    const auto found = taken.find(probe.wall);
+    const dem::WallImpulse& got =
+        found != taken.end()
+            ? found->second
+            : taken.emplace(probe.wall, run_.simulation.solids()->take_impulse_on(probe.wall)).first->second;
+    probe.grains_since.force += got.linear, probe.grains_since.moment += got.angular;
   }
 }
 

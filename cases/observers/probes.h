@@ -12,7 +12,7 @@ class Probes final : public Observer {
   explicit Probes(const Observed& run);
   static bool applies(const Observed& run) { return !run.scene.probes.empty(); }
   [[nodiscard]] std::string_view name() const override { return "probes"; }
-  /// Grains push only while they touch; pressures are summed where their mean is asked for.
+  /// What grains give walls is summed up; so are pressures where their mean is asked for.
   void after_step() override;
   void sample(double interval) override;
   /// Sums since the last row.

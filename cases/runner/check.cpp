@@ -135,7 +135,7 @@ SolidsFigures solids_figures(const scene::Scene& scene, const std::optional<Flui
       s.averaging_lengths = averaging_lengths(scene);
     } else if (s.grains > 0) {
       s.cells_per_smallest_grain = smallest_grain(scene) / scene.fluid.cell_size;
-      s.lightest_grain = lightest_grain(scene) / scene.fluid.density;
+      if (has_free_grains(scene)) s.lightest_grain = lightest_free_grain(scene) / scene.fluid.density;
       if (const auto speed = settling_speed(scene))
         s.cell_reynolds = *speed * scene.fluid.cell_size / scene.fluid.kinematic_viscosity;
     }

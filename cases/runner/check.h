@@ -33,8 +33,8 @@ struct SolidsFigures {
   std::int64_t substeps = 0;        ///< in a fluid step; 0 without fluid
   std::int64_t long_step = 1;       ///< of them that make one step of the contacts of grains
   std::optional<double> cells_per_smallest_grain, cells_per_wire;  ///< grains: resolved ones
-  std::optional<double> lightest_grain;                            ///< resolved: its density over the liquid's
-  std::optional<double> cell_reynolds;  ///< of settling resolved grains: settling speed x cell size / viscosity
+  std::optional<double> lightest_grain;  ///< resolved, of those that move: its density over the liquid's
+  std::optional<double> cell_reynolds;   ///< of settling resolved grains: settling speed x cell size / viscosity
   std::optional<double> averaging_cells, averaging_diameters;  ///< averaging length over cell size, over largest grain
   std::optional<Vec3> averaging_lengths;  ///< m, by axis: what it becomes as the domain is divided by it
 };

@@ -19,8 +19,10 @@ class Outputs {
   void write_due(Simulation& run);
   /// Writes a last frame, if one is wanted and the last is older than the present time, and closes the files.
   void finish(Simulation& run);
-  /// Puts all that was written into the files. Throws FileError.
+  /// Puts all that was written into the files. Throws FileError, CannotCopy as ParticleWriter::flush does.
   void flush() { particles_.flush(); }
+  /// Why what others see of it could not be brought up to date; empty if it could.
+  [[nodiscard]] const std::string& refusal() const { return particles_.refusal(); }
   /// Frame numbers of a checkpoint. Loading drops frames that came later, as they will be written again; of what is no
   /// longer asked for all are kept.
   void transfer(Archive& archive);

@@ -33,7 +33,6 @@ Progress::Progress(double duration, ProgressStyle style, std::FILE* stream)
 
 int Progress::tenths(double simulated) const { return static_cast<int>(10 * simulated / duration_ * (1 + 1e-12)); }
 
-/// Rates count from now on: what it took to load the checkpoint is no time of a step.
 void Progress::start_from(double simulated) {
   from_ = simulated;
   start_ = last_ = Clock::now();

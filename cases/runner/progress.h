@@ -12,7 +12,7 @@ enum class ProgressStyle { silent, lines, live };
 ProgressStyle progress_style(bool quiet, std::FILE* stream);
 
 /// " 42 %  t = 0.840 s of 2 s  0.0123 s/s  1 min 34 s left". Rate and time left are absent before there is a rate.
-/// `from` is where a resumed run began.
+/// `from` is where the run began or was resumed.
 std::string progress_text(double simulated, double duration, double wall, double from = 0);
 
 /// "1 h 02 min", "3 min 05 s", "12 s".
@@ -27,7 +27,7 @@ class Progress {
 
   /// To be told the simulated time (s) after each step; cheap, and allocates only when something is printed.
   void update(double simulated);
-  /// The run goes on from there (s).
+  /// Steps begin there (s), and the time that rates count by.
   void start_from(double simulated);
   /// Ends the live line.
   void finish();

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "cases/assembly/build.h"
 #include "cases/assembly/packings.h"
@@ -137,6 +138,7 @@ class SceneRun {
 
   RunResult run() {
     monitor_.begin();
+    monitor_.progress.start_from(time());  // the preparation is no time of a step
     watch_for_interrupt();
     RunResult result;
     for (;;) {
@@ -170,6 +172,9 @@ class SceneRun {
     const ScopedTimer timer(timers_.section("measurements"));
     observers_->sample(*series_);
     loop_.rows.note(time());
+    for (const std::string& refusal : {series_->refusal(), outputs_->refusal()})
+      if (!refusal.empty() && told_.insert(refusal).second)
+        monitor_.warn(refusal + ": others see it as it was, the run goes on");
   }
 
   /// On the way only when the last step of the fluid went well, so that the last checkpoint is a good one. The end has
@@ -198,13 +203,20 @@ class SceneRun {
   };
 
   /// A checkpoint on the way that cannot be written is a pity, the last one a failure, told when the results are whole.
+  /// Who goes on from one on the way needs the rows and frames until then in the files that others see; as the run ends
+  /// these get what has grown itself.
   void save(bool end, RunResult& result) {
     const ScopedTimer timer(timers_.section("checkpoints"));
-    series_->flush();
-    outputs_->flush();
+    loop_.checkpoints.skip_until(time());
+    last_checkpoint_ = monitor_.seconds();
+    try {
+      series_->flush();
+      outputs_->flush();
+    } catch (const CannotCopy& e) {
+      if (!end && !result.interrupted) return monitor_.log.warn("no checkpoint at t = {:.6g} s: {}", time(), e.what());
+    }
     loop_.wall_seconds = earlier_seconds_ + monitor_.seconds();
     loop_.peak_rss_bytes = std::max<std::uint64_t>(loop_.peak_rss_bytes, peak_rss_bytes());
-    loop_.checkpoints.skip_until(time());
     try {
       write_checkpoint(options_.out, scene_, {time(), observers_->last_time(), commits_},
                        [&](Archive& archive) { transfer(archive); });
@@ -221,7 +233,6 @@ class SceneRun {
     replace_text_file(options_.out / "scene.resolved.toml", scene::to_toml(scene_));
     earlier_seconds_ = loop_.wall_seconds;
     if (const std::string lost = outputs_->lost(); !lost.empty()) monitor_.warn(lost);
-    monitor_.progress.start_from(time());
     monitor_.log.info("goes on from the checkpoint of t = {:.6g} s", time());
     commits_ = from.commit;
     if (!commits_.ends_with(commit())) {
@@ -260,6 +271,7 @@ class SceneRun {
   std::optional<ObserverList> observers_;
   std::optional<Outputs> outputs_;
   double earlier_seconds_ = 0, last_checkpoint_ = 0;
+  std::set<std::string> told_;      // what was warned of on the way
   std::string commits_ = commit();  // of all programs that had a part in this run
 };
 

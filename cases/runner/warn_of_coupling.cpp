@@ -4,6 +4,7 @@
 
 #include "cases/assembly/estimates.h"
 #include "cases/runner/warnings_by_part.h"
+#include "cases/scene/names.h"
 #include "coupling/coupling_options.h"
 
 namespace lahar::cases {
@@ -71,7 +72,8 @@ void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& l
         fmt::format("the lightest grain has {:.2g} of the liquid's density: those below {:g} that touch each "
                     "other or a wall may be thrown about",
                     *f.lightest_grain, light));
-  if (f.grains > 0 && s.coupling.grains == scene::GrainFluid::resolved) add_fast_grains(s, list);
+  if (f.grains > 0 && s.coupling.grains == scene::GrainFluid::resolved && !s.fluid.adaptive_time_step)
+    add_fast_grains(s, list);
   if (f.averaging_diameters && *f.averaging_diameters < 2)
     list.push_back(fmt::format(
         "coupling.averaging_length_m is {:.2g} diameters of the largest grain: averages swing with every grain below 2",
@@ -101,8 +103,14 @@ void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& l
       s.coupling.wire_drag && !s.coupling.beads_as_grains && post > 4 &&
       post < s.coupling.resolve_wires_from_cells.value_or(post + 1))
     list.push_back(fmt::format("posts are {:.1f} cells across: their drag law is for wires up to about 4", post));
-  if (s.coupling.body_weighting == scene::BodyWeighting::noble_torczynski &&
-      s.coupling.grains == scene::GrainFluid::resolved)
+  const bool resolved = s.coupling.grains == scene::GrainFluid::resolved;
+  if (resolved && !lbm::by_wall_distance(s.coupling.body_weighting) &&
+      s.coupling.radius_shift_cells != coupling::kRadiusShift)
+    list.push_back(fmt::format("coupling.radius_shift_cells changes nothing with body_weighting = \"{}\"",
+                               scene::name_of(s.coupling.body_weighting)));
+  if (s.coupling.beads_as_grains && !s.barrier.enabled)
+    list.emplace_back("coupling.beads_as_grains changes nothing without a barrier");
+  if (s.coupling.body_weighting == scene::BodyWeighting::noble_torczynski && resolved)
     list.push_back("coupling.body_weighting = \"noble_torczynski\" lets water through bodies at low viscosity");
 }
 

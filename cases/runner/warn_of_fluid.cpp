@@ -116,11 +116,14 @@ void warn_of_fluid(const scene::Scene& s, const FluidFigures& f, Warnings& list)
   if (f.mach > 0.3)
     list.push_back(
         fmt::format("Ma = {:.2f}: errors of compressibility reach {:.0f} %", f.mach, 100 * f.compressibility_error));
-  if (const double drop = drop_speed(s); s.fluid.max_speed > 0 && s.fluid.max_speed < drop)
+  if (const double drop = drop_speed(s);
+      s.fluid.max_speed > 0 && s.fluid.max_speed < drop && !s.fluid.adaptive_time_step)
     list.push_back(
         fmt::format("fluid.max_speed_m_s is {:g} m/s; liquid that enters or falls without loss to the lowest of the "
                     "domain reaches {:.3g} m/s: Ma would be {:.2f}",
                     s.fluid.max_speed, drop, f.mach * drop / s.fluid.max_speed));
+  if (!s.fluid.adaptive_time_step && s.fluid.uncounted_share != scene::Fluid{}.uncounted_share)
+    list.emplace_back("fluid.uncounted_share changes nothing without fluid.adaptive_time_step");
   if (!s.fluid.inflows.empty() && f.inflow_cells == 0) list.push_back("inflows bring nothing in the time of the run");
   add_rapid_inflows(s, list);
   add_thin_inflows(s, list);

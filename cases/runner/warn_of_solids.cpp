@@ -80,7 +80,9 @@ void add_barrier(const scene::Scene& s, Warnings& list) {
   if (posts.enabled && posts.foot == scene::FootJoint::hinged && posts.elements.of<barrier::RetainingCable>().empty())
     list.push_back("posts are hinged, and no [[barrier.posts.retaining]] holds them");
   if (!posts.enabled && s.barrier.anchors.cable_places.empty())
-    list.push_back("barrier.anchors.cable_places is empty: no end of a cable is fixed");
+    list.push_back(fmt::format(
+        "barrier.anchors.cable_places is empty: no end of {} is fixed",
+        s.barrier.anchors.bottom_cable == scene::BottomCable::at_places ? "a cable" : "a cable but the bottom one"));
 }
 
 /// Beads of a ring that overlap press on each other from the moment when the bond between them breaks.
@@ -149,6 +151,16 @@ void add_two_rates(const scene::Scene& s, double time_step, Warnings& list) {
     list.push_back(what + ": a step of the fluid is one of the particles");
 }
 
+/// Shares of limits, where the step is given.
+void add_safeties(const scene::Scene& s, Warnings& list) {
+  const scene::Solids usual;
+  if (s.solids.time_step == 0) return;
+  if (s.solids.bond_safety != usual.bond_safety)
+    list.emplace_back("solids.bond_safety changes nothing with solids.time_step_s");
+  if (s.solids.contact_safety != usual.contact_safety && long_step_of(s) == 1)
+    list.emplace_back("solids.contact_safety changes nothing with solids.time_step_s");
+}
+
 }  // namespace
 
 void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
@@ -159,17 +171,20 @@ void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& lis
                                s.solids.time_step, critical));
   else if (s.solids.time_step > 0)
     add_step_of_barrier(s, f.time_step, list);
-  if (s.solids.contact_modulus_scale < 1)
+  if (s.solids.contact_modulus_scale < 1 && std::holds_alternative<dem::LinearSpringDashpot>(s.solids.contact_law))
+    list.emplace_back("solids.contact_modulus_scale changes nothing with contact_law = \"linear\"");
+  else if (s.solids.contact_modulus_scale < 1)
     list.push_back(fmt::format("contacts are softened: moduli times {:g}", s.solids.contact_modulus_scale));
   if (s.solids.bond_stiffness_scale < 1 && s.barrier.enabled)
     list.push_back(fmt::format("bonds are softened: stiffness times {:g}", s.solids.bond_stiffness_scale));
   if (s.barrier.enabled && s.barrier.net.bead_mass_scale > 1)
     list.push_back(fmt::format("beads of the barrier are slow: inertia times {:g}", s.barrier.net.bead_mass_scale));
-  if (s.walls.empty() && f.grains > 0) list.push_back("there are grains but no walls: nothing holds them");
-  if (!s.walls.empty() && f.grains > 0) add_leaks(s, list);
+  if (has_free_grains(s))
+    s.walls.empty() ? list.push_back("there are grains but no walls: nothing holds them") : add_leaks(s, list);
   if (f.grains > 0) add_soft_grains(s, list);
   if (s.barrier.enabled) add_barrier(s, list), add_soft_wires(s, list), add_breaking_rings(s, list);
   add_two_rates(s, f.time_step, list);
+  add_safeties(s, list);
 }
 
 void warn_of_contacts(const scene::Scene& s, Warnings& list) {
@@ -177,8 +192,8 @@ void warn_of_contacts(const scene::Scene& s, Warnings& list) {
       std::holds_alternative<dem::LinearSpringDashpot>(s.solids.contact_law))
     list.push_back(
         "solids.contact_law is \"linear\" with smooth wires (capsules): their contacts are up to a sixth stiffer "
-        "between "
-        "beads than on them, and pull along the wire; Hertz's law has no such ripple");
+        "between beads than on them, more where wires lie along each other, twice as stiff sideways, and pull along "
+        "the wire; Hertz's law has no such ripple");
   constexpr double steep = 3;
   for (const scene::Contact& c : s.contacts)
     if (c.friction > steep)

@@ -51,12 +51,23 @@ void add_gravity(const scene::Scene& s, Warnings& list) {
     list.push_back(fmt::format("gravity.magnitude_m_s2 is {:g}, on Earth it is 9.81", s.gravity.magnitude));
 }
 
+void add_measure(const scene::Scene& s, Warnings& list) {
+  const scene::Measure usual;
+  const bool section = scene::section_of(s).has_value();
+  if (s.measure.inflow_distance != usual.inflow_distance && !(section && s.fluid.enabled))
+    list.push_back(fmt::format("measure.inflow_distance_m changes nothing without {}",
+                               section ? "a fluid" : "measure.section_x_m"));
+  if (s.measure.outflow_distance != usual.outflow_distance && !section)
+    list.emplace_back("measure.outflow_distance_m changes nothing without measure.section_x_m");
+}
+
 }  // namespace
 
 std::vector<std::string> warnings(const scene::Scene& scene, const CheckReport& figures) {
   Warnings list;
   add_intervals(scene, step_of(figures), list);
   add_gravity(scene, list);
+  add_measure(scene, list);
   add_rows(scene, step_of(figures), list);
   warn_of_places(scene, figures.fluid.has_value(), list);
   if (figures.fluid) warn_of_fluid(scene, *figures.fluid, list);

@@ -19,6 +19,23 @@ void Findings::mistake(const std::string& path, std::string message) {
   mistake_at(place(path), std::move(message));
 }
 
+void Findings::mistake(const std::string& path, std::string message, const std::vector<std::string>& others) {
+  unsound_.insert(path);
+  const auto first = [&](const auto& wanted) -> const Place* {
+    const auto place_where_wanted = [&](const std::string& p) -> const Place* {
+      const auto found = places_.find(p);
+      return found != places_.end() && wanted(found->second) ? &found->second : nullptr;
+    };
+    if (const Place* own = place_where_wanted(path)) return own;
+    for (const std::string& other : others)
+      if (const Place* at = place_where_wanted(other)) return at;
+    return nullptr;
+  };
+  const Place* at = first([](const Place& p) { return source_file(p) != p.file; });
+  if (!at) at = first([](const Place&) { return true; });
+  mistake_at(at ? *at : place(path), std::move(message));
+}
+
 void Findings::mistake_at(const Place& place, std::string message) {
   mistakes_.push_back({place.file, place.line, place.column, std::move(message)});
 }

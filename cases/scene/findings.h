@@ -20,6 +20,9 @@ class Findings {
   [[nodiscard]] Place place(std::string path) const;
   /// Adds a mistake; its path is from now on not sound.
   void mistake(const std::string& path, std::string message);
+  /// The same where `others` have a part in it: told where the first of all stands that the command line or
+  /// scene.changes set, else the first that is written.
+  void mistake(const std::string& path, std::string message, const std::vector<std::string>& others);
   void mistake_at(const Place& place, std::string message);
   /// What another mistake kept from being read: not sound, without a mistake of its own.
   void not_read(const std::string& path) { unsound_.insert(path); }

@@ -80,6 +80,18 @@ toml::node* put(toml::node& node, const PathStep& step, toml::table&& holder) {
   });
 }
 
+/// Lists of numbers and words are read as a whole: what is wrong in one is told where it was last changed. Lists of
+/// tables keep their place, as their tables do.
+void move_to(const std::string& source, toml::node& node, const PathStep& step) {
+  toml::node* const old = child_at(node, step);
+  toml::array* const list = old ? old->as_array() : nullptr;
+  if (!list || std::any_of(list->begin(), list->end(), [](const toml::node& n) { return n.is_table(); })) return;
+  toml::table whole = toml::parse("v = []", source);
+  toml::array& moved = *whole["v"].as_array();
+  for (toml::node& entry : *list) entry.visit([&](auto& value) { moved.push_back(std::move(value)); });
+  put(node, step, std::move(whole));
+}
+
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
@@ -99,14 +111,17 @@ void apply(toml::table& root, const std::string& text, std::string_view origin) 
     if (path[0].key == "scene" && (whole || (path.size() > 1 && path[1].key == key)))
       throw BadOverride(fmt::format("comes after bases are read, expected scene.{} as a key of a scene file", key));
   }
-  toml::node* at = &root;
+  toml::node *at = &root, *list_in = &root;
+  const PathStep* list_key = &path[0];  // a path begins with a key
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (!path[i].key.empty()) list_in = at, list_key = &path[i];
     toml::node* next = child_at(*at, path[i]);
     if (!next) next = put(*at, path[i], toml::parse(path[i + 1].key.empty() ? "v = []" : "v = {}", source));
     at = next;
   }
   child_at(*at, path.back());  // refuses what is no container, or past its end
   put(*at, path.back(), std::move(holder));
+  if (path.back().key.empty()) move_to(source, *list_in, *list_key);
 }
 
 }  // namespace

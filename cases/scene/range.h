@@ -21,7 +21,6 @@ struct Range {
   [[nodiscard]] std::string text() const;
 };
 
-inline Range any_number() { return {}; }
 inline Range positive() { return {.lower = 0, .lower_open = true}; }
 inline Range non_negative() { return {.lower = 0}; }
 inline Range at_least(double lower) { return {.lower = lower}; }

@@ -232,7 +232,8 @@ void describe(V& v, Contact& s) {
   v.value(
       "rolling_friction", s.rolling_friction, {non_negative()},
       "Coefficient of rolling resistance: the torque that keeps two surfaces rolling on each other / (radius x normal "
-      "force), 1 / radius the sum of both curvatures; 0 = they roll freely.");
+      "force), 1 / radius the sum of both curvatures, on a cylinder as a wall the root of their product; 0 = they roll "
+      "freely.");
 }
 
 template <class V>
@@ -249,7 +250,8 @@ void describe(V& v, Solids& s) {
       "Whether contacts of grains among themselves and with walls take a longer step, the grains' own share of their "
       "Rayleigh time, where beads need a shorter one. Needs a fluid, whose step both fit into.");
   v.value("contact_modulus_scale", s.contact_modulus_scale, {above_up_to(0, 1)},
-          "Factor on every Young's modulus in contacts: softer contacts allow longer time steps.");
+          "Factor on every Young's modulus in contacts: softer contacts allow longer time steps. Of no account with "
+          "contact_law = \"linear\".");
   v.value("bond_stiffness_scale", s.bond_stiffness_scale, {above_up_to(0, 1)}, "Factor on every bond stiffness.");
   v.value("bond_damping_ratio", s.bond_damping_ratio, {between(0, 1)}, "Damping of the bonds, as a share of critical.");
   v.value("wire_contacts", s.wire_contacts, {},
@@ -402,7 +404,7 @@ void describe(V& v, BarrierBonds& s) {
   v.value(
       "dissipator_places", s.dissipator_places, {.range = between(0, 1)},
       "Where along each cable the dissipators are, as fractions of its length: the nearest bonds. A bottom cable that "
-      "is fixed has none.");
+      "is fixed or held along the bed has none.");
   v.value(
       "plastic_unloading", s.plastic_unloading, {},
       "Dissipators unload with the stiffness of the first stage instead of back along the curve, and are slack from "

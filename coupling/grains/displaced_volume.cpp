@@ -171,13 +171,6 @@ void DisplacedVolume<Real>::measure_block(lbm::Fluid<Real>& fluid, const GrainMa
 }
 
 template <class Real>
-double DisplacedVolume<Real>::wet_volume() const {
-  double sum = 0;
-  for (const Share& share : shares_) sum += share.wet;
-  return sum;
-}
-
-template <class Real>
 double DisplacedVolume<Real>::wet_volume_of(const MappedGrain& grain) const {
   double sum = 0;
   for (std::size_t p = grain.first_pair; p < grain.first_pair + grain.pairs; ++p) sum += shares_[p].wet;

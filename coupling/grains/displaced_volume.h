@@ -40,9 +40,7 @@ class DisplacedVolume {
   /// void.
   void book(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map);
 
-  /// Volume of all mapped grains inside wet cells, in cells.
-  [[nodiscard]] double wet_volume() const;
-  /// The same of one grain.
+  /// Volume of a mapped grain inside wet cells, in cells.
   [[nodiscard]] double wet_volume_of(const MappedGrain& grain) const;
   /// What the last mapping gave to interface cells for a grain that fills with the level, lu; below 0 where it took.
   /// Mass has the velocity of the cell that gets it: that momentum comes from nowhere (docs/decisions/0074).

@@ -43,14 +43,11 @@ class GrainCoupling {
   /// from the cells' momentum exchange, lu, for the audit.
   Vec3 add_forces(const lbm::Fluid<Real>& fluid, dem::Particles& particles);
 
-  /// Volume of the mapped grains inside wet cells, in cells (last update).
-  [[nodiscard]] double wet_volume() const { return displaced_.wet_volume(); }
   /// As GrainExchange's.
   [[nodiscard]] bool fills_with_level() const { return exchange_->fills_with_level(); }
   [[nodiscard]] Vec3 flow_in_cells(const dem::Particles& particles) const {
     return exchange_->flow_in_cells(map_, displaced_, particles);
   }
-  [[nodiscard]] const GrainMap<Real>& map() const { return map_; }
   /// Blocks whose fields the last update wrote.
   [[nodiscard]] std::size_t written_blocks() const;
 

@@ -8,7 +8,8 @@
 // between two such planes is pi r^2 times the distance of the beads, exactly. A free end is flat.
 //
 // Covered share of a cell: linear in its distance from the axis as for spheres (sphere_fraction.h), the radius
-// r' = sqrt(r^2 - 1/12) gives the exact mean cross-section (capsule_fraction.h).
+// r' = sqrt(r^2 - 1/12) gives the exact mean cross-section: that of eps = clamp(1/2 - d, 0, 1), d the distance from r',
+// is pi (r'^2 + 1/12) for r' >= 1/2.
 //
 // Velocity of the solid at x: each bead is a rigid body, in between they are blended by s, 0 to 1 from bead to bead:
 //   v(x) = N_i (v_i + w_i x (x - p_i)) + N_j (v_j + w_j x (x - p_j)),   N_i = 1 - s, N_j = s.
@@ -21,9 +22,11 @@
 #include "core/simd_math.h"
 #include "coupling/grains/wall_drag.h"
 #include "coupling/rows.h"
-#include "coupling/wires/capsule_fraction.h"
 
 namespace lahar::coupling {
+
+/// Radius of the mapping, cells: at least 1/2; thinner pieces cover too much and are left to the wires' drag law.
+inline double cylinder_mapping_radius(double r) { return std::max(0.5, std::sqrt(std::max(0.0, r * r - 1.0 / 12))); }
 
 /// A bead, or how its motion changes.
 template <class Real>

@@ -101,7 +101,7 @@ void WireMap<Real>::place_pieces(const lbm::Fluid<Real>& fluid, const dem::Parti
     assign(piece.start, place[0]), assign(piece.end, place[1]);
     assign(piece.along, arm.normalized());
     piece.length = static_cast<Real>(arm.norm());
-    piece.radius = static_cast<Real>(capsule_mapping_radius(radius));
+    piece.radius = static_cast<Real>(cylinder_mapping_radius(radius));
     piece.surface = lbm::by_wall_distance(fluid.options().weighting)
                         ? static_cast<Real>(std::max(0.0, radius + radius_shift_))
                         : Real(-2);

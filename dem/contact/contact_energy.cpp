@@ -1,6 +1,7 @@
 #include "dem/contact/contact_energy.h"
 
 #include "core/parallel.h"
+#include "dem/contact/wall_contacts.h"
 
 namespace lahar::dem {
 
@@ -17,6 +18,14 @@ double stored_energy(const ContactLawChoice& law, const MaterialPair& pair, doub
   s.effective_shear_modulus = pair.effective_shear_modulus;
   ContactHistory none;
   return std::visit([&](const auto& l) { return l(s, none, 0.0).elastic_normal; }, law);
+}
+
+/// Of sphere i on wall w.
+double energy_at_wall(ParticleIndex i, std::uint32_t w, const Particles& p, const Materials& materials,
+                      const Walls& walls, const ContactLawChoice& law) {
+  const Wall& wall = walls.all()[w];
+  return stored_energy(law, materials.pair(p.material[i], wall.material), effective_radius_on(wall.shape, p.radius[i]),
+                       p.radius[i] - walls.distance(w, p.position[i]));
 }
 
 }  // namespace
@@ -58,8 +67,7 @@ EnergyNow energy_now(const Particles& p, const Materials& materials, const Walls
           if (wall.touching[k] == 0) continue;
           add_remembered(wall, k, inverse_mass(i), own);
           if (!there) continue;
-          own[0] += stored_energy(law, materials.pair(p.material[i], walls.all()[w].material), p.radius[i],
-                                  p.radius[i] - walls.distance(w, p.position[i]));
+          own[0] += energy_at_wall(i, w, p, materials, walls, law);
         }
         return own;
       },
@@ -87,9 +95,7 @@ double normal_energy_of(ParticleIndex i, const Particles& p, const Materials& ma
   }
   for (std::uint32_t k = wall.offset[i]; k < wall.offset[i + 1]; ++k) {
     if (!wall.touching[k]) continue;
-    const std::uint32_t w = wall.partner[k];
-    energy += stored_energy(law, materials.pair(p.material[i], walls.all()[w].material), p.radius[i],
-                            p.radius[i] - walls.distance(w, p.position[i]));
+    energy += energy_at_wall(i, wall.partner[k], p, materials, walls, law);
   }
   return energy;
 }

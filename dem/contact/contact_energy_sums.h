@@ -12,12 +12,14 @@ struct ContactEnergy {
   double rolling = 0;                                 ///< dissipated by rolling on against its resistance
   double wall_work = 0;                               ///< done on particles by walls that move
   double damping_of_step = 0, wall_work_of_step = 0;  ///< shares of the last evaluation in `damping` and `wall_work`
+  double damped_ahead = 0;  ///< of smooth wires in the last evaluation; of spheres see EnergyNow
 
   ContactEnergy& operator+=(const ContactEnergy& o) {
     elastic_normal += o.elastic_normal, elastic_tangential += o.elastic_tangential,
         elastic_rolling += o.elastic_rolling;
     damping += o.damping, friction += o.friction, rolling += o.rolling, wall_work += o.wall_work;
     damping_of_step += o.damping_of_step, wall_work_of_step += o.wall_work_of_step;
+    damped_ahead += o.damped_ahead;
     return *this;
   }
   void transfer(Archive& archive) {
@@ -30,6 +32,7 @@ struct ContactEnergy {
     archive.value("wall_work", wall_work);
     archive.value("damping_of_step", damping_of_step);
     archive.value("wall_work_of_step", wall_work_of_step);
+    archive.value("damped_ahead", damped_ahead);
   }
 };
 

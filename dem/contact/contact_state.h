@@ -10,7 +10,7 @@
 
 namespace lahar::dem {
 
-/// One contact at one moment. Side j is a second sphere or a wall (radius and mass infinite).
+/// One contact at one moment. Side j is a second sphere or a wall (of infinite mass).
 ///
 /// Positions are those at the end of a time step. Displacements over the step need the velocity at its middle, dampers
 /// the velocity at its end, so both are given: mixing them up turns springs into (negative) dampers of order dt.

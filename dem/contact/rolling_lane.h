@@ -6,7 +6,8 @@
 
 namespace lahar::dem {
 
-/// 1 / (I + m R^2) of a sphere, 1/(kg m^2).
+/// 1 / (I + m R^2) of a sphere, I = 2/5 m R^2, 1/(kg m^2). Of beads with more inertia it is too much: their dashpot is
+/// the weaker.
 inline double inverse_rolling_inertia(double inverse_mass, double radius) {
   return inverse_mass / (1.4 * radius * radius);
 }

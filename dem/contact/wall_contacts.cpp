@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/check.h"
 #include "dem/contact/rolling_lane.h"
@@ -47,6 +48,16 @@ std::pair<Triple, double> growth_of(const Walls& walls, std::uint32_t w, const V
 [[gnu::noinline]] void add_work(double dt, double power, ContactTally& tally) { tally.wall_work += dt * power; }
 
 }  // namespace
+
+double effective_radius_on(const Shape& wall, double r) {
+  if (const auto* ball = std::get_if<SolidSphere>(&wall)) return r * ball->radius / (r + ball->radius);
+  const auto* cylinder = std::get_if<SolidCylinder>(&wall);
+  if (cylinder == nullptr) return r;
+  constexpr double closest = 0.1;  // of the sphere's curvature
+  const double curvature =
+      std::max(closest, 1 + (cylinder->hollow ? -1 : 1) * r / cylinder->radius);  // across, times r
+  return r / std::sqrt(curvature);
+}
 
 struct WallContacts::Work {
   const Particles& particles;
@@ -110,7 +121,7 @@ void WallContacts::Batch::add(const Work& work, std::uint32_t k, double distance
   c.tangential_inverse_mass.set(lane, inverse_mass);
   c.damping_rate.set(lane, moved_mass * work.damping[i]);
   c.tangential_damping_rate.set(lane, inverse_mass * work.damping[i]);
-  c.effective_radius.set(lane, r);
+  c.effective_radius.set(lane, effective_radius_on(wall.shape, r));
   const double* m = work.materials[material[lane]];
   c.modulus.set(lane, m[0]), c.shear_modulus.set(lane, m[1]);
   c.friction.set(lane, m[2]), c.damping_ratio.set(lane, m[3]);
@@ -145,8 +156,7 @@ template <ContactLaw L>
       state.rolling_friction = rolling_friction;
       state.spin = lane_of(batch.contacts.spin, l);  // a wall has none
       state.spin_end = (1 / work.particles.radius[i]) * lane_of(batch.contacts.rim_end, l);
-      const double inverse_inertia =
-          inverse_rolling_inertia(work.particles.inverse_mass[i], batch.contacts.effective_radius[l]);
+      const double inverse_inertia = inverse_rolling_inertia(work.particles.inverse_mass[i], work.particles.radius[i]);
       state.effective_inertia = inverse_inertia > 0 ? 1 / inverse_inertia : 0.0;
       answer.torque = answer.torque + roll_lane(batch.contacts, h, l, state, stiffness_before[l], f.damper[l], work.dt,
                                                 work.slots.rolling[k], rolled);

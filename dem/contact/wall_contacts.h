@@ -13,6 +13,13 @@
 
 namespace lahar::dem {
 
+/// R* of a sphere of some radius (m) on a wall, m: sqrt(R' R'') of the principal radii of the gap (as of wires,
+/// dem/wires/wire_contact.h), with 1/R' = 1/r + 1/R on a ball of radius R, both ways, and across a cylinder, 1/r - 1/R
+/// in a bore, and the radius itself along a cylinder and on all else. A cylinder's ends count as its side, so that the
+/// force is the slope of an energy wherever a sphere rolls over its rim. A bore that fits closer than a tenth of the
+/// sphere's curvature counts as one that does not.
+[[nodiscard]] double effective_radius_on(const Shape& wall, double radius);
+
 class WallContacts {
  public:
   /// To be called when the slots are new.

@@ -185,7 +185,9 @@ double Relaxer::height() const {
 }
 
 double Relaxer::surface_height() const {
-  const double spacing = 0.05 * *std::min_element(radius_.begin(), radius_.end());
+  constexpr double kLines = 4e6;  // enough for a mean, however small the smallest sphere is
+  const double spacing =
+      std::max(0.05 * *std::min_element(radius_.begin(), radius_.end()), std::sqrt(width_ * depth_ / kLines));
   const auto lines = [&](double extent) { return static_cast<int>(std::ceil(extent / spacing)); };
   const int nx = lines(width_), ny = lines(depth_);
   const double dx = width_ / nx, dy = depth_ / ny;

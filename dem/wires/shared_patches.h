@@ -4,8 +4,9 @@
 // with the share p of the patch's integral, whose equivalent overlap is p^(2/5) of the patch's,
 //   damper   ~ sqrt(S m*) times its lever squared, S ~ p^(1/5), lever ~ p^(2/5), so that equal ones add up to p^(-1/2);
 //   spring   ~ S: up to p^(-4/5).
-// With the damping ratio times sqrt(p W_i/W) and the shear modulus times p^(4/5) they add up to those of one contact;
-// W_i and W are the inverse masses that yield to the segment's contact and to the whole patch's.
+// With the damping ratio times sqrt(p W_i/W) and the shear modulus times p^(4/5) they add up to those of one contact
+// (by the linear law, which has no shear modulus, springs add up as they are); W_i and W are the inverse masses that
+// yield to the segment's contact and to the whole patch's.
 #include <cstdint>
 #include <span>
 #include <utility>

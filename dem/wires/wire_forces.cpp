@@ -48,7 +48,6 @@ void WireForces::rebuild(const Particles& particles, const Bonds& bonds) {
 
 void WireForces::relist(const Particles& particles) {
   energy_.friction += detection_.rebuild(particles, chains_);
-  ++builds_;
   note_slots(particles);
 }
 
@@ -211,6 +210,9 @@ void WireForces::evaluate_touch(const L& law, const WireTouch& touch, const Part
   chunk.energy.elastic_tangential += f.elastic_tangential;
   chunk.energy.damping += f.damping_work;
   chunk.energy.damping_of_step += f.damping_work;
+  if (s.effective_mass > 0)
+    chunk.energy.damped_ahead +=
+        0.125 * dt * dt * slot.history.damping_force * slot.history.normal_force / s.effective_mass;
   chunk.energy.friction += f.friction_work;
   const double ratio = touch.depth / std::min(p.radius[slot.wire], p.radius[slot.partner]);
   if (ratio > chunk.worst.ratio) chunk.worst = {ratio, p.id(slot.wire), p.id(slot.last), false};
@@ -233,7 +235,7 @@ void WireForces::evaluate_with(const L& law, const Particles& p, const std::vect
 void WireForces::evaluate(const Particles& p, const std::vector<double>& damping, double dt) {
   note_movement(p.position);
   std::visit([&](const auto& law) { evaluate_with(law, p, damping, dt); }, law_);
-  energy_.elastic_normal = energy_.elastic_tangential = energy_.damping_of_step = 0;
+  energy_.elastic_normal = energy_.elastic_tangential = energy_.damping_of_step = energy_.damped_ahead = 0;
   worst_ = {};
   for (const Chunk& c : chunks_) {
     energy_ += c.energy;

@@ -40,7 +40,6 @@ class WireForces {
   [[nodiscard]] const std::vector<WireSlot>& slots() const { return detection_.slots(); }
   [[nodiscard]] const ContactEnergy& energy() const { return energy_; }
   [[nodiscard]] const WorstOverlap& worst_overlap() const { return worst_; }
-  [[nodiscard]] std::int64_t builds() const { return builds_; }
   /// Contacts that touched in the last evaluation.
   [[nodiscard]] std::size_t touching() const;
 
@@ -97,7 +96,6 @@ class WireForces {
   std::vector<WireTouch*> touching_;
   ContactEnergy energy_;
   WorstOverlap worst_;
-  std::int64_t builds_ = 0;
 };
 
 }  // namespace lahar::dem

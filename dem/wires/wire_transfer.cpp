@@ -60,7 +60,6 @@ struct Slots {
 void WireForces::transfer(Archive& archive, const Particles& particles, const Bonds& bonds) {
   if (archive.loading()) chains_.build(bonds, particles);
   archive.part("energy", energy_);
-  archive.value("builds", builds_);
   Slots slots{detection_, particles, chains_};
   archive.part("slots", slots);
   if (archive.loading()) note_slots(particles);

@@ -68,6 +68,22 @@ TEST(HexagonalMesh, WireFollowsItsLaw) {
   EXPECT_TRUE(law.tension_only);
 }
 
+/// A wire that goes on straight after a point follows its law, but plastic unloading needs a softer second piece.
+TEST(HexagonalMesh, PiecesOfALawMayBeAsSteepAsTheOneBefore) {
+  HexagonalMesh m = mesh();
+  m.single = {{0.01, 0.02, 0.1}, {100, 200, 300}};
+  EXPECT_THROW((void)wire_law_bond(m.single, 0.05, m), InputError);
+  m.plastic_unloading = false;
+  const dem::BondSort sort = wire_law_bond(m.single, 0.05, m);
+  const dem::AxialCurve curve = dem::axial_curve(sort.axial, std::numbers::pi * sort.bond_radius * sort.bond_radius);
+  EXPECT_NEAR(dem::curve_force(curve, 0.015 * 0.05), 150, 1e-9);
+  EXPECT_NEAR(dem::curve_force(curve, 0.06 * 0.05), 250, 1e-9);
+  m.single = {{0.01, 0.02, 0.1}, {100, 200, 900}};
+  EXPECT_NO_THROW((void)wire_law_bond(m.single, 0.05, m));
+  m.single = {{0.01, 0.02, 0.1}, {100, 200, 2000}};
+  EXPECT_THROW((void)wire_law_bond(m.single, 0.05, m), InputError);
+}
+
 /// A node may spin as often as it likes: a wire that is slack in bending does not break by it.
 TEST(HexagonalMesh, SpinOfNodesBreaksNoWire) {
   dem::Particles p;

@@ -163,6 +163,37 @@ TEST(CoupledStep, AWireBesideGrainsFeelsWaterThatBeginsInMotion) {
   EXPECT_NEAR(first_drag(Vec3(0.42, 0.36, 0.31)), alone, 0.05 * alone);
 }
 
+/// A free wire in a stream, and two grains with a film between them elsewhere: what acts on the wire beside the liquid
+/// is nothing, as its bonds cancel.
+TEST(CoupledStep, ForcesAfterFilmsContainTheMeanDragOfTheStep) {
+  lbm::FluidOptions fluid = by_distance(stream(32, 0.02, 1e-4));
+  fluid.kinematic_viscosity = 1e-6;
+  for (const GrainFilms films : {GrainFilms::none, GrainFilms::lubrication}) {
+    Chains c;
+    c.add(straight_line(Vec3(0.4, 0.25, 0.4), Vec3(0.4, 0.4, 0.4), 31), 0.005, false, dem::ParticleState::free, 1500);
+    const std::size_t beads = c.particles.size();
+    c.particles.add(grain({0.1, 0.1, 0.1}, 0.04, 2500));
+    c.particles.add(grain({0.185, 0.1, 0.1}, 0.04, 2500));
+    dem::SolidsOptions options;
+    options.gravity = Vec3::Zero();
+    options.time_step = 1;  // set by the coupled step
+    CoupledStep<double> step(fluid, dem::Solids{std::move(c.particles), std::move(c.bonds), rock(), Walls{}, options},
+                             {.films = films, .substeps = 10});
+    step.fluid()->fill_everything([](const Vec3&) { return Vec3(0.01, 0, 0); }, [](const Vec3&) { return 0.0; });
+    for (int n = 0; n < 3; ++n) {
+      step.advance();
+      const dem::Particles& p = step.solids()->particles();
+      Vec3 drag = Vec3::Zero(), rest = Vec3::Zero();
+      for (dem::ParticleId id = 0; id < beads; ++id) {
+        const dem::ParticleIndex i = p.index(id);
+        drag += p.external_force[i], rest += p.force[i] - p.external_force[i];
+      }
+      ASSERT_GT(drag.x(), 0.1);
+      EXPECT_LT(rest.norm(), 1e-9 * drag.norm()) << n;
+    }
+  }
+}
+
 /// Light spheres of a cell to three rise through water at rest, with every weighting. Interior inertia beyond what is
 /// entrained made them spin, and then threw them out at hundreds of m/s.
 TEST(CoupledStep, SmallLightSpheresRise) {

@@ -39,7 +39,7 @@ TEST_F(SolidFieldsTest, StayWithOneWriterAndAreEmptiedAfterSeveral) {
   EXPECT_EQ(fields_.writer(block(0)), Writer::grains);
   EXPECT_EQ(fields_.writer(block(1)), Writer::wires);
   EXPECT_EQ(fields_.writer(block(2)), Writer::none);
-  fields_.forget();
+  fields_ = {};
   fields_.open(grid());
   EXPECT_EQ(grid().block(block(0)).body->solid_fraction[7], 0);
 }

@@ -65,6 +65,86 @@ TEST(Solids, the_moment_on_a_wall_is_that_at_the_contact) {
   EXPECT_LT((solids.moment_on_wall(0) - at.cross(force)).norm(), 1e-9 * force.norm());
 }
 
+// Steps of the fluid may be longer than a blow: what a wall gets of one is all that the ball loses.
+TEST(Solids, impulses_on_walls_are_those_of_every_step) {
+  for (const int together : {1, 7, 200}) {
+    Particles p;
+    p.add(sphere({0.2, 0.1, 0.0501}, 0.05, 2500, {0.4, 0, -2}));
+    Solids solids(p, {}, one_material(1e9, 0.3, 0.5, 0.7), ground(), options(2e-6, Vec3(0, 0, -kG)));
+    solids.measure_walls({0});
+    const double mass = solids.particles().mass[0];
+    Vec3 given = Vec3::Zero(), moment = Vec3::Zero();
+    for (int n = 0; n < 1400; n += together) {
+      solids.advance(together);
+      const WallImpulse got = solids.take_impulse_on(0);
+      given += got.linear, moment += got.angular;
+    }
+    const Vec3 velocity = solids.particles().velocity[0];
+    ASSERT_GT(velocity.z(), 1) << "it has left again";
+    const Vec3 lost = mass * (Vec3(0.4, 0, -2) + solids.time() * Vec3(0, 0, -kG) - velocity);
+    EXPECT_LT((given - lost).norm(), 1e-9 * lost.norm()) << together;
+    EXPECT_NEAR(moment.x(), 0.1 * given.z(), 1e-9 * lost.norm());
+    EXPECT_EQ(solids.take_impulse_on(0).linear, Vec3(Vec3::Zero()));
+  }
+}
+
+// Of two spheres R* is half their radius, whether one of them is a wall or a grain that is held; across a cylinder the
+// gap curves, along it the sphere alone (Johnson 1985, Contact Mechanics, section 4.1).
+TEST(Solids, walls_that_curve_press_as_curved_bodies_do) {
+  constexpr double r = 0.04, overlap = 1e-4;
+  const auto force_on = [&](const Shape& shape) {
+    Walls walls;
+    walls.add({"wall", shape});
+    Particles p;
+    p.add(sphere({0, 0, r - overlap}, r, 2500));
+    Solids solids(p, {}, one_material(1e9, 0.3, 0, 1), walls, options(1e-7));
+    solids.advance(1);
+    const double start = solids.ledger().elastic_normal;
+    EXPECT_GT(start, 0);
+    EXPECT_NEAR(start, 0.4 * overlap * solids.particles().force.z[0], 1e-3 * start) << "Hertz: E = 2/5 F d";
+    return solids.particles().force.z[0];
+  };
+  const double flat = force_on(HalfSpace{Vec3::Zero(), Vec3::UnitZ()});
+  const auto of_flat = [&](const Shape& shape) { return force_on(shape) / flat; };
+  EXPECT_NEAR(of_flat(SolidSphere{{0, 0, -r}, r}), std::sqrt(0.5), 1e-6);
+  Particles pair;
+  pair.add(sphere({0, 0, r - overlap}, r, 2500));
+  ParticleSpec held = sphere({0, 0, -r}, r, 2500);
+  held.state = ParticleState::fixed;
+  pair.add(held);
+  Solids solids(pair, {}, one_material(1e9, 0.3, 0, 1), {}, options(1e-7));
+  solids.advance(1);
+  EXPECT_NEAR(solids.particles().force.z[0] / flat, std::sqrt(0.5), 1e-3);
+  EXPECT_NEAR(of_flat(SolidCylinder{{0, -1, -0.02}, {0, 1, -0.02}, 0.02, false}), std::pow(1 + r / 0.02, -0.25), 1e-6);
+  EXPECT_NEAR(of_flat(SolidCylinder{{0, -1, 0.05}, {0, 1, 0.05}, 0.05, true}), std::pow(1 - r / 0.05, -0.25), 1e-6);
+}
+
+// A sphere that spins on a ball as a wall and on one that is held: dampers of rolling know the spheres themselves.
+TEST(Solids, spheres_roll_alike_on_a_ball_and_on_a_wall_of_its_shape) {
+  constexpr double r = 0.04;
+  Materials m;
+  m.add({"rock", 1e9, 0.3});
+  m.set_pair(0, 0, 0.5, 0.5, 0.3);
+  const auto torque = [&](bool as_wall) {
+    Particles p;
+    p.add(sphere({0, 0, r - 1e-4}, r, 2500));
+    p.angular_velocity.set(0, Vec3(0, 5, 0));
+    Walls walls;
+    if (as_wall) {
+      walls.add({"ball", SolidSphere{{0, 0, -r}, r}});
+    } else {
+      ParticleSpec held = sphere({0, 0, -r}, r, 2500);
+      held.state = ParticleState::fixed;
+      p.add(held);
+    }
+    Solids solids(p, {}, m, walls, options(1e-6));
+    solids.advance(1);
+    return solids.particles().torque.y[0];
+  };
+  EXPECT_LT(torque(false), 0);
+  EXPECT_NEAR(torque(true) / torque(false), 1, 1e-6);
+}
+
 // On a line at an angle to gravity and to a force from outside: what acts across is taken up, and the rest is exact.
 TEST(Solids, a_sphere_on_a_rail_moves_along_it_only) {
   const Vec3 along = Vec3(1, 2, -2) / 3, gravity(0, 0, -kG), pull(0.3, 0, 0.1);

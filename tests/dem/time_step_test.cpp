@@ -36,6 +36,10 @@ TEST(TimeStep, a_bond_is_limited_by_translation_or_rotation) {
   EXPECT_NEAR(bond_time_step(sort, m), std::sqrt(0.4 * m / (2e9 * area)), 1e-12);
   EXPECT_NEAR(bond_time_step(sort, m, 2), std::sqrt(0.8 * m / (2e9 * area)), 1e-12);
   EXPECT_NEAR(bond_time_step(sort, m, 5), std::sqrt(m / (2e9 * area)), 1e-12);
+  // A chain whose beads move across it by turns: omega^2 = 4 K_s / m, whatever resists turning.
+  sort.shear_stiffness = 6e9;
+  EXPECT_NEAR(bond_time_step(sort, m, 10), std::sqrt(m / (6e9 * area)), 1e-12);
+  sort.shear_stiffness = 2e9;
   sort.axial.stiffness = {2e9, 5e10, 1e12};
   sort.axial.force_limit[0] = 1e3;  // the second branch can be reached, the third cannot
   EXPECT_NEAR(bond_time_step(sort, m), std::sqrt(m / (5e10 * area)), 1e-12);

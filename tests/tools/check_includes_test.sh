@@ -37,6 +37,9 @@ expect_refused lbm/collision/bgk.cpp '  #  include "dem/particles.h"  // grains'
 expect_refused dem/contact/hertz.h '#include "../../lbm/fluid.h"' 'path from the root'
 expect_refused dem/contact/hertz.h '#include "linear.h"' 'path from the root'
 
+expect_refused dem/a.h '#include <lbm/step/fluid.h>' 'dem must not include lbm'
+expect_refused core/units.h '#include <tbb/parallel_for.h>' 'tbb/parallel_for.h'
+
 # Folders of cases: scene to solver runs one way.
 expect_refused cases/scene/reader.cpp '#include "cases/assembly/build.h"' 'cases/scene must not include cases/assembly'
 expect_refused cases/assembly/build.cpp '#include "cases/observers/flow.h"' 'cases/assembly must not include cases/observers'

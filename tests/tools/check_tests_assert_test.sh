@@ -37,6 +37,20 @@ expect_allowed $'template <class T>\nvoid helper() {\n  EXPECT_GT(T(1), 0);\n}\n
 expect_allowed $'#define CHECK_ROW(x) \\\n  EXPECT_EQ(x, 1)\nTEST(A, B) { CHECK_ROW(1); }'
 expect_allowed $'TEST(A, B) { run(\'{\', 1\'000, "}"); EXPECT_EQ(1, 1); }\nTEST(A, C) { EXPECT_EQ(1, 1); }'
 
+expect_allowed $'void helper(const O& o = {}, int k = 0) {\n  EXPECT_GT(k, 0);\n}\nTEST(A, B) { helper(); }'
+expect_allowed $'struct F {\n  void expect_one() { EXPECT_TRUE(x); }\n};\nTEST_F(F, B) { this->expect_one(); }'
+
+# A name that asserts elsewhere, or of a member of something else, is none of this test.
+clear_tree
+plant tests/b_test.cpp $'struct S {\n  void step() { EXPECT_TRUE(x); }\n};\nTEST(B, A) { EXPECT_TRUE(x); }'
+plant tests/a_test.cpp 'TEST(A, B) { f.step(); }'
+run_lint
+expect_equal 'status with a helper in another file' "$status" 1
+plant tests/a_test.cpp 'TEST(A, B) { step(); }'
+run_lint
+expect_equal 'status with a function of that name' "$status" 1
+expect_refused 'TEST(A, B)' $'void step() { EXPECT_TRUE(x); }\nTEST(A, B) { f.step(); }'
+
 # A helper may stand in a header of the tests.
 clear_tree
 plant tests/properties/law.h 'inline void expect_law() { EXPECT_EQ(1, 1); }'

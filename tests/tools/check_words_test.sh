@@ -30,6 +30,13 @@ expect_allowed 'see lbm/home''/x and results/demo'
 expect_allowed 'units of N/m, work/energy'
 expect_refused '<<<<''<<< HEAD'
 
+# What is kept of results is.
+clear_tree
+plant core/a.h '// clean'
+plant docs/results/a.json "/home""/someone"
+capture "$root/tools/check_words" "$scratch/tree"
+expect_equal 'status with a path in a kept result' "$status" 1
+
 # Build output and results are not sources.
 clear_tree
 plant core/a.h '// clean'

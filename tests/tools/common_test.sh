@@ -7,12 +7,13 @@
 
 # A copy of the scripts with its own package list.
 lahar_root="$scratch/tree"
-plant tools/packages.txt $'# a comment\ncmake\n\nlibeigen3-dev'
+plant tools/packages.txt $'# a comment\ncmake\n\nlibeigen3-dev\nbrowser optional'
 
 dpkg-query() {
   case "${*: -1}" in cmake) printf 'install ok installed' ;; *) return 1 ;; esac
 }
 expect_equal 'the missing package' "$(missing_packages)" libeigen3-dev
+expect_equal 'the missing optional package' "$(missing_packages optional)" browser
 
 calls="$scratch/calls"
 as_root() { printf '%s\n' "$*" >>"$calls"; }
@@ -25,6 +26,19 @@ as_root() { return 100; }
 capture install_packages
 [ "$status" -ne 0 ] || fail 'apt failed and nobody noticed'
 expect_contains "$output" 'error: apt-get update failed'
+
+# What is optional may be missing: everything goes on, as root or not.
+dpkg-query() {
+  case "${*: -1}" in browser) return 1 ;; *) printf 'install ok installed' ;; esac
+}
+capture install_packages
+expect_equal 'status without an optional package' "$status" 0
+capture install_optional_packages
+expect_equal 'status where it cannot be installed' "$status" 0
+expect_contains "$output" 'going on without browser'
+as_root() { die 'neither root nor is there sudo'; }
+capture install_optional_packages
+expect_equal 'status where nothing can be installed' "$status" 0
 
 # Nothing missing: no apt at all.
 dpkg-query() { printf 'install ok installed'; }

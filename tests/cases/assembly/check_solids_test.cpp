@@ -122,6 +122,21 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"coupling.grains='averaged'", "coupling.resolve_wires_from_cells=3"},
                   "coupling.resolve_wires_from_cells",
                   "expected none with grains"},
+        Rejection{{"coupling.grains='averaged'", "coupling.solid_operator='faded'"},
+                  "coupling.solid_operator",
+                  "expected none with grains"},
+        Rejection{{"coupling.grains='averaged'", "coupling.solid_operator='bounce_back'"},
+                  "coupling.solid_operator",
+                  "expected none with grains"},
+        Rejection{{"coupling.lubrication=true", "grains.packing=[]"}, "coupling.lubrication", "without grains"},
+        Rejection{{"barrier.bonds.dissipator_stiffness_N_m3=[]", "barrier.bonds.dissipator_force_limit_N=[]",
+                   "barrier.bonds.plastic_unloading=true"},
+                  "barrier.bonds.plastic_unloading",
+                  "expected the stiffness"},
+        Rejection{{"barrier.bonds.dissipator_stiffness_N_m3=[]", "barrier.bonds.dissipator_force_limit_N=[]",
+                   "barrier.bonds.dissipator_places=[0.5]"},
+                  "barrier.bonds.dissipator_places",
+                  "expected the stiffness"},
         Rejection{{"coupling.bed_drag='gidaspow'"}, "coupling.bed_drag", "averaged"},
         Rejection{{"domain.periodic_axes=['y']"}, "domain.periodic_axes", "expected fluid alone"},
         Rejection{{"measure.outflow_distance_m=2"}, "measure.outflow_distance_m", "leads to x = 6.1"}));
@@ -149,6 +164,28 @@ INSTANTIATE_TEST_SUITE_P(
                   "fluid.enabled"}));
 
 /// Of many spheres in one place all but the first are to blame, each once; those elsewhere are fine.
+/// Also where the message names another key, which stands in the file or is a default.
+TEST(CheckSolids, WhatTheCommandLineChangedIsToBlame) {
+  const auto blames = [](const char* file, const std::string& text) {
+    const auto mistakes = mistakes_in(case_file(file), {text});
+    ASSERT_FALSE(mistakes.empty()) << text;
+    for (const std::string& m : mistakes) EXPECT_TRUE(m.starts_with("--set " + text + ":1:1: ")) << m;
+  };
+  blames("debris_flow/scene.toml", "barrier.net.ring_diameter_m=5");
+  blames("debris_flow/scene.toml", "barrier.net.origin_m=[4.1, 0.5, 0]");
+  blames("debris_flow/scene.toml", "barrier.net.ring_pitch_m=0.03");
+  blames("debris_flow/scene.toml", "barrier.net.width_direction=[0, 1, 1]");
+  blames("debris_flow/scene.toml", "grains.packing[0].upper_m=[0.75, 1.8, 1.6]");
+  blames("debris_flow/scene.toml", "grains.packing[0].lower_m=[0.75, 0, 0]");
+  blames("tutorial/net.toml", "barrier.net.origin_m=[0.9, 0.01, 0]");
+  blames("dam_break/scene.toml", "fluid.region[0].lower_m=[0, 0, 5]");
+}
+
+/// The distance upstream is for the energy of a flow.
+TEST(CheckSolids, WithoutAFluidNothingIsMeasuredUpstream) {
+  EXPECT_TRUE(mistakes_in(case_file("bouncing_sphere/scene.toml"), {"measure.section_x_m=-0.4"}).empty());
+}
+
 TEST(CheckSolids, SpheresThatOverlapAreBlamedOnce) {
   std::vector<std::string> changes;
   const auto place = [&](int i, double x, double y, double z) {

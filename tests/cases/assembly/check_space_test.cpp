@@ -55,6 +55,10 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"domain.periodic_axes=['z']"}, "domain.periodic_axes", "with an open face"},
         Rejection{
             {"domain.periodic_axes=['y']"}, "domain.periodic_axes", "\"y\" is 15 cells long, expected a multiple of 8"},
+        // lbm::Domain would round it up to 17 cells.
+        Rejection{{"domain.periodic_axes=['y']", "domain.upper_m=[1.6, 0.3200001, 0.8]", "wall=[]"},
+                  "domain.periodic_axes",
+                  "\"y\" is 16.000005 cells long"},
         Rejection{{"probe[0].position_m=[9, 0, 0]"}, "probe[0].position_m", "outside the domain"},
         Rejection{{"coupling.enabled=true"}, "coupling.enabled", "without grains or barrier"},
         Rejection{{"measure.section_x_m=1.5"}, "measure.outflow_distance_m", "leads to x = 1.825"},

@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{inflow("[0.2, 0.3, 0.2]", "[[0, 1], [1, 1]]"), "fluid.cell_size_m=1e-7"},
                   "fluid.cell_size_m",
                   "cells along the domain"},
-        Rejection{{inflow("[0.2, 0.3, 9.0]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0] lies", "outside the domain"},
+        Rejection{{inflow("[0.2, 0.3, 9.0]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].upper_m", "outside the domain"},
         Rejection{{inflow("[0.2, 0.0, 0.2]", "[[0, 1], [1, 1]]")}, "fluid.inflow[0].upper_m", "is not above"}));
 
 /// Of 10 x 15 x 10 cells a block leaves the upper two layers.

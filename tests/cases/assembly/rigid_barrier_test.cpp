@@ -53,6 +53,7 @@ TEST(RigidBarrier, RefusesSlitsThatLeaveNothing) {
   const auto file = case_file("hanging_net/scene.toml");
   expect_rejection(file, {with(kSlits, "rigid_barrier.slit_width_m=0.2"), "rigid_barrier.slits", "leave nothing"});
   expect_rejection(file, {with(kSlits, "rigid_barrier.slit_width_m=0"), "rigid_barrier.slit_width_m", "is 0"});
+  expect_rejection(file, {with(kSlits, "rigid_barrier.slits=0"), "rigid_barrier.slit_width_m", "without slits"});
   expect_rejection(file, {with(kSlits, "rigid_barrier.height_m=0"), "rigid_barrier.height_m", "above 0"});
   for (const char* material : {"", "stel"})
     expect_rejection(file, {with(kSlits, std::string("rigid_barrier.material=") + (*material ? material : "''")),

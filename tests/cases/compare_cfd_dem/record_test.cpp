@@ -42,6 +42,29 @@ TEST(Record, HoldsWhatIsShown) {
   EXPECT_EQ(comparison_csv(found), comparison_csv({c}));
 }
 
+/// Of columns that are means since the row before a record keeps means, too: their impulse is that of all rows.
+TEST(Record, KeepsMeansOfWhatAreMeans) {
+  const cases::TestFolder folder;
+  CaseResult c = made_up(4.1, 50, 10);
+  take_summary(c, R"({"wall_seconds": 90, "metrics": {}, "checks": []})", "a.json");
+  std::vector<double> force, state;
+  for (int k = 0; k <= 50; ++k) {
+    c.curves.time_s.push_back(0.002 * k);
+    force.push_back(k % 5 == 3 ? 100 : 0);
+    state.push_back(k);
+  }
+  c.curves.columns = {{"barrier_contact_force_x_N", "N", "", force}, {"barrier_force_sum_N", "N", "", state}};
+  write_record(c, folder.path());
+  const CaseResult found = read_records(folder.path()).at(0);
+  const auto& time = found.curves.time_s;
+  const auto& kept = found.curves.find("barrier_contact_force_x_N")->values;
+  ASSERT_EQ(time.size(), 11u);
+  double impulse = 0;
+  for (std::size_t k = 1; k < time.size(); ++k) impulse += kept[k] * (time[k] - time[k - 1]);
+  EXPECT_NEAR(impulse, 10 * 100 * 0.002, 1e-9);
+  EXPECT_EQ(found.curves.find("barrier_force_sum_N")->values.at(3), 15);
+}
+
 /// What is asked for since a record was made is taken of its curves and metrics; what it holds stays.
 TEST(Record, GivesWhatIsAskedForSince) {
   const cases::TestFolder folder;

@@ -68,6 +68,19 @@ TEST(GrowingFile, WhatCannotBeCopiedStaysAsItIs) {
   EXPECT_EQ(scene::file_text(file.name()), "whole");
 }
 
+/// What has grown is whole all the same, and the next copy can wait.
+TEST(GrowingFile, ACopyThatThereIsNoRoomForIsPutOff) {
+  const TestFolder folder;
+  GrowingFile file(folder / "rows.h5");
+  write(file.open_name(), "grown");
+  std::filesystem::create_directories((folder / "rows.h5.part") / "in the way");
+  ASSERT_TRUE(file.copy_due());
+  EXPECT_THROW(file.copy(), CannotCopy);
+  EXPECT_FALSE(file.copy_due());
+  file.finish();
+  EXPECT_EQ(scene::file_text(file.name()), "grown");
+}
+
 TEST(GrowingFile, SaysWhatItCannotWrite) {
   const TestFolder folder;
   GrowingFile file(folder / "nowhere" / "rows.h5");

@@ -107,7 +107,7 @@ TEST(Hdf5File, AttributesTypesAndMembers) {
   EXPECT_EQ(file.text_attribute("/", "empty"), "");
   EXPECT_TRUE(file.contains("/g/big"));
   EXPECT_FALSE(file.contains("/h/big"));
-  EXPECT_FALSE(file.has_attribute("/g/big", "colour"));
+  EXPECT_THROW((void)file.text_attribute("/g/big", "colour"), FileError);
   EXPECT_THROW((void)file.read<double>("/g/absent"), FileError);
 }
 

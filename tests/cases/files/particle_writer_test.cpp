@@ -1,5 +1,11 @@
 #include "cases/files/particle_writer.h"
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
 #include <fstream>
 #include <map>
 #include <regex>
@@ -84,12 +90,12 @@ TEST(ParticleWriter, FramesReadBack) {
   s.particles.position.set(3, Vec3(7, 8, 9));
   s.bonds.intact[0] = 0;
   writer.write(1.5, s.particles, s.bonds);
-  EXPECT_EQ(writer.frames(), 2U);
 
   // Not closed.
   EXPECT_EQ(Hdf5File::open_for_reading(folder / "particles.h5").members("/frames").size(), 1U);
   writer.flush();
   const Hdf5File file = Hdf5File::open_for_reading(folder / "particles.h5");
+  EXPECT_EQ(file.members("/frames").size(), 2U);
   EXPECT_EQ(file.number_attribute("/frames/000001", "time_s"), 1.5);
   EXPECT_EQ(file.dimensions("/frames/000000/position"), (std::vector<std::uint64_t>{4, 3}));
   EXPECT_EQ(file.read<float>("/frames/000001/position")[10], 8.0F);
@@ -163,6 +169,44 @@ TEST(ParticleWriter, WorksWithoutParticlesOrBonds) {
   writer.flush();
   EXPECT_EQ(elements(content(folder / "particles.xmf"))["Time"], 1);
   EXPECT_FALSE(std::filesystem::exists(folder / "bonds.xmf"));
+}
+
+/// A disk that was full for a moment: the frame that was not written in full is in nobody's file.
+TEST(ParticleWriter, AfterARefusedWriteOthersSeeTheLastWholeFile) {
+  const TestFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    int told = 0;
+    {
+      System s = three_beads_and_a_grain();
+      for (int n = 0; n < 20000; ++n)
+        s.particles.add(
+            {.position = Vec3(std::sin(1e4 * n * n), std::cos(1e4 * n * n), n), .radius = 0.1, .density = 1});
+      ParticleWriter writer(folder.path());
+      writer.write(0, s.particles, s.bonds);
+      writer.flush();
+      rlimit limit{};
+      getrlimit(RLIMIT_FSIZE, &limit);
+      const rlimit small{std::filesystem::file_size(folder / "particles.h5") + 20000, limit.rlim_max};
+      setrlimit(RLIMIT_FSIZE, &small);
+      try {
+        writer.write(1, s.particles, s.bonds);
+      } catch (const FileError&) {
+        told = 1;
+      }
+      setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    _exit(told);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  const Hdf5File file = Hdf5File::open_for_reading(folder / "particles.h5");
+  for (const std::string& frame : file.members("/frames"))
+    EXPECT_EQ(file.members("/frames/" + frame).size(), 7U) << frame;
+  EXPECT_EQ(file.members("/frames").front(), "000000");
 }
 
 }  // namespace

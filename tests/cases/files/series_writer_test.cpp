@@ -1,6 +1,7 @@
 #include "cases/files/series_writer.h"
 
 #include <hdf5.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -74,6 +75,61 @@ TEST(SeriesWriter, ALateColumnHasNoValuesBefore) {
   ASSERT_EQ(b.size(), 4U);
   for (int n = 0; n < 3; ++n) EXPECT_TRUE(std::isnan(b[static_cast<std::size_t>(n)]));
   EXPECT_EQ(b[3], 7);
+}
+
+/// A copy that cannot be made is for onlookers: rows go on.
+TEST(SeriesWriter, GoesOnWhereThereIsNoRoomForACopy) {
+  const TestFolder folder;
+  std::filesystem::create_directories((folder / "series.h5.part") / "in the way");
+  SeriesWriter writer(folder / "series.h5", 1);
+  writer.declare("a", "m", "");
+  EXPECT_NO_THROW(writer.append(0, {1}));
+  EXPECT_NE(writer.refusal().find("cannot be brought up to date"), std::string::npos) << writer.refusal();
+  EXPECT_NO_THROW(writer.append(1, {2}));
+  EXPECT_THROW(writer.flush(), CannotCopy);
+  writer.close();
+  EXPECT_EQ(read_series(folder / "series.h5").find("a")->values, (std::vector<double>{1, 2}));
+}
+
+/// A disk that was full for a moment: rows that HDF5 was given before may be lost, and the former file stays.
+TEST(SeriesWriter, AfterARefusedWriteOthersSeeTheLastWholeFile) {
+  const TestFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    int told = 0;
+    {
+      SeriesWriter writer(folder / "series.h5", 1);
+      writer.declare("noise", "m", "");
+      const auto noise = [](int n) { return std::sin(1e4 * n * n); };
+      for (int n = 0; n < 600; ++n) writer.append(n, {noise(n)});
+      writer.flush();
+      rlimit limit{};
+      getrlimit(RLIMIT_FSIZE, &limit);
+      const rlimit small{std::filesystem::file_size(folder / "series.h5") + 2000, limit.rlim_max};
+      setrlimit(RLIMIT_FSIZE, &small);
+      try {
+        for (int n = 600; n < 20000; ++n) writer.append(n, {noise(n)});
+        writer.flush();
+      } catch (const CannotCopy&) {
+        told = 2;
+      } catch (const FileError&) {
+        told = 1;
+      }
+      setrlimit(RLIMIT_FSIZE, &limit);
+    }
+    _exit(told);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 1);
+  const Series series = read_series(folder / "series.h5");
+  ASSERT_GE(series.time_s.size(), 600U);
+  for (std::size_t n = 0; n < series.time_s.size(); ++n) {
+    ASSERT_EQ(series.time_s[n], static_cast<double>(n));
+    ASSERT_EQ(series.find("noise")->values[n], std::sin(1e4 * static_cast<double>(n) * static_cast<double>(n))) << n;
+  }
 }
 
 TEST(SeriesWriter, ResumeDropsWhatCameLater) {

@@ -41,6 +41,25 @@ TEST(Check, CountsLiquidByItsShapeAndWhatFlowsIn) {
   EXPECT_NEAR(f.mean_cells - f.liquid_cells, 0.75 * 6e-3 / cell, 1e-3 * 6e-3 / cell);
 }
 
+/// A run begins at t = 0: what a hydrograph brings before that does not come.
+TEST(Check, HydrographsThatBeginBeforeTheRun) {
+  const auto figures = [](const std::string& discharge) {
+    return check_scene(load(case_file("dam_break/scene.toml"),
+                            {"run.duration_s=2",
+                             "fluid.inflow=[{name = \"in\", lower_m = [0.7, 0, 0], upper_m = [0.8, 0.3, 0.1], "
+                             "velocity_m_s = [1, 0, 0], discharge_m3_s = " +
+                                 discharge + "}]"}))
+        .fluid.value();
+  };
+  const double cell = 0.02 * 0.02 * 0.02;
+  EXPECT_NEAR(figures("[[-1, 6e-3], [1, 6e-3]]").inflow_cells, 6e-3 / cell, 1e-6);
+  EXPECT_EQ(figures("[[-10, 1e-3], [-5, 1e-3]]").inflow_cells, 0);
+  // Its peak, too: from 1 m^3/s at -1 s in straight lines to nothing at 1 s.
+  const double step = figures("[[0, 0.1], [1, 0]]").time_step;
+  EXPECT_NEAR(figures("[[-1, 0.2], [1, 0]]").time_step, step, 1e-9 * step);
+  EXPECT_NEAR(figures("[[-1, 9], [0, 0.1], [1, 0]]").time_step, step, 1e-9 * step);
+}
+
 /// Liquid counts once, and none counts in walls: neither cells nor memory.
 TEST(Check, CountsLiquidOnceAndOutsideWalls) {
   const auto figures = [](const std::vector<std::string>& set) {

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "cases/files/series_reader.h"
 #include "cases/runner/machine.h"
@@ -138,6 +140,40 @@ TEST(RunToFolder, ALastCheckpointThatCannotBeWrittenIsAFailure) {
   const auto json = nlohmann::json::parse(scene::file_text(out / "summary.json"));
   EXPECT_NEAR(json["simulated_seconds"].get<double>(), 0.01, 1e-3);
   EXPECT_NE(scene::file_text(out / "run.log").find("error: " + (out / "checkpoint.h5").string()), std::string::npos);
+}
+
+/// Where there is no room to copy the rows for others the checkpoint is written all the same, and as the run ends its
+/// files take their place.
+TEST(RunToFolder, ACheckpointNeedsNoCopyOfTheRows) {
+  const scene::ScratchFolder scratch;
+  const auto out = scratch.path() / "out";
+  std::filesystem::create_directories(out / "series.h5.part/in_the_way");
+  std::ofstream(out / "scene.resolved.toml") << scene::resolved_mark << "\n";
+  RunOptions options = quiet_into(out);
+  options.overwrite = true;
+  run_to_folder(scene::load_text(scene::small_scene, {"run.duration_s=0.01", "run.series_interval_s=0.001"}), options,
+                run_scene);
+  EXPECT_TRUE(std::filesystem::exists(out / "checkpoint.h5"));
+  EXPECT_EQ(read_series(out / "series.h5").time_s.size(), 11U);
+  EXPECT_NE(scene::file_text(out / "run.log").find("the run goes on"), std::string::npos);
+}
+
+/// Rates count from the first step: here a second goes by before.
+TEST(RunToFolder, PreparationIsNoTimeOfAStep) {
+  const scene::ScratchFolder scratch;
+  spdlog::logger log("test");
+  std::FILE* const told = std::tmpfile();
+  Progress progress(1.0, ProgressStyle::lines, told);
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  RunMonitor monitor{progress, log};
+  const auto start = std::chrono::steady_clock::now();
+  run_scene(bouncing(), quiet_into(scratch.path()), monitor);
+  const double mean = 1 / std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  std::rewind(told);
+  double rate = 0;
+  ASSERT_EQ(std::fscanf(told, " 10 %%  t = %*f s of 1 s  %lf s/s", &rate), 1);
+  std::fclose(told);
+  EXPECT_GT(rate, 0.3 * mean);
 }
 
 TEST(RunToFolder, RefusesBeforeItRuns) {

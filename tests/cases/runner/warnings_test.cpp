@@ -67,12 +67,14 @@ TEST(Warnings, ATankThatIsOverfilled) {
 }
 
 TEST(Warnings, AMaxSpeedBelowThatOfADrop) {
-  const auto report = [](const char* speed) {
-    return check_scene(load(case_file("dam_break/scene.toml"), {std::string("fluid.max_speed_m_s=") + speed}));
+  const auto report = [](const char* speed, const char* adaptive = "false") {
+    return check_scene(load(case_file("dam_break/scene.toml"), {std::string("fluid.max_speed_m_s=") + speed,
+                                                                std::string("fluid.adaptive_time_step=") + adaptive}));
   };
   EXPECT_TRUE(warns(report("2"), "fluid.max_speed_m_s is 2 m/s"));  // sqrt(2 g 0.6 m) = 3.43 m/s
   EXPECT_TRUE(warns(report("2"), "reaches 3.43 m/s: Ma would be 0.30"));
   EXPECT_FALSE(warns(report("3.5"), "max_speed_m_s"));
+  EXPECT_FALSE(warns(report("2", "true"), "Ma would be"));  // the step adapts to it
   EXPECT_FALSE(warns(report("0"), "max_speed_m_s"));
 }
 
@@ -192,6 +194,50 @@ TEST(Warnings, KeysThatChangeNothing) {
   const char* const no_wires = "run.force_map_interval_s without a barrier";
   EXPECT_TRUE(warns(report("dam_break/scene.toml", {"run.force_map_interval_s=0.1"}), no_wires));
   EXPECT_FALSE(warns(report("debris_flow/scene.toml", {"run.force_map_interval_s=0.1"}), no_wires));
+}
+
+/// A key, what it is set to, what lets it have an effect.
+TEST(Warnings, KeysThatNeedOthers) {
+  const auto changes_nothing = [](const char* file, const std::string& key, std::vector<std::string> set) {
+    return warns(check_scene(load(case_file(file), set)), key + " changes nothing");
+  };
+  const char *const dam = "dam_break/scene.toml", *const debris = "debris_flow/scene.toml",
+                    *const ball = "bouncing_sphere/scene.toml";
+  EXPECT_TRUE(changes_nothing(dam, "measure.outflow_distance_m", {"measure.outflow_distance_m=0.2"}));
+  EXPECT_FALSE(changes_nothing(dam, "measure", {"measure.outflow_distance_m=0.2", "measure.section_x_m=1"}));
+  EXPECT_TRUE(changes_nothing(dam, "measure.inflow_distance_m", {"measure.inflow_distance_m=0.2"}));
+  EXPECT_TRUE(
+      changes_nothing(ball, "measure.inflow_distance_m",
+                      {"measure.inflow_distance_m=0.2", "measure.section_x_m=0", "measure.outflow_distance_m=0.2"}));
+  EXPECT_FALSE(changes_nothing(dam, "measure", {}));
+  EXPECT_TRUE(changes_nothing(dam, "fluid.uncounted_share", {"fluid.uncounted_share=0.01"}));
+  EXPECT_FALSE(changes_nothing(dam, "fluid", {"fluid.uncounted_share=0.01", "fluid.adaptive_time_step=true"}));
+  const std::string by_share = "coupling.body_weighting=solid_fraction", shift = "coupling.radius_shift_cells";
+  EXPECT_TRUE(changes_nothing(debris, shift, {by_share, shift + "=-0.2"}));
+  EXPECT_FALSE(changes_nothing(debris, shift, {by_share, shift + "=-0.06"}));
+  EXPECT_FALSE(changes_nothing(debris, shift, {shift + "=-0.2"}));
+  EXPECT_TRUE(changes_nothing(ball, "solids.bond_safety", {"solids.bond_safety=0.5", "solids.time_step_s=1e-5"}));
+  EXPECT_TRUE(changes_nothing(ball, "solids.contact_safety", {"solids.contact_safety=0.1", "solids.time_step_s=1e-5"}));
+  EXPECT_FALSE(changes_nothing(ball, "solids", {"solids.contact_safety=0.1"}));
+}
+
+TEST(Warnings, ModuliOfTheLinearLaw) {
+  const auto report = [](std::vector<std::string> set) {
+    return check_scene(load(case_file("bouncing_sphere/scene.toml"), set));
+  };
+  const auto linear = report({"solids.contact_law=linear", "solids.normal_stiffness_N_m=1e6"});
+  EXPECT_TRUE(warns(linear, "solids.contact_modulus_scale changes nothing"));
+  EXPECT_FALSE(warns(linear, "contacts are softened"));
+  EXPECT_TRUE(warns(report({}), "contacts are softened"));
+}
+
+TEST(Warnings, GrainsThatAreFixedNeedNoWalls) {
+  const auto report = [](std::vector<std::string> set) {
+    set.emplace_back("wall=[]");
+    return check_scene(load(case_file("bouncing_sphere/scene.toml"), set));
+  };
+  EXPECT_TRUE(warns(report({}), "nothing holds them"));
+  EXPECT_FALSE(warns(report({"grains.sphere[0].fixed=true"}), "nothing holds them"));
 }
 
 TEST(Warnings, RingsThatBreakWhereTheirBeadsOverlap) {
@@ -439,7 +485,7 @@ TEST(Warnings, ValuesInOtherUnits) {
   };
   EXPECT_TRUE(warns(report("contact[0].friction=30"), "it is a coefficient"));
   EXPECT_TRUE(warns(report("fluid.density_kg_m3=1.6"), "fluid.density_kg_m3 is 1.6"));
-  EXPECT_TRUE(warns(report("barrier.anchors.cable_places=[]"), "no end of a cable is fixed"));
+  EXPECT_TRUE(warns(report("barrier.anchors.cable_places=[]"), "no end of a cable but the bottom one is fixed"));
 }
 
 }  // namespace

@@ -22,6 +22,26 @@ TEST(Findings, SoundnessSpreadsInwardsAndOutwards) {
   EXPECT_TRUE(findings.sound({"a.b[10]", "a.b[0]", "a.bb"}));
 }
 
+/// What the user changed is to blame, then what is written, then the table around.
+TEST(Findings, AMistakeOfSeveralValuesStandsAtTheOneThatWasChanged) {
+  const auto place_of_mistake = [](const std::vector<std::pair<std::string, Place>>& written) {
+    Findings findings("f.toml");
+    for (const auto& [path, place] : written) findings.locate(path, place);
+    findings.mistake("a.x", "wrong", {"a.y", "b.z"});
+    EXPECT_FALSE(findings.sound({"a.x"}));
+    EXPECT_TRUE(findings.sound({"a.y"}));
+    const InputMistake m = findings.mistakes().at(0);
+    return Place{m.file, m.line, m.column};
+  };
+  const std::pair<std::string, Place> own{"a.x", {"f.toml", 3, 1}}, other{"b.z", {"f.toml", 9, 1}},
+      table{"a", {"f.toml", 2, 1}};
+  const std::pair<std::string, Place> changed{"b.z", {"--set b.z=1", 1, 1}};
+  EXPECT_EQ(place_of_mistake({table, own, changed}), changed.second);
+  EXPECT_EQ(place_of_mistake({table, own, other}), own.second);
+  EXPECT_EQ(place_of_mistake({table, other}), other.second);
+  EXPECT_EQ(place_of_mistake({table}), table.second);
+}
+
 TEST(Findings, SortsByPlace) {
   Findings findings("f.toml");
   findings.mistake_at({"f.toml", 10, 1}, "late");

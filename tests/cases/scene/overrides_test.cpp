@@ -81,6 +81,18 @@ TEST(Overrides, WrongValuesAreLocatedAtTheOverride) {
       << unknown[0];
 }
 
+/// Lists are read whole: an entry that one changes moves their place to it.
+TEST(Overrides, WrongEntriesOfListsAreLocatedAtTheOverride) {
+  for (const std::string text : {"domain.upper_m[3]=1", "domain.upper_m[1]=up", "domain.upper_m[2]=-1"}) {
+    const auto mistakes = mistakes_in_text(small_scene, {text});
+    ASSERT_EQ(mistakes.size(), 1u) << text;
+    EXPECT_TRUE(mistakes[0].starts_with("--set " + text + ":1:1: domain.upper_m")) << mistakes[0];
+  }
+  const Scene scene = load_text(small_scene, {"domain.upper_m[1]=3", "grains.sphere[0].position_m[2]=0.25"});
+  EXPECT_EQ(scene.domain.upper, Vec3(1, 3, 1));
+  EXPECT_EQ(scene.grains.spheres[0].position, Vec3(0.5, 0.5, 0.25));
+}
+
 TEST(Overrides, WhatATableThatOneMakesLacksIsLocatedAtIt) {
   const auto mistakes = mistakes_in_text(small_scene, {"grains.sphere[1].diameter_m=0.1"});
   ASSERT_FALSE(mistakes.empty());

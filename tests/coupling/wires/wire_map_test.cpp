@@ -12,6 +12,12 @@
 namespace lahar::coupling {
 namespace {
 
+/// Distance of a point from the segment a-b.
+double segment_distance(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  return (p - a - std::clamp((p - a).dot(along) / along.squaredNorm(), 0.0, 1.0) * along).norm();
+}
+
 /// Fluid everywhere in a periodic box with cells of 1 m and steps of 1 s.
 template <class Real>
 void fill_all(lbm::Fluid<Real>& fluid) {
@@ -200,7 +206,7 @@ TEST(WireMap, WritesOnlyWhatMoved) {
   const std::vector<float> kept = written();
   WireMap<float> fresh(c.particles, c.bonds, {2}, 1);
   GrainCoupling<float> fresh_grains(ResolvedGrains{}, fluid.options());
-  fields.forget();
+  fields = {};
   update(fresh, fresh_grains);
   EXPECT_EQ(kept, written());
 }

@@ -69,6 +69,34 @@ TEST(DrawnOutBond, SwingsOfItsEndsDieOutWithinTheLimitOfTheStep) {
   }
 }
 
+/// Each brake is looked at as it grows, not only the longest: here one of 1 m was looked at before a stiffer one grows.
+TEST(DrawnOutBond, AShorterOneThatIsStifferIsSeenToo) {
+  Particles p;
+  Bonds bonds;
+  const auto add_bead = [&](double x, double y, ParticleState state) {
+    ParticleSpec bead = testing::sphere(Vec3(x, y, 0), kRadius, 7800);
+    bead.kind = ParticleKind::bead, bead.state = state, bead.body = 0;
+    p.add(bead);
+  };
+  for (const double shear : {3.5e8, 3.5e9}) {
+    BondSort brake = wire(shear, 0.02);
+    brake.axial.stiffness = {shear, 1e3, 1e3};
+    brake.axial.force_limit[0] = 1;
+    bonds.add_sort(brake);
+  }
+  for (const unsigned k : {0U, 1U}) {
+    add_bead(0, k, ParticleState::fixed), add_bead(kSpacing, k, ParticleState::free);
+    bonds.add({2 * k, 2 * k + 1, static_cast<int>(k)}, p);
+  }
+  p.position.x[1] += 1, bonds.elongation[0] = 1;
+  SolidsOptions options = testing::options(4e-6);
+  options.watchdog.interval = 1;
+  Solids solids(p, bonds, testing::one_material(1e11, 0.3, 0, 1), Walls{}, options);
+  EXPECT_NO_THROW(solids.advance(2));
+  solids.particles().velocity.x[3] = 1000;
+  EXPECT_THROW(solids.advance(230), NumericalFailure);
+}
+
 TEST(DrawnOutBond, ItsDampingKeepsItsShareOfCritical) {
   // One free bead on a long brake that is held at its far end: the bead turns and shifts against the shear of the
   // brake.

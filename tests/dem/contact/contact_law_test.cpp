@@ -16,6 +16,14 @@ using testing::one_material;
 using testing::options;
 using testing::sphere;
 
+/// Duration of an elastic Hertz impact at `speed`: 2.87 (m*^2 / (R* E*^2 v))^(1/5) (Johnson 1985, Contact Mechanics,
+/// Eq. 11.24).
+double hertz_contact_time(double effective_mass, double effective_radius, double effective_modulus, double speed) {
+  return 2.87 *
+         std::pow(effective_mass * effective_mass / (effective_radius * effective_modulus * effective_modulus * speed),
+                  0.2);
+}
+
 struct Impact {
   double max_overlap = 0, max_force = 0, duration = 0, restitution = 0;
 };

@@ -108,6 +108,22 @@ TEST(Packing, MeasuresASingleLayerExactly) {
   EXPECT_NEAR(report.max_relative_overlap, 0, 1e-12);
 }
 
+/// A few grains among boulders: lines a twentieth of their radius apart would be 6e9. A sphere of radius R on a floor
+/// of the area A adds 5/3 pi R^3 / A to the mean height.
+TEST(Packing, MeasuresWideFloorsWithSmallGrains) {
+  PackingSpec spec;
+  spec.upper = {4, 4, 1};
+  std::vector<ParticleSpec> spheres;
+  for (const auto& [x, r] : {std::pair{2.0, 0.2}, {0.5, 0.001}, {3.5, 0.001}}) {
+    ParticleSpec s;
+    s.radius = r, s.density = 1000;
+    s.position = {x, 2, r};
+    spheres.push_back(s);
+  }
+  const double expected = 5.0 / 3 * M_PI * 0.2 * 0.2 * 0.2 / 16;
+  EXPECT_NEAR(measure_packing(spec, spheres).surface_height, expected, 1e-3 * expected);
+}
+
 TEST(Packing, IsFixedByItsSeedWhateverTheThreads) {
   PackingSpec spec = two_sizes();
   const auto run = [&](int threads) {
