@@ -229,6 +229,28 @@ TEST(WireForces, LedgerClosesWhenAGrainStrikesAWire) {
   }
 }
 
+/// Where a strong damper has just begun to act, half a step of it is large (docs/decisions/0051): the ledger counts it.
+TEST(WireForces, LedgerKnowsWhatADamperIsAhead) {
+  WireScene s;
+  s.add_wire(testing::straight(15, Vec3::Zero(), Vec3::UnitX()));
+  s.add_grain({0.0013, 0.001, 0.0063}, r, {0.3, 0.1, -2});
+  const Materials steel = testing::steel(0, 0.1);
+  const double step = 0.2 * rayleigh_time_step(s.particles, steel);
+  Solids solids(s.particles, s.bonds, steel, {}, testing::smooth(step));
+  solids.advance(0);
+  const double first = solids.ledger().total();
+  double gap = 0, without = 0, exchanged = 0;
+  for (int n = 0; n < static_cast<int>(5e-4 / step); ++n) {
+    solids.step();
+    const EnergyLedger now = solids.ledger();
+    keep_worst(gap, std::abs(now.total() - first));
+    keep_worst(without, std::abs(now.total() - solids.wires()->energy().damped_ahead - first));
+    exchanged = std::max(exchanged, now.contact_damping);
+  }
+  EXPECT_LT(gap, 5e-3 * exchanged);
+  EXPECT_GT(without, 15e-3 * exchanged) << "what the ledger would lack";
+}
+
 /// Wherever a grain strikes a wire, on a bead or between two, it rebounds as is set: the dampers of the segments that
 /// its patch covers add up to one. (Each by itself they took too much: 0.39 between beads for 0.5.)
 TEST(WireForces, AGrainReboundsAlikeEverywhere) {
