@@ -21,6 +21,39 @@ static_assert(2 * kStretches * kPlace.size() <= std::tuple_size_v<decltype(WireP
 // has to lie in the patch: its overlap is short by at most a quarter (a stretch) of the slope left, over the reach.
 constexpr double kEdge = 1e-4, kDeepest = 1e-6;
 
+/// Half the slope of the squared distance between a place and a segment, along the segment: a cubic in t.
+class Turn {
+ public:
+  /// @param from  from the place to the segment's start
+  Turn(const SplineSegment& p, const Triple& from)
+      : c0_(dot(from, p.slope)),
+        c1_(dot(p.slope, p.slope) + 2 * dot(from, p.bend)),
+        c2_(3 * dot(p.slope, p.bend)),
+        c3_(2 * dot(p.bend, p.bend)) {}
+  [[nodiscard]] double at(double t) const { return c0_ + t * (c1_ + t * (c2_ + t * c3_)); }
+  /// By how much the squared distance at t is more than at the start.
+  [[nodiscard]] double gained(double t) const {
+    return t * (2 * c0_ + t * (c1_ + t * (2.0 / 3 * c2_ + 0.5 * t * c3_)));
+  }
+  /// The zero between low and high, given that it grows from below to above there (Newton, guarded by bisection).
+  [[nodiscard]] double zero(double low, double high, double guess) const {
+    double t = guess;
+    for (int iteration = 0; iteration < 40; ++iteration) {
+      const double g = at(t);
+      (g < 0 ? low : high) = t;
+      double next = t - g / (c1_ + t * (2 * c2_ + 3 * c3_ * t));
+      if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+      const double step = std::abs(next - t);
+      t = next;
+      if (step < 1e-8) break;  // the error is about the square of it
+    }
+    return t;
+  }
+
+ private:
+  double c0_, c1_, c2_, c3_;
+};
+
 /// What is known of one place of the segment.
 struct Probe {
   double s = 0, overlap = 0, turn = 0;  // turn: half the slope of the squared distance
@@ -41,37 +74,44 @@ class Search {
     return p;
   }
 
-  /// The place between a and b at which f is zero, given that its signs differ there. Illinois' method.
-  template <class F>
-  Probe root(Probe a, Probe b, const F& f, double tolerance, Probe p) const {
-    double fa = f(a), fb = f(b);
-    int side = 0;
-    for (int iteration = 0; iteration < 30; ++iteration) {
-      const double fp = f(p);
-      if (std::abs(fp) <= tolerance) break;
-      if ((fp > 0) == (fb > 0)) {
-        b = p, fb = fp;
-        if (side == 1) fa *= 0.5;
-        side = 1;
-      } else {
-        a = p, fa = fp;
-        if (side == -1) fb *= 0.5;
-        side = -1;
-      }
-      p = probe((a.s * fb - b.s * fa) / (fb - fa), p.nearest);
+  /// The place between a and b at which the distance has its extremum: their turns differ in sign. By Newton, guarded
+  /// by bisection.
+  Probe extremum(const Probe& a, const Probe& b, Probe p) const {
+    double low = a.s, high = b.s;
+    for (int iteration = 0; iteration < 30 && std::abs(p.turn) > kDeepest * reach_ * reach_; ++iteration) {
+      ((p.turn > 0) == (a.turn > 0) ? low : high) = p.s;
+      double next = p.s - p.turn / growth_of_turn(p);
+      if (!(next > low && next < high)) next = 0.5 * (low + high);
+      p = probe(next, p.nearest);
     }
     return p;
   }
 
-  /// End of the patch between `outside` and the deepest place.
+  /// d turn / ds; the nearest point moves along.
+  double growth_of_turn(const Probe& p) const {
+    const Triple along = segment_.along(p.s), d = segment_.at(p.s) - p.nearest.point;
+    const double growth = dot(along, along) + 2 * dot(d, segment_.bend);
+    if (partner_.segments.empty() || p.nearest.t <= 0 || p.nearest.t >= 1) return growth;
+    const SplineSegment& other = partner_.segments[p.nearest.segment];
+    const Triple beside = other.along(p.nearest.t);
+    const double follows = dot(along, beside);
+    return growth - follows * follows / (dot(beside, beside) - 2 * dot(d, other.bend));
+  }
+
+  /// End of the patch between `outside` and the deepest place: from that of a parabola on by Newton, guarded by
+  /// bisection; the overlap grows by -turn / distance along the segment.
   double edge(const Probe& outside, const Probe& deepest) const {
     if (outside.overlap >= 0) return outside.s;
-    const double fall = deepest.overlap - outside.overlap;  // of a parabola
-    const double s = deepest.s + (outside.s - deepest.s) * std::sqrt(deepest.overlap / fall);
-    return root(
-               outside, deepest, [](const Probe& p) { return p.overlap; }, kEdge * deepest.overlap,
-               probe(s, deepest.nearest))
-        .s;
+    double in = deepest.s, out = outside.s;
+    const double fall = deepest.overlap - outside.overlap;
+    Probe p = probe(in + (out - in) * std::sqrt(deepest.overlap / fall), deepest.nearest);
+    for (int iteration = 0; iteration < 30 && std::abs(p.overlap) > kEdge * deepest.overlap; ++iteration) {
+      (p.overlap > 0 ? in : out) = p.s;
+      double next = p.s + p.overlap * (reach_ - p.overlap) / p.turn;
+      if (!((next - in) * (next - out) < 0)) next = 0.5 * (in + out);
+      p = probe(next, p.nearest);
+    }
+    return p.s;
   }
 
   void add_nodes(double from, double to, const NearestPoint& hint) {
@@ -105,16 +145,14 @@ class Search {
 
   /// The patch within one stretch of the segment, in which the distance has one extremum or none.
   void search(const Probe& a, const Probe& b) {
-    const auto turn = [](const Probe& p) { return p.turn; };
-    const double tolerance = kDeepest * reach_ * reach_;
     if (a.turn < 0 && b.turn > 0) {
       const double s = a.s + (b.s - a.s) * a.turn / (a.turn - b.turn);
-      return around(a, root(a, b, turn, tolerance, probe(s, a.nearest)), b);
+      return around(a, extremum(a, b, probe(s, a.nearest)), b);
     }
     if (a.turn >= 0 && b.turn >= 0) return around(a, a, b);
     if (a.turn <= 0 && b.turn <= 0) return around(a, b, b);
     // Nearest at both ends, farthest in between: one patch at each end, or all of it.
-    const Probe far = root(a, b, turn, tolerance, probe(0.5 * (a.s + b.s), a.nearest));
+    const Probe far = extremum(a, b, probe(0.5 * (a.s + b.s), a.nearest));
     if (far.overlap >= 0) return add_nodes(a.s, b.s, far.nearest);
     around(a, a, far);
     around(far, b, b);
@@ -148,21 +186,22 @@ namespace {
 NearestPoint nearest_point_of_all(const WirePartner& partner, const Triple& x, const NearestPoint& from) {
   NearestPoint best;
   double least = std::numeric_limits<double>::infinity(), distance = least;
-  const auto consider = [&](std::size_t k, double t) {
-    const Triple point = partner.segments[k].at(t);
-    const double square = dot(point - x, point - x);
-    if (square < least) least = square, best = {point, static_cast<std::uint32_t>(k), t};
-  };
   const auto consider_all_of = [&](std::size_t k) {
     const SplineSegment& p = partner.segments[k];
-    const auto slope = [&](double t) { return dot(p.at(t) - x, p.along(t)); };
-    consider(k, 0);
-    consider(k, 1);
+    const Triple to_start = p.start - x;
+    const Turn turn(p, to_start);
+    const double at_start = dot(to_start, to_start);
+    const auto consider = [&](double t) {
+      const double square = at_start + turn.gained(t);
+      if (square < least) least = square, best.segment = static_cast<std::uint32_t>(k), best.t = t;
+    };
+    consider(0);
+    consider(1);
     constexpr int parts = 4;
-    double before = slope(0);
+    double before = turn.at(0);
     for (int n = 1; n <= parts; ++n) {
-      const double now = slope(1.0 * n / parts);
-      if (before < 0 && now > 0) consider(k, nearest_on(p, x, (n - 1.0) / parts, 1.0 * n / parts, (n - 0.5) / parts));
+      const double now = turn.at(1.0 * n / parts);
+      if (before < 0 && now > 0) consider(turn.zero((n - 1.0) / parts, 1.0 * n / parts, (n - 0.5) / parts));
       before = now;
     }
     distance = std::sqrt(least);
@@ -174,6 +213,7 @@ NearestPoint nearest_point_of_all(const WirePartner& partner, const Triple& x, c
     const double reaches = distance + ball.radius;
     if (k != from.segment && dot(d, d) < reaches * reaches) consider_all_of(k);
   }
+  best.point = partner.segments[best.segment].at(best.t);
   return best;
 }
 
@@ -204,20 +244,21 @@ NearestPoint nearest_point(const WirePartner& partner, const Triple& x, const Ne
   std::size_t k = from.segment;
   for (int way = 0;;) {  // never back: at a joint rounding must not send it to and fro
     const SplineSegment& p = partner.segments[k];
+    const Turn turn(p, p.start - x);
     double t = 0;
-    if (dot(p.start - x, p.slope) >= 0) {
+    if (turn.at(0) >= 0) {
       if (k > 0 && way <= 0) {
         way = -1, --k;
         continue;
       }
-    } else if (dot(p.at(1) - x, p.along(1)) <= 0) {
+    } else if (turn.at(1) <= 0) {
       t = 1;
       if (k + 1 < count && way >= 0) {
         way = 1, ++k;
         continue;
       }
     } else {
-      t = nearest_on(p, x, 0, 1, k == from.segment ? from.t : 0.5);
+      t = turn.zero(0, 1, k == from.segment ? from.t : 0.5);
     }
     return {p.at(t), static_cast<std::uint32_t>(k), t};
   }
