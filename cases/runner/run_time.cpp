@@ -21,7 +21,7 @@ constexpr double surface_among_grains = 0.4;  // of the wet cells, at least, amo
 // that feel the water.
 constexpr double seconds_per_body_cell = 45e-9, seconds_per_averaged_cell = 110e-9, seconds_per_wet_bead = 590e-9;
 // Particles with contacts and bonds; of smooth wires, beside, places where a ring hangs in another or on a cable.
-constexpr double seconds_per_particle = 143e-9, seconds_per_link = 12e-6;
+constexpr double seconds_per_particle = 143e-9, seconds_per_link = 9e-6;
 // Share of a particle step that is not in each of them with two rates (docs/decisions/0096).
 constexpr double of_grain_contacts = 0.7;
 // Of a packing, once: a grain, and a grain for each radius of the smallest that the solid volume is deep

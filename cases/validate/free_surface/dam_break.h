@@ -33,7 +33,7 @@ struct DamBreakRun {
   std::vector<double> height;       ///< H of the column at the wall behind it, at the same times
   std::size_t steps = 0;
   double fastest = 0;                          ///< lu of that step, of every 20th step
-  double energy_rise = 0;                      ///< largest energy above the initial one, of the initial one
+  double energy_rise = 0;                      ///< largest above the lowest before, of the initial energy
   double drift = 0;                            ///< largest, of the mass
   double limited = 0;                          ///< cell updates with a limited stress, of all
   double rescaled = 0;                         ///< mass that changes of the time step brought in, of all

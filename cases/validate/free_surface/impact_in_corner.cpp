@@ -55,6 +55,8 @@ std::vector<Row> run(const Context& context) {
         absolute_row("the same at 0.05", half.hit, 1, 0.12),
         absolute_row("the same after 3 lengths, 0.1", full.settled, 1, 0.1),
         absolute_row("the same after 3 lengths, 0.05", half.settled, 1, 0.1),
+        relative_row("momentum that the corner took at 0.1 against 0.05", full.hit, half.hit, 0.05),
+        relative_row("the same after 3 lengths, 0.1 against 0.05", full.settled, half.settled, 0.05),
         at_most_row("limited cell updates at 0.1, of all", full.limited, 0.02),
         at_most_row("limited cell updates at 0.05, of all", half.limited, 0.02)};
   });

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cases/validate/fluid/flows.h"
 #include "cases/validate/reference_table.h"
 
 namespace lahar::validate {
@@ -117,6 +118,13 @@ TEST(ValidateOutcome, IsKnownByItsJson) {
   for (const char* other : {"", "[]", "thesis", "{\"entries\": []}", "{\"machine\": 1, \"commit\": 2, \"entries\": 3}",
                             "{\"machine\": 1, \"commit\": 2, \"entries\": [{\"name\": 3}]}"})
     EXPECT_FALSE(is_outcomes_json(other)) << other;
+}
+
+/// What is lost may not come back: held against the start alone it might.
+TEST(EnergyRise, CountsFromTheLowestSoFar) {
+  EnergyRise rise;
+  for (const double energy : {1.0, 0.3, 0.5, 0.2, 0.35}) rise.note(energy);
+  EXPECT_DOUBLE_EQ(rise.largest(), 0.2);
 }
 
 }  // namespace
