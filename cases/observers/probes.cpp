@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 
 #include "cases/observers/fluid_samples.h"
 
@@ -136,14 +135,12 @@ void Probes::after_step() {
     if (sensor.time_mean) sensor.since += (now - looked_at_) * pressure_on(sensor);
   looked_at_ = now;
   if (!run_.simulation.solids()) return;
-  std::map<std::uint32_t, dem::WallImpulse> taken;  // several probes may look at one wall
-  for (ForceProbe& probe : forces_) {
-    const auto found = taken.find(probe.wall);
-    const dem::WallImpulse& got =
-        found != taken.end()
-            ? found->second
-            : taken.emplace(probe.wall, run_.simulation.solids()->take_impulse_on(probe.wall)).first->second;
-    probe.grains_since.force += got.linear, probe.grains_since.moment += got.angular;
+  for (auto first = forces_.begin(); first != forces_.end(); ++first) {
+    const auto is_beside = [&](const ForceProbe& probe) { return probe.wall == first->wall; };
+    if (std::any_of(forces_.begin(), first, is_beside)) continue;  // several may look at one wall
+    const dem::WallImpulse got = run_.simulation.solids()->take_impulse_on(first->wall);
+    for (auto probe = first; probe != forces_.end(); ++probe)
+      if (is_beside(*probe)) probe->grains_since.force += got.linear, probe->grains_since.moment += got.angular;
   }
 }
 
