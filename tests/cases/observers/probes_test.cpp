@@ -57,6 +57,11 @@ name = "none"
 kind = "force"
 wall = "idle"
 position_m = [0, 0, 0]
+[[probe]]
+name = "beside"
+kind = "force"
+wall = "table"
+position_m = [0.5, 0.4, 0]
 )";
   const scene::ScratchFolder scratch;
   const RunResult result =
@@ -68,6 +73,8 @@ position_m = [0, 0, 0]
   EXPECT_NEAR(last("load_grains_moment_x_Nm"), -0.2 * weight, 1e-3 * weight);
   EXPECT_NEAR(last("load_grains_moment_y_Nm"), 0.3 * weight, 1e-3 * weight);
   EXPECT_EQ(result.summary.metrics.at("none_force_peak_N"), 0);
+  EXPECT_EQ(last("beside_grains_force_z_N"), last("load_grains_force_z_N"));
+  EXPECT_NEAR(last("beside_grains_moment_y_Nm"), 0, 1e-3 * weight);
 }
 
 /// Row by row the mean force is that of the interval: together they are the whole impulse, here that of water at rest.
