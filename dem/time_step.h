@@ -18,9 +18,9 @@ double rayleigh_time_step(const Particles& particles, const Materials& materials
 double linear_contact_time(double effective_mass, double stiffness);
 
 /// Limit of one bond between equal spheres of `mass` (kg), whose moment of inertia is `inertia_scale` times 0.4 m r^2,
-/// s: the smaller of sqrt(m / K_n) for translation and sqrt(inertia_scale 0.4 m / K_s) for rotation, K = stiffness per
-/// area x pi (bond radius)^2. Unbounded axial stiffening is covered: K_n uses the stiffest branch. A damping ratio d
-/// lowers the limit by sqrt(1 + 2 d^2) - sqrt(2) d.
+/// s: the smaller of sqrt(m / K) for translation, K the larger of K_n and K_s, and sqrt(inertia_scale 0.4 m / K_s) for
+/// rotation, K_n and K_s = stiffness per area x pi (bond radius)^2. Unbounded axial stiffening is covered: K_n uses the
+/// stiffest branch. A damping ratio d lowers the limit by sqrt(1 + 2 d^2) - sqrt(2) d.
 double bond_time_step(const BondSort& sort, double mass, double inertia_scale = 1);
 
 /// The smallest limit of all free particles, s, each with all its intact bonds as long as they are now: in translation,

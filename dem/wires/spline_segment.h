@@ -65,21 +65,4 @@ inline SplineSegment spline_segment(const WireChains& chains, const Vec3Field& p
   return p;
 }
 
-/// Place in [low, high] at which the segment is nearest to x, given that its distance falls at `low` and grows at
-/// `high` (Newton, guarded by bisection).
-inline double nearest_on(const SplineSegment& p, const Triple& x, double low, double high, double guess) {
-  double t = guess;
-  for (int iteration = 0; iteration < 40; ++iteration) {
-    const Triple d = p.at(t) - x, along = p.along(t);
-    const double g = dot(d, along), slope = dot(along, along) + 2 * dot(d, p.bend);
-    (g < 0 ? low : high) = t;
-    double next = t - g / slope;
-    if (!(next >= low && next <= high)) next = 0.5 * (low + high);
-    const double step = std::abs(next - t);
-    t = next;
-    if (step < 1e-8) break;  // the error is about the square of it
-  }
-  return t;
-}
-
 }  // namespace lahar::dem
