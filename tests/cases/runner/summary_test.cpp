@@ -5,7 +5,10 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
+#include <sstream>
+#include <string>
 
 #include "tests/cases/scene/scene_files.h"
 
@@ -72,6 +75,29 @@ TEST(ResultsTable, ListsMetricsAndChecks) {
   const std::string table = results_table(example());
   EXPECT_NE(table.find("front_time_s"), std::string::npos);
   EXPECT_NE(table.find("(reference 0.74, pass)"), std::string::npos);
+}
+
+/// The page that everybody sees first holds the numbers of a run that is kept: rows "| `NAME`, `NAME` | 1.2, 3.4 ...
+/// |".
+TEST(Readme, HoldsTheNumbersOfTheDemoThatIsKept) {
+  const auto kept = nlohmann::json::parse(scene::file_text(scene::source_folder() / "docs/results/runs/demo.json"));
+  std::istringstream page(scene::file_text(scene::source_folder() / "README.md"));
+  EXPECT_NE(page.str().find("commit " + kept["commit"].get<std::string>()), std::string::npos);
+  const std::regex row("\\| (`[a-zA-Z_`, ]+`) \\| (.*) \\|"), name("`([a-zA-Z_]+)`"), number("[0-9][0-9.e-]*");
+  int compared = 0;
+  std::smatch cells;
+  for (std::string line; std::getline(page, line);) {
+    if (!std::regex_match(line, cells, row)) continue;
+    const std::string names = cells[1], values = cells[2];
+    auto value = std::sregex_iterator(values.begin(), values.end(), number);
+    for (auto n = std::sregex_iterator(names.begin(), names.end(), name); n != std::sregex_iterator(); ++n, ++value) {
+      ASSERT_NE(value, std::sregex_iterator()) << line;
+      const double printed = std::stod(value->str()), measured = kept["metrics"].at((*n)[1]);
+      EXPECT_NEAR(printed / measured, 1, 0.05) << line;  // as it is rounded
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 11);
 }
 
 }  // namespace
