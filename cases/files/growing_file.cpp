@@ -56,6 +56,16 @@ void GrowingFile::copy() {
   next_copy_ = end + std::max<Clock::duration>(kLeastInterval, kCopyTimes * (end - start));
 }
 
+void GrowingFile::copy_if_due(const std::function<void()>& flush) {
+  if (!copy_due()) return;
+  try {
+    flush();
+    refusal_.clear();
+  } catch (const CannotCopy& e) {
+    refusal_ = e.what();
+  }
+}
+
 void GrowingFile::finish() const { move_to(open_name(), name_); }
 
 std::filesystem::path GrowingFile::set_aside() const {

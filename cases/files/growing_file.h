@@ -4,6 +4,8 @@
 // and copies of it replace the one that others see in single strokes.
 #include <chrono>
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include "cases/files/output_file.h"
 
@@ -35,6 +37,10 @@ class GrowingFile {
   [[nodiscard]] bool copy_due() const { return Clock::now() >= next_copy_; }
   /// Replaces what others see by a copy of what has grown, which must be flushed. Throws CannotCopy.
   void copy();
+  /// Calls `flush`, which ends with copy(), where a copy is due; one that cannot be made is put off.
+  void copy_if_due(const std::function<void()>& flush);
+  /// Why the last copy that was due could not be made; empty if it could.
+  [[nodiscard]] const std::string& refusal() const { return refusal_; }
   /// Replaces it by what has grown itself, which must be closed. Throws FileError.
   void finish() const;
   /// Gives a file that others see and nobody can read another name, NAME.damaged.EXTENSION, or NAME.damaged2.EXTENSION
@@ -45,6 +51,7 @@ class GrowingFile {
   using Clock = std::chrono::steady_clock;
   std::filesystem::path name_;
   Clock::time_point next_copy_ = Clock::time_point::min();
+  std::string refusal_;
 };
 
 }  // namespace lahar::cases

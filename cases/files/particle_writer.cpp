@@ -155,13 +155,7 @@ void ParticleWriter::write(double time_s, const dem::Particles& particles, const
   if (particles.size() > 0) particle_grids_ += xdmf_grid(grid);
   if (bonds.size() > 0) bond_grids_ += xdmf_grid(bond_grid);
   whole_ = true;
-  if (!grown_.copy_due()) return;
-  try {
-    flush();
-    refusal_.clear();
-  } catch (const CannotCopy& e) {
-    refusal_ = e.what();
-  }
+  grown_.copy_if_due([this] { flush(); });
 }
 
 void ParticleWriter::write_xdmf() const {

@@ -41,7 +41,7 @@ class ParticleWriter {
   /// Adds a frame. Throws FileError, after which others go on seeing the last whole file.
   void write(double time_s, const dem::Particles& particles, const dem::Bonds& bonds);
   /// Why write could not bring up to date what others see; empty if it could.
-  [[nodiscard]] const std::string& refusal() const { return refusal_; }
+  [[nodiscard]] const std::string& refusal() const { return grown_.refusal(); }
   /// Puts all frames into the files. Throws FileError, CannotCopy if they are only in what grows (growing_file.h).
   void flush();
   /// The same, and closes; nothing may be written afterwards. Throws FileError.
@@ -65,7 +65,7 @@ class ParticleWriter {
   std::size_t particles_ = 0, bonds_ = 0;          // sizes that the constants belong to
   XdmfArray ids_, connectivity_;
   std::vector<XdmfField> particle_constants_, bond_constants_;
-  std::string particle_grids_, bond_grids_, lost_, refusal_;
+  std::string particle_grids_, bond_grids_, lost_;
   bool whole_ = true;  // the last frame was written in full
 };
 

@@ -96,13 +96,7 @@ void SeriesWriter::append(double time_s, std::span<const double> values) {
   for (std::size_t c = 0; c < values.size(); ++c) columns_[c].pending.push_back(values[c]);
   ++rows_;
   if (time_[0].pending.size() >= rows_per_write_) write_rows();
-  if (!grown_.copy_due()) return;
-  try {
-    flush();
-    refusal_.clear();
-  } catch (const CannotCopy& e) {
-    refusal_ = e.what();
-  }
+  grown_.copy_if_due([this] { flush(); });
 }
 
 void SeriesWriter::write_pending(Column& column) {

@@ -46,7 +46,7 @@ class SeriesWriter {
   [[nodiscard]] std::size_t columns() const { return columns_.size(); }
   [[nodiscard]] std::size_t rows() const { return rows_; }
   /// Why append could not bring up to date what others see; empty if it could.
-  [[nodiscard]] const std::string& refusal() const { return refusal_; }
+  [[nodiscard]] const std::string& refusal() const { return grown_.refusal(); }
   /// Columns of the earlier run that could not be read.
   [[nodiscard]] const std::vector<std::string>& lost() const { return lost_; }
 
@@ -65,7 +65,6 @@ class SeriesWriter {
   Hdf5File file_;
   std::size_t rows_per_write_, rows_ = 0;
   bool whole_ = true;  // no write has failed: after one HDF5 may have lost rows that it was given before
-  std::string refusal_;
   std::vector<std::string> lost_;
   double last_time_s_;
   std::vector<Column> time_;  // one element, none once closed
