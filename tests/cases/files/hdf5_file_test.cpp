@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "tests/cases/files/small_disk.h"
 #include "tests/cases/files/test_folder.h"
 
 namespace lahar::cases {
@@ -40,20 +41,6 @@ Plain read_plainly(const std::filesystem::path& path, const char* name) {
   }
   H5Pclose(layout), H5Sclose(space), H5Dclose(dataset), H5Fclose(file);
   return p;
-}
-
-// Runs `body` in a child process, which it must end by itself, and returns how it ended.
-template <class Body>
-int status_of_child(const Body& body) {
-  std::fflush(nullptr);
-  const pid_t child = fork();
-  if (child == 0) {
-    body();
-    _exit(99);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return status;
 }
 
 TEST(Hdf5File, WholeArraysReadBackWithThePlainLibrary) {
@@ -162,21 +149,16 @@ TEST(Hdf5File, AKilledWriterLeavesWhatWasFlushed) {
 TEST(Hdf5File, ARefusedWriteIsToldAtOnce) {
   const TestFolder folder;
   const int status = status_of_child([&] {
-    std::signal(SIGXFSZ, SIG_IGN);
     Hdf5File file = Hdf5File::create(folder / "a.h5");
     std::vector<double> noise(20000);
     for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = std::sin(1e4 * static_cast<double>(i * i));
-    rlimit limit{};
-    getrlimit(RLIMIT_FSIZE, &limit);
-    const rlimit small{30000, limit.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &small);
     int told = 0;
     try {
+      const SmallDisk disk(30000);
       file.write<double>("/noise", noise, {noise.size()});
     } catch (const FileError&) {
       told = 1;
     }
-    setrlimit(RLIMIT_FSIZE, &limit);
     _exit(told);
   });
   ASSERT_TRUE(WIFEXITED(status));

@@ -1,16 +1,12 @@
 #include "cases/files/particle_writer.h"
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <cmath>
-#include <csignal>
 #include <fstream>
 #include <map>
 #include <regex>
 #include <sstream>
 
+#include "tests/cases/files/small_disk.h"
 #include "tests/cases/files/test_folder.h"
 
 namespace lahar::cases {
@@ -174,9 +170,7 @@ TEST(ParticleWriter, WorksWithoutParticlesOrBonds) {
 /// A disk that was full for a moment: the frame that was not written in full is in nobody's file.
 TEST(ParticleWriter, AfterARefusedWriteOthersSeeTheLastWholeFile) {
   const TestFolder folder;
-  const pid_t child = fork();
-  if (child == 0) {
-    std::signal(SIGXFSZ, SIG_IGN);
+  const int status = status_of_child([&] {
     int told = 0;
     {
       System s = three_beads_and_a_grain();
@@ -186,21 +180,15 @@ TEST(ParticleWriter, AfterARefusedWriteOthersSeeTheLastWholeFile) {
       ParticleWriter writer(folder.path());
       writer.write(0, s.particles, s.bonds);
       writer.flush();
-      rlimit limit{};
-      getrlimit(RLIMIT_FSIZE, &limit);
-      const rlimit small{std::filesystem::file_size(folder / "particles.h5") + 20000, limit.rlim_max};
-      setrlimit(RLIMIT_FSIZE, &small);
       try {
+        const SmallDisk disk(std::filesystem::file_size(folder / "particles.h5") + 20000);
         writer.write(1, s.particles, s.bonds);
       } catch (const FileError&) {
         told = 1;
       }
-      setrlimit(RLIMIT_FSIZE, &limit);
     }
     _exit(told);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
+  });
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 1);
   const Hdf5File file = Hdf5File::open_for_reading(folder / "particles.h5");

@@ -1,7 +1,6 @@
 #include "cases/files/series_writer.h"
 
 #include <hdf5.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,6 +12,7 @@
 #include <thread>
 
 #include "cases/files/series_reader.h"
+#include "tests/cases/files/small_disk.h"
 #include "tests/cases/files/test_folder.h"
 
 namespace lahar::cases {
@@ -94,9 +94,7 @@ TEST(SeriesWriter, GoesOnWhereThereIsNoRoomForACopy) {
 /// A disk that was full for a moment: rows that HDF5 was given before may be lost, and the former file stays.
 TEST(SeriesWriter, AfterARefusedWriteOthersSeeTheLastWholeFile) {
   const TestFolder folder;
-  const pid_t child = fork();
-  if (child == 0) {
-    std::signal(SIGXFSZ, SIG_IGN);
+  const int status = status_of_child([&] {
     int told = 0;
     {
       SeriesWriter writer(folder / "series.h5", 1);
@@ -104,11 +102,8 @@ TEST(SeriesWriter, AfterARefusedWriteOthersSeeTheLastWholeFile) {
       const auto noise = [](int n) { return std::sin(1e4 * n * n); };
       for (int n = 0; n < 600; ++n) writer.append(n, {noise(n)});
       writer.flush();
-      rlimit limit{};
-      getrlimit(RLIMIT_FSIZE, &limit);
-      const rlimit small{std::filesystem::file_size(folder / "series.h5") + 2000, limit.rlim_max};
-      setrlimit(RLIMIT_FSIZE, &small);
       try {
+        const SmallDisk disk(std::filesystem::file_size(folder / "series.h5") + 2000);
         for (int n = 600; n < 20000; ++n) writer.append(n, {noise(n)});
         writer.flush();
       } catch (const CannotCopy&) {
@@ -116,12 +111,9 @@ TEST(SeriesWriter, AfterARefusedWriteOthersSeeTheLastWholeFile) {
       } catch (const FileError&) {
         told = 1;
       }
-      setrlimit(RLIMIT_FSIZE, &limit);
     }
     _exit(told);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
+  });
   ASSERT_TRUE(WIFEXITED(status));
   EXPECT_EQ(WEXITSTATUS(status), 1);
   const Series series = read_series(folder / "series.h5");
