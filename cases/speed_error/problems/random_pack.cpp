@@ -22,7 +22,7 @@ struct Pack {
 Trial trial(std::vector<Knob> turned, const Pack& pack) {
   constexpr double fraction = 0.4, reynolds = 1;
   return {std::move(turned), [pack] {
-            const Bed bed = make_bed(fraction, pack.cells);
+            const Bed bed = make_bed(fraction, pack.cells, 8);
             const double d = bed.diameter, nu = pack.speed * d / reynolds;
             const double g =
                 18 * nu * pack.speed * fraction * drag_of_pack(fraction, reynolds) / (d * d * (1 - fraction));

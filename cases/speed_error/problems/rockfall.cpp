@@ -1,5 +1,6 @@
-// A ball of 100 kg from 8 m on a net of 5 x 5 rings on braked cables: its depth, when it is deepest, and the largest
-// tension of a cable, against the shortest time step.
+// A ball of 100 kg from 8 m on a net of 5 x 5 rings on braked cables: its depth, when it is deepest, and how far the
+// dissipators are drawn out, against the shortest time step. The largest tension of a cable is no such figure: one
+// peak, which chance moves by 5 % at any time step.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,6 +22,7 @@ cases::Rockfall small_net() {
   r.activation_force = 6e3;
   r.settling_time = 0.04;
   r.duration = 0.12;
+  r.sample_interval = 2e-4;
   return r;
 }
 
@@ -30,15 +32,29 @@ cases::RockfallResult fall(const cases::Rockfall& r) {
 
 double error_of(const cases::RockfallResult& found, const cases::RockfallResult& known) {
   return std::max({std::abs(found.depth / known.depth - 1), std::abs(found.lowest_time / known.lowest_time - 1),
-                   std::abs(found.largest_tension / known.largest_tension - 1)});
+                   std::abs(found.brake_elongation / known.brake_elongation - 1)});
+}
+
+/// Scales of the stiffnesses, and the step that they allow, s.
+struct Softness {
+  double contacts, bonds, time_step;
+};
+
+cases::Rockfall softened(const Softness& s) {
+  cases::Rockfall r = small_net();
+  r.youngs_modulus *= s.contacts, r.ball_modulus *= s.contacts;
+  r.ring_stiffness *= s.bonds, r.cable_stiffness *= s.bonds;
+  for (double& k : r.dissipator_stiffness) k *= s.bonds;
+  r.time_step = s.time_step;
+  return r;
 }
 
 }  // namespace
 
 Problem rockfall_problem(bool quick) {
   Problem p{"rockfall",
-            "largest of the errors of depth, time of the deepest point and largest tension",
-            "finest-step (0.75 us)",
+            "largest of the errors of depth, time of the deepest point and ways of the dissipators",
+            quick ? "finest-step (1.5 us)" : "finest-step (0.75 us)",
             "60 beads a ring, 3 us, wires bead by bead, full stiffness",
             {}};
   const ReferenceRun<cases::RockfallResult> finest([quick] {
@@ -65,17 +81,14 @@ Problem rockfall_problem(bool quick) {
     r.beads_per_ring = beads;
     p.trials.push_back(trial({{"beads_per_ring", fmt::to_string(beads)}}, r));
   }
-  for (const double scale : {0.1, 0.01}) {
-    cases::Rockfall r = small_net();
-    r.youngs_modulus *= scale, r.ball_modulus *= scale;
-    p.trials.push_back(trial({{"contact_modulus_scale", fmt::format("{:g}", scale)}}, r));
+  for (const Softness& s : {Softness{0.1, 1, 4.3e-6}, Softness{0.1, 0.5, 6e-6}, Softness{0.01, 0.1, 13e-6}}) {
+    std::vector<Knob> turned{{"contact_modulus_scale", fmt::format("{:g}", s.contacts)}};
+    if (s.bonds < 1) turned.push_back({"bond_stiffness_scale", fmt::format("{:g}", s.bonds)});
+    turned.push_back({"time_step_us", fmt::format("{:g}", 1e6 * s.time_step)});
+    p.trials.push_back(trial(turned, softened(s)));
   }
   if (quick) return p;
   cases::Rockfall r = small_net();
-  r.ring_stiffness *= 0.5, r.cable_stiffness *= 0.5;
-  for (double& k : r.dissipator_stiffness) k *= 0.5;
-  p.trials.push_back(trial({{"bond_stiffness_scale", "0.5"}}, r));
-  r = small_net();
   r.capsules = true;
   p.trials.push_back(trial({{"wire_contacts", "capsules"}}, r));
   return p;

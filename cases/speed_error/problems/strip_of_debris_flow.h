@@ -13,6 +13,7 @@ struct StripFigures {
   double water_energy = 0, grain_energy = 0;  ///< J, kinetic, at the end
   double net_force = 0;                       ///< N, mean over time of the sum of all bond forces
   double elongation = 0;                      ///< m, largest
+  double seconds = 0;                         ///< of wall time, without the preparation
 };
 
 /// Runs the strip to a time (s) with overrides of the scene's keys, on cells of 2 cm unless they say otherwise.

@@ -12,6 +12,7 @@ Problem wet_column_problem(bool quick) {
                                 {"fluid.max_speed_m_s=3.5"},
                                 {"fluid.adaptive_time_step=true"},
                                 {"coupling.radius_shift_cells=-0.06"},
+                                {"coupling.body_weighting=wall_distance"},
                                 {"coupling.body_weighting=noble_torczynski", "coupling.solid_operator=faded"},
                                 {"fluid.smagorinsky=0"},
                                 {"solids.contact_safety=0.1"},
@@ -28,7 +29,8 @@ Problem wet_column_problem(bool quick) {
       turned.push_back(more);
   return {"wet_column", "RMS of the errors of the ways and kinetic energies of water and grains",
           quick ? "finest-grid (1.5 cm)" : "finest-grid (0.75 cm)",
-          "cells of 2 cm, 7 m/s at 0.1 lu, contact_safety 0.3, nothing softened, float, all threads",
+          "cells of 2 cm, 7 m/s at 0.1 lu, inertial with equilibrium_difference, radius shift -0.2, Cs 0.16, "
+          "contact_safety 0.3, nothing softened, float, all threads",
           strip_trials(alone, quick ? 0.1 : 0.35, finest, turned)};
 }
 

@@ -32,14 +32,15 @@ Problem wire_screen_problem(bool quick) {
   const Screen standard;
   p.trials.push_back(trial({}, standard));
   for (const double cells : {0.5, 2.0, 4.0}) {
+    if (quick && cells > 2) continue;
     Screen s = standard;
-    s.diameter = cells;
+    s.diameter = s.scale = cells;
     p.trials.push_back(trial({{"cells a wire", fmt::to_string(cells)}}, s));
   }
   for (const double cells : {2.0, 4.0, 6.0}) {
-    if (quick && cells > 4) continue;
+    if (quick && cells > 2) continue;
     Screen s = standard;
-    s.diameter = cells, s.resolved = true;
+    s.diameter = s.scale = cells, s.resolved = true;
     p.trials.push_back(trial({{"cells a wire", fmt::to_string(cells)}, {"wires", "mapped"}}, s));
   }
   for (const double speed : {0.2, 0.05}) {

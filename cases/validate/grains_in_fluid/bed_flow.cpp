@@ -9,11 +9,11 @@
 
 namespace lahar::validate {
 
-Bed make_bed(double fraction, int cells_per_diameter) {
+Bed make_bed(double fraction, int cells_per_diameter, int diameters) {
   using std::numbers::pi;
   Bed bed;
   bed.fraction = fraction;
-  bed.box = cells_per_diameter == 2 ? 16 : cells_per_diameter == 4 ? 32 : 40;
+  bed.box = diameters * cells_per_diameter;
   const double volume = fraction * bed.box * bed.box * bed.box;
   const auto count = std::lround(6 * volume / (pi * std::pow(cells_per_diameter, 3)));
   bed.diameter = std::cbrt(6 * volume / (pi * static_cast<double>(count)));

@@ -13,8 +13,8 @@ struct Bed {
   std::vector<Vec3> centres{};  ///< cells
 };
 
-/// A random pack in a box of 5 to 8 diameters.
-Bed make_bed(double fraction, int cells_per_diameter);
+/// A random pack in a box of so many diameters: the same pack on any cells.
+Bed make_bed(double fraction, int cells_per_diameter, int diameters);
 
 /// Collision and eddies of debris flow scenes.
 Immersion debris_immersion();

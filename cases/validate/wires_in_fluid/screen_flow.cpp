@@ -7,17 +7,19 @@
 namespace lahar::validate {
 
 ScreenLoss flow_through_screen(const Screen& screen, const Context& context) {
-  const int width = 40, deep = screen.mesh ? width : 8;
+  // Periodic boxes are whole blocks of 8 cells.
+  const auto scaled = [&](int cells) { return 8 * static_cast<int>(std::lround(screen.scale * cells / 8)); };
+  const int width = scaled(40), deep = screen.mesh ? width : 8;
   WireStream s;
   s.diameter = screen.diameter;
   s.reynolds = screen.reynolds;
   s.speed = screen.speed;
   s.resolved = screen.resolved;
-  s.cells = Vec3i(64, width, deep);
-  s.travel = 44;
+  s.cells = Vec3i(scaled(64), width, deep);
+  s.travel = screen.scale * 44;
   const double linear = screen.mesh ? 1 - std::sqrt(1 - screen.solidity) : screen.solidity;
   const int wires = static_cast<int>(std::lround(width * linear / screen.diameter));
-  const double x = 16.1, covered = wires * screen.diameter / width;
+  const double x = std::round(16 * screen.scale) + 0.1, covered = wires * screen.diameter / width;
   for (int k = 0; k < wires; ++k) {
     const double at = (k + 0.37) * width / wires;
     s.wires.push_back({.start = Vec3(x, at, 0), .end = Vec3(x, at, deep)});

@@ -11,6 +11,7 @@ struct Screen {
   bool mesh = false;
   double speed = 0.1;     ///< lu
   bool resolved = false;  ///< WireStream
+  double scale = 1;       ///< of the box, 64 cells long and 40 wide, and of the way that the stream goes in it
 };
 
 struct ScreenLoss {
