@@ -28,6 +28,8 @@ struct Compared {
   std::function<double(const CaseRun&)> ours;
   std::function<std::optional<double>(double release)> theirs;  ///< nothing where the paper gives no number
   std::string where;                                            ///< in the paper
+  std::optional<double> theirs_largest =
+      {};  ///< of all flows and of all that are alike, where it does not say of which
 };
 const std::vector<Compared>& compared_quantities();
 /// kg, all mass that is there while the flow arrives, by its energy about the bed at the net and about the lower one,

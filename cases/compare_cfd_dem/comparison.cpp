@@ -89,6 +89,7 @@ double spread(const Compared& quantity, const CaseResult& of, const std::vector<
   for (const CaseResult& c : results) {
     const StudyCase &a = c.study_case, &b = of.study_case;
     if (a.sweep != b.sweep || a.coupling != b.coupling || a.release != b.release || c.commit != of.commit) continue;
+    if (c.commit.ends_with("-dirty")) continue;  // of changes that no commit holds: of nobody knows how many programs
     if (!counts_in_spread(a) || !counts_in_spread(b)) continue;
     const double x = c.value(quantity.name);
     if (!std::isfinite(x)) continue;
@@ -109,8 +110,8 @@ std::string comparison_csv(const std::vector<CaseResult>& results) {
   for (const Compared& q : compared_quantities())
     for (const CaseResult& c : results) {
       const double ours = c.value(q.name), theirs = q.theirs(c.study_case.release).value_or(kNone);
-      text += fmt::format("{},{},{},{},{},{},{}\n", q.name, q.unit, c.study_case.name(), number(theirs), number(ours),
-                          number(ours / theirs - 1), number(spread(q, c, results)));
+      text += fmt::format("{},{},{},{},{},{},{},\"{}\"\n", q.name, q.unit, c.study_case.name(), number(theirs),
+                          number(ours), number(ours / theirs - 1), number(spread(q, c, results)), c.commit);
     }
   return text;
 }

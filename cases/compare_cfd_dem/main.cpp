@@ -9,6 +9,7 @@
 #include "cases/compare_cfd_dem/report.h"
 #include "cases/compare_cfd_dem/trends.h"
 #include "cases/files/output_file.h"
+#include "cases/files/text_file.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/messages.h"
@@ -28,10 +29,17 @@ struct Arguments {
 
 std::filesystem::path own_folder() { return std::filesystem::read_symlink("/proc/self/exe").parent_path(); }
 
+std::string program_of(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "summary.json";
+  CaseResult result;
+  take_summary(result, cases::read_text_file(file), file);
+  return result.commit.empty() ? "an unknown commit" : "commit " + result.commit;
+}
+
 std::string standing_text(const StudyCase& c, const std::filesystem::path& folder) {
   try {
     const Standing s = standing_of(c, folder);
-    return s == Standing::done      ? "done"
+    return s == Standing::done      ? "done, by " + program_of(folder)
            : s == Standing::begun   ? "begun"
            : s == Standing::foreign ? "in its folder is something else"
            : s == Standing::refused ? "in its folder is a scene that this program refuses"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "cases/compare_cfd_dem/published_flows.h"
 #include "cases/compare_cfd_dem/trends.h"
@@ -79,7 +80,8 @@ cases::Dash dash_of(const std::string& preset, int seed) {
   return seed == 1 ? solid : dotted;
 }
 
-/// Theirs over their Froude number, and ours at the flow of the same release distance.
+/// Theirs over their Froude number, and ours at the flow of the same release distance. No line joins flows that were
+/// run by different programs (commits).
 cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results) {
   using namespace cases;
   const Compared& q = quantity(name);
@@ -94,14 +96,15 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
                      .shape = PointShape::circle};
   for (const Flow& f : published_flows())
     if (const auto value = q.theirs(f.release)) theirs.x.push_back(f.froude), theirs.y.push_back(*value);
+  if (q.theirs_largest) chart.y_guides.push_back({*q.theirs_largest, "Li et al. 2020, largest"});
   if (theirs.x.size() < 3) theirs.mark = Mark::points;  // ends of a range: what lies between is not known
   if (!theirs.x.empty()) chart.series.push_back(theirs);
   for (const Curve& curve : curves_of(results)) {
-    std::vector<std::pair<double, double>> points;
+    std::vector<std::tuple<double, double, std::string>> points;
     for (const CaseResult& c : results)
       if (const Flow* flow = published(c.study_case.release);
           flow && curve.holds(c.study_case) && std::isfinite(c.value(q.name)))
-        points.emplace_back(flow->froude, c.value(q.name));
+        points.emplace_back(flow->froude, c.value(q.name), c.commit);
     if (points.empty()) continue;
     std::sort(points.begin(), points.end());
     ChartSeries ours{.name = curve.label(),
@@ -109,7 +112,11 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
                      .dash = dash_of(curve.preset, curve.seed),
                      .colour = colour_of(curve.sweep, curve.coupling),
                      .shape = shape_of(curve)};
-    for (const auto& [x, y] : points) ours.x.push_back(x), ours.y.push_back(y);
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      const auto& [x, y, commit] = points[n];
+      if (n > 0 && commit != std::get<2>(points[n - 1])) ours.x.push_back(x), ours.y.push_back(std::nan(""));
+      ours.x.push_back(x), ours.y.push_back(y);
+    }
     if (points.size() < 4) ours.mark = Mark::points;  // what lies between is not known
     chart.series.push_back(ours);
   }
@@ -156,15 +163,19 @@ std::vector<Figure> figures_of(const std::vector<CaseResult>& results) {
                                                           {"retained_small", "as Fig. 10"},
                                                           {"lower_cable_sum", "as Fig. 14"},
                                                           {"upper_cable_sum", "as Fig. 14"},
+                                                          {"left_cable_sum", "as Fig. 14"},
+                                                          {"right_cable_sum", "as Fig. 14"},
                                                           {"barrier_sum", "as Fig. 14"},
                                                           {"barrier_sum_mean", "ours alone"},
                                                           {"e_in", "Table 5"},
                                                           {"e_in_lower", "Table 5"},
                                                           {"e_out", "Table 5"},
+                                                          {"e_out_lower", "Table 5"},
+                                                          {"e_d_lower", "Table 5"},
                                                           {"e_b", "Table 5"},
                                                           {"eta", "as Fig. 15"},
-                                                          {"outflow_liquid_share", "as Fig. 16"},
-                                                          {"outflow_liquid_share_kinetic", "as Fig. 16"},
+                                                          {"outflow_liquid_share", "ours alone"},
+                                                          {"outflow_liquid_share_kinetic", "ours alone"},
                                                           {"out_liquid_kinetic", "as Fig. 16"},
                                                           {"out_liquid_potential", "as Fig. 16"},
                                                           {"out_grains_kinetic", "as Fig. 16"},

@@ -7,7 +7,8 @@
 
 namespace lahar::study {
 
-/// Whether a quantity goes the paper's way: from every flow to every faster one, in most pairs of flows, or not.
+/// Whether a quantity goes the paper's way: from every flow to every faster one, in three of four pairs of flows, or
+/// not.
 enum class Agreement { yes, mostly, no, unknown };
 const char* name_of(Agreement agreement);
 

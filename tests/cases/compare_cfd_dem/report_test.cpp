@@ -1,6 +1,7 @@
 // The page of a study.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -30,6 +31,38 @@ TEST(Report, FiguresHoldWhatCasesHave) {
   EXPECT_EQ(curves.at("flows_grains_impulse_water"), 1u);
   EXPECT_EQ(curves.at("flows_e_in"), 3u);  // theirs, resolved, averaged
   EXPECT_FALSE(curves.contains("flows_net_impulse_grains"));
+}
+
+/// What two programs found may differ by what changed between them: their points stand alone.
+TEST(Report, NoLineJoinsFlowsOfTwoPrograms) {
+  std::vector<CaseResult> results;
+  for (const double release : {1.85, 2.60, 3.35, 4.10}) {
+    results.push_back(made_up(release, 50, 10));
+    results.back().commit = release < 3 ? "aaa" : "bbb";
+  }
+  const auto ours = [&] {
+    for (const Figure& f : figures_of(results))
+      if (f.file == "flows_e_in") return f.chart.series.back().y;
+    return std::vector<double>();
+  };
+  ASSERT_EQ(ours().size(), 5u);
+  EXPECT_TRUE(std::isnan(ours()[2]));
+  for (CaseResult& c : results) c.commit = "aaa";
+  EXPECT_EQ(ours(), (std::vector<double>{50, 50, 50, 50}));
+}
+
+/// The largest of all its flows is no point of one of them.
+TEST(Report, LargestOfThePaperIsALevel) {
+  CaseResult c = made_up(8.6, 100, 10);
+  c.values["elongation"] = 0.5;
+  for (const Figure& f : figures_of({c}))
+    if (f.file == "flows_elongation") {
+      EXPECT_EQ(f.chart.series.size(), 1u);
+      ASSERT_EQ(f.chart.y_guides.size(), 1u);
+      EXPECT_EQ(f.chart.y_guides[0].at, 0.263);
+      return;
+    }
+  FAIL() << "no figure of the elongation";
 }
 
 /// Points without a line are told apart by colour and shape alone, lines by colour and dash.
