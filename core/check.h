@@ -1,17 +1,13 @@
 #pragma once
 // Three kinds of check:
-//   LAHAR_ASSERT       a bug in this code; debug builds only
 //   lahar::require     a violated invariant or wrong argument; always on, cheap
 //   InputError         bad input of the user: every mistake with file:line:column (exit code 2)
 //   NumericalFailure   numbers went wrong during a run: place, step and cause (exit code 3)
-#include <cassert>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
-
-#define LAHAR_ASSERT(condition) assert(condition)
 
 namespace lahar {
 

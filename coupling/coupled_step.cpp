@@ -27,6 +27,11 @@ CoupledStep<Real>::CoupledStep(std::optional<lbm::FluidOptions> fluid, std::opti
   require(options_.substeps > 0, "CoupledStep: substeps must be positive");
   require(!options_.mapped_wires || !std::holds_alternative<AveragedGrains>(options_.grains),
           "CoupledStep: mapped wires beside averaged grains");
+  require(!options_.mapped_wires || !fluid || fluid->weighting != lbm::BodyWeighting::inertial,
+          "CoupledStep: mapped wires with the inertial weighting");
+  const auto* averaged = std::get_if<AveragedGrains>(&options_.grains);
+  require(!averaged || !averaged->beads_as_grains || options_.thin_wires == ThinWires::uncoupled,
+          "CoupledStep: beads by the grains' law and by the wires', too");
   if (fluid) {
     fluid_.emplace(std::move(*fluid));
     clock_ = StepClock(fluid_->units().time_step);

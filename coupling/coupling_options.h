@@ -28,7 +28,7 @@ enum class BedDrag { di_felice, gidaspow, beetstra };
 struct AveragedGrains {
   double averaging_length = 0.15;  ///< m; no less than a cell
   BedDrag drag = BedDrag::di_felice;
-  bool beads_as_grains = false;  ///< beads of wires feel the same law, as if they were lone spheres
+  bool beads_as_grains = false;  ///< beads of wires feel the law of the grains around, but fill no space among them
 };
 
 /// Grains and fluid do not feel each other.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "dem/contact/wall_contacts.h"
+
 namespace lahar::coupling {
 
 namespace {
@@ -92,7 +94,7 @@ struct Films {
     f.i = i;
     f.normal = -walls.gradient(wall, centre);
     f.wall_velocity = walls.all()[wall].surface_velocity(centre + a * f.normal);
-    f.squeeze = squeeze_resistance_at_wall(a, gap, cut_off, viscosity);
+    f.squeeze = squeeze_resistance_at_wall(a, squeezed_at_wall(walls.all()[wall].shape, a), gap, cut_off, viscosity);
     if (gap < shear_cut_off)
       f.shear.ab = 4.0 / 5.0 * std::numbers::pi * viscosity * a * film_logarithm(a, gap, shear_cut_off);
     slowing[i].squeeze += f.squeeze * inverse_mass;
@@ -142,6 +144,12 @@ struct Films {
 };
 
 }  // namespace
+
+double squeezed_at_wall(const Shape& wall, double a) {
+  const double mean = dem::effective_radius_on(wall, a);  // 1 / sqrt(k k')
+  if (!std::holds_alternative<SolidCylinder>(wall)) return mean * mean;
+  return 2 * mean / (1 / a + a / (mean * mean));  // k = 1 / a along the cylinder
+}
 
 LubricationFilms::LubricationFilms(double cell_size, double viscosity)
     : cell_size_(cell_size),

@@ -17,10 +17,12 @@
 //
 // A wall is a sphere of infinite radius that does not turn: with u_w - u_a = u its velocity past the grain's centre,
 // across n, and n from the grain to the wall,
-//   F = -6 pi mu a^2 (1/h - 1/h_c) v_n,
+//   F = -6 pi mu R^2 (1/h - 1/h_c) v_n,   R^2 = 2 / ((k + k') sqrt(k k')),
 //   F_t = 16/5 pi mu a L u + 4/5 pi mu a^2 L n x w,   T = 4/5 pi mu a^2 L n x u - 16/5 pi mu a^3 L w,
 // the leading terms of Goldman, Cox & Brenner 1967 (Chem. Eng. Sci. 22:637): 8/15, 2/15 and 2/5 of L over 6 pi mu a,
-// 6 pi mu a^2 and 8 pi mu a^3.
+// 6 pi mu a^2 and 8 pi mu a^3. k and k' are the principal curvatures of the gap: 1/a both at a plane, then R = a; with
+// those of the wall where this is a ball, a cylinder or a bore. (Reynolds' equation, div(h^3 grad p) = -12 mu v_n, has
+// p = 6 mu v_n / ((k + k') h^2) in a gap h + k x^2 / 2 + k' y^2 / 2.) Shearing and rolling take every wall as plane.
 //
 // Films are looked for once in a step of the fluid and felt at every step of the particles: a gap closes by orders of
 // magnitude within a step of the fluid. A sphere of Stokes number St = rho_s d v / (9 mu) loses ln(h_c / h_min) of it
@@ -49,12 +51,15 @@ inline double squeeze_resistance(double a, double b, double gap, double cut_off,
   return 6 * std::numbers::pi * viscosity * reduced * reduced * (1 / h - 1 / cut_off);
 }
 
-/// The same towards a wall: b without bound.
-inline double squeeze_resistance_at_wall(double a, double gap, double cut_off, double viscosity) {
+/// The same towards a wall, with R^2 of the gap (m^2).
+inline double squeeze_resistance_at_wall(double a, double squeezed, double gap, double cut_off, double viscosity) {
   const double h = std::max(gap, kSmoothest * a);
   if (gap < 0 || h >= cut_off) return 0;
-  return 6 * std::numbers::pi * viscosity * a * a * (1 / h - 1 / cut_off);
+  return 6 * std::numbers::pi * viscosity * squeezed * (1 / h - 1 / cut_off);
 }
+
+/// R^2 of the gap between a sphere of radius a (m) and a wall, m^2.
+double squeezed_at_wall(const Shape& wall, double a);
 
 /// L = ln(h_t / h), 0 beyond the cut-off; `reduced` is the harmonic radius, that of the grain at a wall.
 inline double film_logarithm(double reduced, double gap, double cut_off) {

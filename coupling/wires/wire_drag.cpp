@@ -207,7 +207,8 @@ void WireDrag<Real>::look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem
   for (std::size_t k = 0; k < beads_.size(); ++k) {
     const Bead& bead = beads_[k];
     const dem::ParticleIndex i = particles.index(bead.id);
-    pieces[k] = {particles.position[i], tangent_of(particles, bead), 2 * particles.radius[i], bead.length};
+    pieces[k] = {particles.position[i], tangent_of(particles, bead).value_or(Vec3::UnitX()), 2 * particles.radius[i],
+                 bead.length};
   }
   const Vec3 period =
       lbm::kBlockWidth * fluid.units().cell_size * fluid.grid().domain().period().template cast<double>();
@@ -216,11 +217,12 @@ void WireDrag<Real>::look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem
   since_look_ = 0;
 }
 
-/// Along the wire: from the bead before to the one after.
+/// Along the wire: from the bead before to the one after. None of a bead that both its bonds have left.
 template <class Real>
-Vec3 WireDrag<Real>::tangent_of(const dem::Particles& particles, const Bead& bead) {
+std::optional<Vec3> WireDrag<Real>::tangent_of(const dem::Particles& particles, const Bead& bead) {
   const Vec3 chord = particles.position[particles.index(bead.after)] - particles.position[particles.index(bead.before)];
-  return chord.squaredNorm() > 0 ? Vec3(chord.normalized()) : Vec3(Vec3::UnitX());
+  if (chord.squaredNorm() == 0) return std::nullopt;
+  return Vec3(chord.normalized());
 }
 
 /// Pairs of beads and wet blocks, chunk by chunk, then one after the other.
@@ -457,9 +459,12 @@ dem::LiquidDrag WireDrag<Real>::drag_on(const lbm::Fluid<Real>& fluid, const dem
   drag.particle = i;
   drag.liquid = liquid, drag.acceleration = bead.acceleration;
   drag.liquid_mass = units.mass() * liquid_volume(fluid, bead) / std::max(1.0, claims);
-  set_laws({.slip = before - particles.velocity[i],
+  const Vec3 slip = before - particles.velocity[i];
+  // A piece of wire that nothing holds turns across the stream.
+  const Vec3 across = slip.squaredNorm() > 0 ? Vec3(slip.unitOrthogonal()) : Vec3(Vec3::UnitX());
+  set_laws({.slip = slip,
             .slip_left = liquid - particles.velocity[i],
-            .tangent = tangent_of(particles, bead),
+            .tangent = tangent_of(particles, bead).value_or(across),
             .length = bead.share * bead.length,
             .density = rho},
            wire, drag);

@@ -6,6 +6,7 @@
 // `collect` takes up afterwards what it gave, and the cells get that at the next `apply`. Of the liquid around a bead
 // each wire that is spread over the same cells moves its share. (Immersed boundaries are blind to such wires: as tau ->
 // 1/2 the weighting of Noble & Torczynski lets the water through, B = eps overdrags.)
+#include <optional>
 #include <vector>
 
 #include "coupling/audit.h"
@@ -90,7 +91,7 @@ class WireDrag {
 
   void join_neighbours(const dem::Bonds& bonds);
   [[nodiscard]] const Bead& bead_at(dem::ParticleId id) const { return beads_[static_cast<std::size_t>(place_[id])]; }
-  static Vec3 tangent_of(const dem::Particles& particles, const Bead& bead);
+  static std::optional<Vec3> tangent_of(const dem::Particles& particles, const Bead& bead);
   void look_at_neighbours(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   void find_pairs(const lbm::Fluid<Real>& fluid, const dem::Particles& particles);
   void look_up_blocks(const lbm::Fluid<Real>& fluid, const dem::Particles& particles, std::size_t bead,

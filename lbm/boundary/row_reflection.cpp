@@ -202,11 +202,7 @@ void reflect_rows(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Equilibriu
 }
 
 MirroredLinks::MirroredLinks(const WallLinks& walls) {
-  for (const RowLink& link : walls.rows) {
-    if (link.mirrored == 0) continue;
-    cells_[link.row][link.direction] |= link.mirrored;
-    any_ = true;
-  }
+  for (const RowLink& link : walls.rows) cells_[link.row][link.direction] |= link.mirrored;
 }
 
 std::uint32_t MirroredLinks::of(const WallCell& wall, const std::uint8_t* directions) const {

@@ -28,14 +28,12 @@ void reflect_rows(FluidGrid<Real>& grid, BlockIndex b, Parity parity, Equilibriu
 class MirroredLinks {
  public:
   explicit MirroredLinks(const WallLinks& walls);
-  [[nodiscard]] bool any() const { return any_; }
   /// Those of a wall cell, by bit k of its links.
   [[nodiscard]] std::uint32_t of(const WallCell& wall, const std::uint8_t* directions) const;
   /// The reverse, for checkpoints: `of_cells` by entry of walls.cells.
   static void restore(WallLinks& walls, const std::uint32_t* of_cells);
 
  private:
-  bool any_ = false;
   std::array<std::array<std::uint8_t, D3Q19::q>, 64> cells_{};  ///< by row and velocity
 };
 

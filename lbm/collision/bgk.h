@@ -9,11 +9,13 @@
 
 namespace lahar::lbm {
 
-/// The rate of the even (viscous) part: constant, or from the cell's stress.
+/// The rate of the even (viscous) part: constant, or from the cell's stress; of flow laws from its deviator.
 template <class Viscosity, class V>
 V viscous_rate(const V (&f)[D3Q19::q], const Moments<V>& m, const Viscosity& viscosity) {
   if constexpr (Viscosity::constant)
     return viscosity.rate();
+  else if constexpr (Viscosity::flow_law)
+    return viscosity.rate(stress(f, m), m.inverse_density);
   else
     return viscosity.rate(second_central_moments(f, m), m.inverse_density);
 }

@@ -30,8 +30,6 @@ class CellSet {
 
   [[nodiscard]] bool has(int cell) const { return plane(cell >> 6) >> (cell & 63) & 1; }
   [[nodiscard]] bool empty() const { return occupied_ == 0; }
-  /// Planes that are not empty, by bit z.
-  [[nodiscard]] unsigned occupied() const { return occupied_; }
   [[nodiscard]] int count() const { return count_in(occupied_); }
   /// Number of cells of the set before this one.
   [[nodiscard]] int rank(int cell) const {

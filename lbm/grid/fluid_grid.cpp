@@ -65,8 +65,8 @@ bool same_walls(const WallLinks& a, const WallLinks& b) {
   return a.directions == b.directions &&
          std::equal(a.cells.begin(), a.cells.end(), b.cells.begin(), b.cells.end(),
                     [](const WallCell& c, const WallCell& d) {
-                      return c.cell == d.cell && c.wall == d.wall && c.slip == d.slip && c.distance == d.distance &&
-                             c.normal == d.normal;
+                      return c.cell == d.cell && c.wall == d.wall && c.first_link == d.first_link &&
+                             c.links == d.links && c.slip == d.slip && c.distance == d.distance && c.normal == d.normal;
                     }) &&
          std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(),
                     [](const RowLink& c, const RowLink& d) {

@@ -31,13 +31,14 @@ struct HerschelBulkley {
   /// g from e.
   V shear_rate(const V& excess) const {
     const V target = log2_of(excess), shift = log_consistency - target;
-    V x = min(V(target + V(1)), V(-shift / exponent));
+    // No rate is below 2^-100, where exp2_of ends: that of the limit viscosity counts long before.
+    V x = max(min(V(target + V(1)), V(-shift / exponent)), V(-100));
     for (int k = 0; k < newton_steps; ++k) {
       const V viscous = exp2_of(V(x - V(1) - target)), plastic = exp2_of(V(exponent * x + shift));
       const V ratio = viscous + plastic, s = (ratio - V(1)) / (ratio + V(1)), s2 = s * s;
       const V above = number<V>(2 / 0.69314718055994530942) * s *
                       (V(1) + s2 * (number<V>(1.0 / 3) + s2 * (number<V>(0.2) + s2 * number<V>(1.0 / 7))));
-      x -= above * ratio / (viscous + exponent * plastic);
+      x = max(V(x - above * ratio / (viscous + exponent * plastic)), V(-100));
     }
     return exp2_of(x);
   }

@@ -34,8 +34,11 @@ SweepParameters parameters_of(const FluidOptions& o, const LatticeUnits& units) 
           "Fluid: this collision operator is for Newtonian fluids alone");
   require(!bounces_back(o.solid_operator) || (o.rheology.law == FlowLaw::newtonian && o.smagorinsky == 0),
           "Fluid: solid operators that bounce populations back are for a constant viscosity alone");
+  require(o.weighting != BodyWeighting::inertial || o.rheology.law == FlowLaw::newtonian,
+          "Fluid: the inertial weighting is for Newtonian fluids alone");
   const auto& walls = o.domain.walls.all();
   const bool modelled =
+      o.domain.slip == WallSlip::wall_model ||
       std::any_of(walls.begin(), walls.end(), [](const Wall& w) { return w.slip == WallSlip::wall_model; });
   require(o.rheology.law == FlowLaw::newtonian || !modelled, "Fluid: the wall model is for Newtonian fluids alone");
   p.rheology = rheology_to_lu(o.rheology, o.kinematic_viscosity, units);

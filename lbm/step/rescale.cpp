@@ -27,10 +27,12 @@ double relaxation_time(const Viscosity& viscosity, bool deviator_alone, const do
                        const Moments<double>& m) {
   return std::visit(
       [&](const auto& model) {
-        if constexpr (std::decay_t<decltype(model)>::constant)
+        using Model = std::decay_t<decltype(model)>;
+        if constexpr (Model::constant)
           return 1 / model.rate();
         else
-          return 1 / model.rate(deviator_alone ? stress(f, m) : second_central_moments(f, m), m.inverse_density);
+          return 1 / model.rate(deviator_alone || Model::flow_law ? stress(f, m) : second_central_moments(f, m),
+                                m.inverse_density);
       },
       viscosity);
 }
@@ -67,7 +69,8 @@ class CellRescaling {
     const double common = ratio_ * density_ratio;
     const double even = common * std::max(new_tau, shortest) / std::max(tau, shortest);
     const CollisionOperator& collision = before_.collision;
-    const double odd = moments_alone_ ? even : common * odd_time(collision, new_tau) / odd_time(collision, tau);
+    const double odd =
+        moments_alone_ ? even : ratio_ * common * odd_time(collision, new_tau) / odd_time(collision, tau);
     const auto excess = [&](int i) { return f[i] - equilibrium(i, m.drho, m.u[0], m.u[1], m.u[2]); };
     const auto rest = [&](int i) { return equilibrium(i, drho, u[0], u[1], u[2]); };
     f[0] = rest(0) + even * excess(0);
@@ -85,7 +88,8 @@ class CellRescaling {
   const SweepParameters& before_;
   Viscosity viscosity_;
   double ratio_;
-  bool moments_alone_;  ///< the collision keeps density, velocity and the deviator of the stress, and no more
+  bool
+      moments_alone_;  ///< the collision keeps density, velocity and the deviator of the stress, at bodies the odd part
 };
 
 /// Returns the mass that came in.

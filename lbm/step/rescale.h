@@ -14,7 +14,8 @@
 // f' = f_eq(rho', u') + that factor x the non-equilibrium part. Incoming populations, because after a collision the
 // stress is -2/3 rho (tau - 1) D: at tau = 1 it says nothing about D. (Thuerey, Pohl, Ruede, Oechsner & Koerner 2006,
 // Comput. Fluids 35, 934, scale the non-equilibrium likewise.) The odd part, which places walls with two relaxation
-// times, scales with its own tau; central moments drop it.
+// times, follows from gradients of what is even, the pressure and rho u u, and from the force, all of which go as r^2:
+// r^2 (rho' tau_odd') / (rho tau_odd). Central moments drop it.
 //
 // Fill levels are kept: the volume of the liquid is what is physical. Its mass in lattice units, volume x rho, changes
 // with the compression of the lattice fluid; the sum of that is returned, for the ledger.

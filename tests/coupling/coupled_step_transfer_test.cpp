@@ -98,7 +98,8 @@ TEST(CoupledStepTransfer, GoesOnWithGrainsByDistance) {
 
 TEST(CoupledStepTransfer, GoesOnWithAveragedGrains) {
   expect_same_after_restart<double>({.grains = AveragedGrains{.averaging_length = 0.08}});
-  expect_same_after_restart<float>({.grains = AveragedGrains{.averaging_length = 0.08, .beads_as_grains = true}});
+  expect_same_after_restart<float>({.grains = AveragedGrains{.averaging_length = 0.08, .beads_as_grains = true},
+                                    .thin_wires = ThinWires::uncoupled});
 }
 
 /// Stored before the first step, as when packing takes long: grains and wires are in the same blocks, and no sweep has

@@ -169,6 +169,7 @@ TEST(AveragedExchange, HeldBeadsSlowTheLiquidByTheSameLaw) {
   fluid.kinematic_viscosity = 1e-5;
   CouplingOptions options = averaged(0.08);
   std::get<AveragedGrains>(options.grains).beads_as_grains = true;
+  options.thin_wires = ThinWires::uncoupled;
   CoupledStep<double> step(fluid, in_rows(Vec3::Zero(), dem::ParticleState::fixed, dem::ParticleKind::bead), options);
   step.fluid()->fill_everything([](const Vec3&) { return Vec3(0.02, 0, 0); }, [](const Vec3&) { return 0.0; });
   double u = 0.02 * 0.02 / 1e-3;

@@ -246,6 +246,30 @@ TEST(Lubrication, WallIsALargeSphere) {
   EXPECT_LT((torque - Vec3(at_sphere.external_torque[0])).norm(), 1e-4 * torque.norm());
 }
 
+/// Squeezing at a ball is that of a pair; at a cylinder Reynolds' equation in a gap of curvatures k and k' has
+/// 12 pi mu v / ((k + k') sqrt(k k') h).
+TEST(Lubrication, WallsAreCurved) {
+  const double a = 0.02, radius = 0.03, h = 1e-4, cell = 0.01, mu = 1e-3, v = 0.1, pi = std::numbers::pi;
+  const auto push_at = [&](const Shape& shape, double height) {
+    Walls walls;
+    walls.add({"wall", shape});
+    dem::Particles p;
+    p.add(grain(Vec3(0, 0, height), a, 2500));
+    p.velocity.set(0, Vec3(0, 0, -v));
+    EXPECT_EQ(add_lubrication(p, cell, mu, 1e-9, wet, walls), 1U);
+    return p.external_force.z[0] / (1 / h - 1 / (kFilmCutOff * cell));
+  };
+  const double reduced = a * radius / (a + radius);
+  EXPECT_NEAR(push_at(SolidSphere{Vec3::Zero(), radius}, radius + a + h) / (6 * pi * mu * v * reduced * reduced), 1,
+              1e-6);
+  const auto between = [&](double k, double l) { return 12 * pi * mu * v / ((k + l) * std::sqrt(k * l)); };
+  const SolidCylinder bar{Vec3(-1, 0, 0), Vec3(1, 0, 0), radius};
+  EXPECT_NEAR(push_at(bar, radius + a + h) / between(1 / a, 1 / a + 1 / radius), 1, 1e-6);
+  SolidCylinder bore = bar;
+  bore.hollow = true;
+  EXPECT_NEAR(push_at(bore, -(radius - a - h)) / between(1 / a, 1 / a - 1 / radius), 1, 1e-6);
+}
+
 /// Goldman, Cox & Brenner 1967: 8/15 ln, 2/15 ln and 2/5 ln. A sphere that moves with its wall feels nothing, one that
 /// slides is made to roll.
 TEST(Lubrication, SlidesAndRollsAtAWall) {

@@ -36,6 +36,13 @@ struct HeldGrain {
   dem::Particles particles;
 };
 
+constexpr auto kWeightings = {lbm::BodyWeighting::solid_fraction, lbm::BodyWeighting::wall_distance,
+                              lbm::BodyWeighting::inertial};
+
+lbm::FluidOptions weighted(const lbm::FluidOptions& options, lbm::BodyWeighting weighting) {
+  return by_wall_distance(weighting) ? by_distance(options, weighting) : by_fraction(options);
+}
+
 /// By distance the cells with their centre inside the sphere are covered, and B is as large as it gets there; by eps
 /// none is.
 TEST(ResolvedExchange, CoversTheCellsWithTheirCentreInside) {
@@ -59,9 +66,8 @@ TEST(ResolvedExchange, CoversTheCellsWithTheirCentreInside) {
 }
 
 TEST(ResolvedExchange, ForcesAreWhatTheCellsGave) {
-  for (const bool by_wall : {true, false}) {
-    const auto options = stream(24, 1, 1);
-    HeldGrain held(by_wall ? by_distance(options) : options);
+  for (const auto weighting : kWeightings) {
+    HeldGrain held(weighted(stream(24, 1, 1), weighting));
     for (int s = 0; s < 5; ++s) {
       const Vec3 got = held.step(), gave = momentum_given_to_bodies(held.fluid.grid());
       EXPECT_GT(gave.norm(), 0.01);
@@ -85,10 +91,8 @@ void for_cells_of(const HeldGrain& held, const Visit& visit) {
 /// The cells move with the grain's surface, v + w x r, and the grain gets the moment of what they give; while it spins
 /// up, the inertia of the liquid in its place, or of what the cells bring along of it, is no load.
 TEST(ResolvedExchange, SpinAndTorque) {
-  for (const auto weighting :
-       {lbm::BodyWeighting::solid_fraction, lbm::BodyWeighting::wall_distance, lbm::BodyWeighting::inertial}) {
-    const auto options = stream(24, 1, 1);
-    HeldGrain held(weighting == lbm::BodyWeighting::solid_fraction ? options : by_distance(options, weighting), 1e9);
+  for (const auto weighting : kWeightings) {
+    HeldGrain held(weighted(stream(24, 1, 1), weighting), 1e9);
     const Vec3 velocity(0.02, 0.01, -0.01), spin(0.01, -0.02, 0.015), faster(2e-3, 1e-3, -3e-3);
     held.particles.velocity.set(0, velocity), held.particles.angular_velocity.set(0, spin);
     const auto torque_of_cells = [&](double& scale) {

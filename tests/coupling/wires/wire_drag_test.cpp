@@ -184,6 +184,24 @@ TEST(WireDrag, TornEndsLieAlongTheirOwnPiece) {
   EXPECT_NEAR(torn.x() / whole.x(), 1, 0.01);
 }
 
+/// A bead that nothing holds has no axis: streams along x and along y drag it alike.
+TEST(WireDrag, ALooseBeadHasNoAxis) {
+  const auto force_in = [](const Vec3& stream_velocity) {
+    lbm::Fluid<double> fluid(stream(16, 0.02, 1e-4));
+    fluid.fill_everything([&](const Vec3&) { return stream_velocity; }, [](const Vec3&) { return 0.0; });
+    StraightWire wire(3, 0.006, Vec3(0.1, 0.161, 0.1), Vec3::UnitX());
+    WireDrag<double> drag(wire.particles, wire.bonds);
+    wire.bonds.intact[0] = wire.bonds.intact[1] = 0;
+    SolidFields<double> fields;
+    drag.follow_breakage(wire.bonds);
+    apply(drag, fluid, wire, fields);
+    return Vec3(wire.particles.external_force[1]);
+  };
+  const double along_x = force_in(Vec3(0.01, 0, 0)).x(), along_y = force_in(Vec3(0, 0.01, 0)).y();
+  EXPECT_GT(along_x, 1e-3);
+  EXPECT_NEAR(along_y / along_x, 1, 0.01);
+}
+
 // Beside a bed that slips there is as much water around the wire as far from it, whichever blocks exist.
 TEST(WireDrag, AWireOnTheBedIsAllInTheWater) {
   const double d = 0.006, u = 1.0, dt = 1e-4;

@@ -100,6 +100,20 @@ TEST(Inflow, BringsItsMomentum) {
   EXPECT_NEAR(momentum / (0.4 * fluid.inflow_mass()), 1, 0.02);
 }
 
+/// What is due in a step comes all through it: at the end gravity has acted on it for half a step.
+TEST(Inflow, ComesInTheMiddleOfTheStep) {
+  FluidOptions o = filling(Vec3(0.15, 0.04, 0.08), Vec3(0.25, 0.12, 0.14), Vec3(0.4, 0, 0));
+  o.gravity = Vec3(3, 0, 0);
+  Fluid<double> fluid(o);
+  while (fluid.inflow_mass() == 0) fluid.step();
+  int cells = 0;
+  fluid.for_each_wet_cell([&](const WetCell& c) {
+    EXPECT_NEAR(c.velocity.x(), 0.4 + 0.5 * 3 * fluid.units().time_step, 1e-9);
+    ++cells;
+  });
+  EXPECT_GT(cells, 0);
+}
+
 struct Sheet {
   double momentum = 0;  ///< over that of what came in
   double volume = 0;    ///< of what the cells show, over that of what came in: above 1 where some owe

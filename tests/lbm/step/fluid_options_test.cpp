@@ -98,6 +98,10 @@ TEST(FluidOptions, RefusesWhatDoesNotGoTogether) {
                         {.name = "bed", .shape = HalfSpace{Vec3::Zero(), Vec3::UnitZ()}, .slip = WallSlip::wall_model});
                   }),
                   "wall model"));
+  EXPECT_TRUE(
+      has(refused([&](FluidOptions& o) { o.rheology = mud, o.domain.slip = WallSlip::wall_model; }), "wall model"));
+  EXPECT_TRUE(
+      has(refused([&](FluidOptions& o) { o.rheology = mud, o.weighting = BodyWeighting::inertial; }), "inertial"));
   EXPECT_TRUE(has(refused([](FluidOptions& o) { o.surface_tension = 0.0728, o.time_step = 0.1; }), "ripples"));
 }
 
