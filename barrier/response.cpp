@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/check.h"
 #include "dem/bonds/axial_law.h"
+#include "dem/bonds/bond_constants.h"
 
 namespace lahar::barrier {
 
@@ -16,38 +16,29 @@ double spring_energy(double force_squared, double stiffness) {
   return stiffness > 0 ? 0.5 * force_squared / stiffness : 0.0;
 }
 
-/// What plastic elongation has dissipated, in a broken bond too, J.
-double plastic_energy(const dem::Bonds& bonds, std::size_t b) {
-  const dem::BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
-  if (!sort.axial.plastic_unloading) return 0;
-  const double area = std::numbers::pi * sort.bond_radius * sort.bond_radius;
-  return dem::plastic_work(dem::axial_curve(sort.axial, area), bonds.plastic_elongation[b]);
-}
-
-/// Energy that one bond holds, with the stiffnesses of Potyondy & Cundall (2004), Eqs. 14 and 15: k_n A, k_s A, k_n I,
-/// k_s J.
+/// What a bond has dissipated by plastic elongation and, while it is whole, holds: dem::energy_of of this bond but for
+/// rounding. Without plastic unloading the axial part comes from the elongation, not from the force.
 dem::BondEnergy bond_energy(const dem::Bonds& bonds, std::size_t b) {
-  const dem::BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
-  const double r2 = sort.bond_radius * sort.bond_radius, area = std::numbers::pi * r2, inertia = 0.25 * area * r2;
-  const dem::AxialCurve curve = dem::axial_curve(sort.axial, area);
+  const dem::BondConstants c = dem::constants_of(bonds.sorts[static_cast<std::size_t>(bonds.sort[b])]);
   dem::BondEnergy e;
-  e.axial = sort.axial.plastic_unloading ? spring_energy(bonds.axial_force[b] * bonds.axial_force[b], curve.k1)
-                                         : dem::curve_energy(curve, bonds.elongation[b]);
-  e.shear = spring_energy(bonds.shear_force[b].squaredNorm(), sort.shear_stiffness * area);
-  e.bending = spring_energy(bonds.moment[b].squaredNorm(), sort.axial.stiffness[0] * inertia);
-  e.torsion = spring_energy(bonds.torsion_moment[b] * bonds.torsion_moment[b], sort.shear_stiffness * 2 * inertia);
+  if (c.plastic) e.plastic = dem::plastic_work(c.axial, bonds.plastic_elongation[b]);
+  if (!bonds.intact[b]) return e;
+  e.axial = c.plastic ? spring_energy(bonds.axial_force[b] * bonds.axial_force[b], c.axial.k1)
+                      : dem::curve_energy(c.axial, bonds.elongation[b]);
+  e.shear = spring_energy(bonds.shear_force[b].squaredNorm(), c.shear_stiffness);
+  e.bending = spring_energy(bonds.moment[b].squaredNorm(), c.bending_stiffness);
+  e.torsion = spring_energy(bonds.torsion_moment[b] * bonds.torsion_moment[b], c.torsion_stiffness);
   return e;
 }
 
 void add_bond(std::size_t b, const dem::Bonds& bonds, ComponentResponse& sum) {
-  sum.energy.plastic += plastic_energy(bonds, b);
+  sum.energy += bond_energy(bonds, b);
   if (!bonds.intact[b]) {
     ++sum.broken_bonds;
     return;
   }
   sum.force_sum += std::hypot(bonds.axial_force[b], bonds.shear_force[b].norm());
   sum.max_tension = std::max(sum.max_tension, bonds.axial_force[b]);
-  sum.energy += bond_energy(bonds, b);
 }
 
 void add_bonds(const Wire& wire, const dem::Bonds& bonds, ComponentResponse& sum) {
@@ -132,9 +123,7 @@ std::vector<bool> holding_beads(const Net& net, const dem::Bonds& bonds) {
   std::vector<bool> holding(net.beads, true);
   const auto is_broken = [&](std::size_t b) { return bonds.intact[b] == 0; };
   const auto look_at = [&](const Wire& wire) {
-    bool torn = false;
-    for (std::size_t b = wire.first_bond; b < wire.first_bond + wire.bonds; ++b) torn = torn || is_broken(b);
-    if (!torn) return;
+    if (is_whole(wire, bonds)) return;
     for (dem::ParticleId bead = wire.first_bead; bead < wire.first_bead + wire.beads; ++bead)
       holding[bead - net.first_bead] = false;
   };

@@ -152,12 +152,28 @@ class Builder {
   Net all_;
 };
 
+/// The ends of upper and lower cables hang on posts. The bead nearest to a place beside an end may be that of the end,
+/// which would be fixed as well.
+void check_places(const RingNetSpec& net) {
+  for (const NetCable* cable : {&net.upper, &net.lower}) {
+    if (cable->support.fixed_all) continue;
+    for (const double f : cable->support.fixed_at) {
+      const double away = std::min(f, 1 - f) * net.width;
+      if (away > 0 && away < net.wire_diameter)
+        throw InputError("a cable is fixed " + std::to_string(away) +
+                         " m from its end, which hangs on a post, expected a wire's diameter, " +
+                         std::to_string(net.wire_diameter) + " m, at least");
+    }
+  }
+}
+
 void check(const SpansSpec& s) {
   if (s.spans < 1) throw InputError("a barrier with posts needs one span at least");
   if (!(s.post_height >= s.net.height))
     throw InputError("posts of " + std::to_string(s.post_height) + " m are shorter than the net, " +
                      std::to_string(s.net.height) + " m");
   if (s.net.free_net) throw InputError("a net between posts needs its cables");
+  check_places(s.net);
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ struct SpansSpec {
 /// ends at the post height.
 [[nodiscard]] PostSpec post_spec(const SpansSpec& spec, int k);
 
-/// Builds all at rest and free of stress. Throws InputError for what build_net, add_post and the elements refuse, and
-/// for posts lower than the net.
+/// Builds all at rest and free of stress. Throws InputError for what build_net, add_post and the elements refuse, for
+/// posts lower than the net, and for upper and lower cables fixed nearer to an end than a wire's diameter.
 Net build_spans(const SpansSpec& spec, dem::Particles& particles, dem::Bonds& bonds);
 
 }  // namespace lahar::barrier

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/check.h"
 
@@ -51,6 +52,34 @@ std::optional<double> place_on_cable(const Polyline& ring, const Polyline& cable
   if (places.empty()) return std::nullopt;
   std::ranges::sort(places);
   return places[places.size() / 2];
+}
+
+std::vector<double> places_on_cables(const Net& net, const std::vector<Threading>& threads,
+                                     const dem::Particles& particles, const dem::Bonds& bonds) {
+  std::vector<double> all(threads.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < threads.size(); ++k) {
+    const Wire &ring = net.rings[threads[k].ring], &cable = net.cables[threads[k].cable];
+    if (!is_whole(ring, bonds) || !is_whole(cable, bonds)) continue;
+    const auto segment = place_on_cable(centre_line(ring, particles), centre_line(cable, particles));
+    const auto first = bonds.rest_length.begin() + static_cast<std::ptrdiff_t>(cable.first_bond);
+    const double made = std::accumulate(first, first + static_cast<std::ptrdiff_t>(cable.bonds), 0.0);
+    if (segment) all[k] = *segment * made / static_cast<double>(cable.bonds);
+  }
+  return all;
+}
+
+Travel travel_between(const std::vector<double>& before, const std::vector<double>& now) {
+  require(before.size() == now.size(), "travel_between: places of other rings");
+  Travel travel;
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    const double way = std::abs(now[k] - before[k]);
+    if (!std::isfinite(way)) continue;
+    sum += way, count += 1;
+    travel.furthest = std::max(travel.furthest, way);
+  }
+  travel.mean = sum / std::max(count, 1.0);
+  return travel;
 }
 
 void tie_to_cables(const Net& net, const dem::Particles& particles, int sort, dem::Bonds& bonds) {

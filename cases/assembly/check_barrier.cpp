@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "cases/assembly/cross_checks.h"
+#include "cases/assembly/drawn_out_dissipators.h"
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_extent.h"
@@ -47,16 +47,10 @@ void check_net_place(const Scene& scene, Findings& findings) {
   const double more = scene.barrier.posts.enabled ? (spans.spans - 1) * post_distance(spans) : 0.0;
   const Vec3 across = (net.width + more) * net.width_direction.normalized(),
              up = net.height * net.height_direction.normalized();
-  struct Corner {
-    Vec3 position;
-    std::string key;
-  };
   const double slack = net.wire_diameter;
   const Walls walls = findings.sound({"wall"}) ? make_walls(scene) : Walls{};
-  for (const auto& [p, key] : std::array<Corner, 3>{Corner{net.origin, "barrier.net.origin_m"},
-                                                    Corner{net.origin + across, "barrier.net.width_m"},
-                                                    Corner{net.origin + up, "barrier.net.height_m"}}) {
-    if (!findings.sound({"barrier.net.origin_m"})) return;
+  const std::string origin = "barrier.net.origin_m", width = "barrier.net.width_m", height = "barrier.net.height_m";
+  const auto check_corner = [&](const Vec3& p, const std::string& key) {
     const double depth = walls.empty() ? 0.0 : -walls.nearest(p).distance;
     const char* where = !scene.domain.contains(p, slack) ? "the domain" : depth > slack ? "the walls" : nullptr;
     if (where)
@@ -64,9 +58,14 @@ void check_net_place(const Scene& scene, Findings& findings) {
           key,
           fmt::format("{}: the net's corner ({:g}, {:g}, {:g}) lies outside {}, expected it in the channel", key, p.x(),
                       p.y(), p.z(), where),
-          {"barrier.net.origin_m", "barrier.net.width_direction", "barrier.net.height_direction", "barrier.posts.spans",
+          {origin, height, "barrier.net.width_direction", "barrier.net.height_direction", "barrier.posts.spans",
            "domain.lower_m", "domain.upper_m"});
-  }
+  };
+  check_corner(net.origin, origin);
+  if (!findings.sound({origin})) return;
+  check_corner(net.origin + across, width);
+  check_corner(net.origin + up, height);
+  if (findings.sound({width, height})) check_corner(net.origin + across + up, width);
 }
 
 void check_dissipators(const BarrierBonds& bonds, Findings& findings) {
@@ -176,6 +175,23 @@ void check_step_of_barrier(const Scene& scene, const dem::Particles& beads, cons
                                safety, step, limit, std::floor(100 * room * safety * limit / step) / 100));
 }
 
+/// A dissipator that is drawn out asks for a shorter step. One that cannot even activate is a mistake; where the step
+/// stops holding soon after that, a warning says so (warn_of_solids.cpp).
+void check_step_of_dissipators(const Scene& scene, const cases::DrawnOutDissipators& dissipators, Findings& findings) {
+  if (scene.barrier.bonds.dissipator_stiffness.empty() || scene.solids.time_step > 0) return;
+  constexpr double room = 0.8;  // below the limit, as by default
+  const double step = cases::solids_time_step(scene), elongation = cases::activation_elongation(scene);
+  const double limit = dissipators.time_step(elongation);
+  if (step <= limit) return;
+  findings.mistake(
+      "solids.bond_safety",
+      fmt::format("solids.bond_safety is {:g}: the time step is {:.3g} s, and dissipators drawn out by {:.3g} m, "
+                  "where they activate, allow {:.3g} s, expected at most {:.2g}, or solids.time_step_s",
+                  scene.solids.bond_safety, step, elongation, limit, cases::bond_safety_for(scene, room * limit)),
+      {"barrier.bonds.dissipator_force_limit_N", "barrier.bonds.dissipator_stiffness_N_m3",
+       "solids.bond_stiffness_scale"});
+}
+
 }  // namespace
 
 void check_barrier(const Scene& scene, Findings& findings) {
@@ -195,6 +211,7 @@ void check_net_can_be_built(const Scene& scene, Findings& findings) {
   if (!scene.barrier.enabled || !findings.mistakes().empty() || !cases::can_be_tried(scene)) return;
   dem::Particles particles;
   dem::Bonds bonds;
+  barrier::Net net;
   const auto attempt = [&](const std::string& path, const std::vector<std::string>& keys, const auto& build) {
     std::vector<std::string> others;
     for (const std::string& key : keys) others.push_back(fmt::format("{}.{}", path, key));
@@ -207,15 +224,16 @@ void check_net_can_be_built(const Scene& scene, Findings& findings) {
   attempt("barrier.net",
           {"ring_diameter_m", "ring_pitch_m", "beads_per_ring", "wire_diameter_m", "width_m", "height_m",
            "mesh_width_m", "mesh_height_m", "twist_length_m", "node_diameter_m"},
-          [&] { barrier::build_net(make_net_spec(scene), particles, bonds); });
+          [&] { net = barrier::build_net(make_net_spec(scene), particles, bonds); });
   if (scene.barrier.posts.enabled && findings.mistakes().empty()) {
     particles = {}, bonds = {};
     attempt("barrier.posts", {"spans", "height_m", "diameter_m"},
-            [&] { barrier::build_spans(make_spans_spec(scene), particles, bonds); });
+            [&] { net = barrier::build_spans(make_spans_spec(scene), particles, bonds); });
   }
   if (findings.mistakes().empty()) check_grains_beside_barrier(scene, particles, findings);
   if (findings.mistakes().empty()) check_beads_beside_walls(scene, particles, findings);
   if (findings.mistakes().empty()) check_step_of_barrier(scene, particles, bonds, findings);
+  if (findings.mistakes().empty()) check_step_of_dissipators(scene, {net.dissipators, particles, bonds}, findings);
 }
 
 }  // namespace lahar::scene

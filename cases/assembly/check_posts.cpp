@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cases/assembly/cross_checks.h"
+#include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/net_spec.h"
 #include "dem/time_step.h"
@@ -26,6 +27,20 @@ void check_size(const Scene& scene, Findings& findings) {
     findings.mistake(key_of("diameter_m"),
                      fmt::format("{} is {:g}, too thick for a beam of {:g} m, expected at most a sixth of it, {:.4g}",
                                  key_of("diameter_m"), posts.diameter, posts.height, posts.height / 6));
+}
+
+/// Nothing flows far above the domain: posts that reach there are a slip of the pen, and take any number of beads.
+void check_heads(const Scene& scene, const barrier::SpansSpec& spec, Findings& findings) {
+  const Vec3 &up = spec.net.up, &lower = scene.domain.lower, &upper = scene.domain.upper;
+  const Vec3 highest = (up.array() > 0).select(upper, lower), lowest = (up.array() > 0).select(lower, upper);
+  const double foot = std::max(post_base(spec, 0).dot(up), post_base(spec, spec.spans).dot(up));
+  const double above = foot + spec.post_height - highest.dot(up), height = (highest - lowest).dot(up);
+  if (above > height)
+    findings.mistake(key_of("height_m"),
+                     fmt::format("{} is {:g}: heads of posts stand {:.3g} m above the domain, expected at most its "
+                                 "height, {:g} m",
+                                 key_of("height_m"), spec.post_height, above, height),
+                     {"barrier.net.origin_m", "domain.lower_m", "domain.upper_m"});
 }
 
 /// Where something that stands in the ground lies, in words, or nothing if all is well.
@@ -80,10 +95,7 @@ void check_retaining(const Scene& scene, const barrier::SpansSpec& spec, const W
 
 void check_post_step(const barrier::SpansSpec& spec, Findings& findings) {
   constexpr double least = 1e-8;  // s, as of the net's bonds
-  dem::Particles particles;
-  dem::Bonds bonds;
-  add_post(post_spec(spec, 0), particles, bonds);
-  if (const double step = dem::bond_time_step(bonds, particles); step < least)
+  if (const double step = cases::post_bond_limit(spec); step < least)
     findings.mistake(
         key_of("youngs_modulus_Pa"),
         fmt::format("{}: these posts need a time step of {:.2g} s, expected a modulus, section and density "
@@ -156,6 +168,7 @@ void check_posts(const Scene& scene, Findings& findings) {
   const barrier::SpansSpec spec = make_spans_spec(scene);
   check_post_step(spec, findings);
   if (!findings.sound({"domain"})) return;
+  check_heads(scene, spec, findings);
   const Walls walls = findings.sound({"wall"}) ? make_walls(scene) : Walls{};
   check_bases(scene, spec, walls, findings);
   const std::size_t cables = spec.elements.of<barrier::RetainingCable>().size();

@@ -197,14 +197,15 @@ void check_cells(const Scene& scene, Findings& findings) {
                                               path, dx, extent.maxCoeff() / dx, most_along_axis));
   if (!findings.sound({"fluid.region", "wall"})) return;
   const double of_domain = findings.sound({"coupling"}) ? bytes_of_domain(scene) : 0;
-  const double need = liquid_cells(scene) * static_cast<double>(fluid_bytes_per_cell(scene.run.precision)) + of_domain;
+  const double cells = liquid_cells(scene);
+  const double need = bytes_of_blocks(scene, cells / 512, 0) + kBytesPerFilledCell * cells + of_domain;
   const auto have = static_cast<double>(physical_memory());
   constexpr double least_in_files = 1.5e-5;  // m: OpenVDB takes cells of less than 3e-15 m^3 for none
   if (need > have)
     findings.mistake(
         path, fmt::format("{} is {:g}: the liquid of the start takes {:.3g} cells, what is kept for the whole domain "
                           "{:.1f} GB, both {:.1f} GB, expected at most the {:.1f} GB of this machine",
-                          path, dx, liquid_cells(scene), of_domain * 1e-9, need * 1e-9, have * 1e-9));
+                          path, dx, cells, of_domain * 1e-9, need * 1e-9, have * 1e-9));
   else if (dx < least_in_files && scene.run.output_interval > 0 && findings.sound({"run.output_interval_s"}))
     findings.mistake("run.output_interval_s",
                      fmt::format("run.output_interval_s is {:g}, but fluid_NNNNNN.vdb can hold no cells of {:g} m, "

@@ -34,7 +34,8 @@ void check_section(const Scene& scene, Findings& findings) {
     if (!inside(x))
       findings.mistake(key,
                        fmt::format("{} leads to x = {:g}, expected inside the domain, {:g} to {:g}", key, x, low, high),
-                       {"measure.section_x_m", "barrier.net.origin_m", "domain.lower_m", "domain.upper_m"});
+                       {"measure.section_x_m", "barrier.net.origin_m", "rigid_barrier.origin_m", "domain.lower_m",
+                        "domain.upper_m"});
   };
   refuse("measure.section_x_m", *section);
   if (!findings.sound({"measure"})) return;

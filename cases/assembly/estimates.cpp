@@ -124,6 +124,21 @@ double fluid_time_step(const scene::Scene& scene) {
 std::int64_t net_columns(const scene::Net& net) { return std::llround(net.width / net.ring_pitch); }
 std::int64_t net_rows(const scene::Net& net) { return std::llround(net.height / net.ring_pitch); }
 
+namespace {
+
+/// Beads of what hangs on posts. To see whether it stands clear each is compared with all other beads.
+double beads_on_posts(const scene::Scene& scene) {
+  if (!scene.barrier.posts.enabled) return 0;
+  const barrier::SpansSpec spec = scene::make_spans_spec(scene);
+  double beads = 0;
+  spec.elements.for_each_kind([&](const auto& list, std::size_t) {
+    for (const auto& element : list) beads += element.beads(spec);
+  });
+  return beads;
+}
+
+}  // namespace
+
 std::int64_t barrier_beads(const scene::Scene& scene) {
   const scene::Net& net = scene.barrier.net;
   double beads = 2 * (net.width + net.height) / net.wire_diameter;
@@ -132,15 +147,11 @@ std::int64_t barrier_beads(const scene::Scene& scene) {
   else
     beads += 2 * net.width / net.mesh_width * net.height / (0.5 * (net.mesh_height + net.twist_length));
   const scene::Posts& posts = scene.barrier.posts;
-  if (!posts.enabled) return std::llround(beads);
-  beads *= static_cast<double>(posts.spans);
-  const auto count = static_cast<double>(posts.spans + 1);
-  beads += count * posts.height / posts.diameter;
-  const barrier::SpansSpec spec = scene::make_spans_spec(scene);
-  posts.elements.for_each_kind([&](const auto& list, std::size_t) {
-    for (const auto& element : list) beads += element.beads(spec);
-  });
-  return std::llround(beads);
+  if (posts.enabled)
+    beads = static_cast<double>(posts.spans) * beads +
+            static_cast<double>(posts.spans + 1) * posts.height / posts.diameter + beads_on_posts(scene);
+  constexpr double most = 1e18;  // that can be written as a whole number
+  return std::llround(std::min(beads, most));
 }
 
 std::int64_t grain_count(const scene::Scene& scene) {
@@ -241,11 +252,8 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
                  dem::bond_time_step(wire_law_bond(spec.mesh->twist, spec.mesh->twist_length, *spec.mesh), node));
   }
   if (scene.barrier.posts.enabled) {
-    dem::Particles particles;
-    dem::Bonds bonds;
     const barrier::SpansSpec spans = scene::make_spans_spec(scene);
-    add_post(post_spec(spans, 0), particles, bonds);
-    limits.post_bond = dem::bond_time_step(bonds, particles);
+    limits.post_bond = post_bond_limit(spans);
     spans.elements.for_each_kind([&](const auto& list, std::size_t) {
       for (const auto& element : list) limits.cable_bond = std::min(limits.cable_bond, element.bond_limit(spans));
     });
@@ -256,9 +264,23 @@ SolidsLimits solids_limits(const scene::Scene& scene) {
   return limits;
 }
 
+double post_bond_limit(const barrier::SpansSpec& spec) {
+  constexpr double few = 8;  // bonds
+  barrier::PostSpec post = post_spec(spec, 0);
+  const Vec3 axis = post.head - post.foot;
+  if (const double shorter = few * barrier::post_spacing(axis.norm(), post.diameter); shorter < axis.norm())
+    post.head = post.foot + shorter * axis.normalized();
+  dem::Particles particles;
+  dem::Bonds bonds;
+  add_post(post, particles, bonds);
+  return dem::bond_time_step(bonds, particles);
+}
+
 bool can_be_tried(const scene::Scene& scene) {
-  constexpr std::int64_t most_beads = 500'000;
-  return scene.barrier.enabled && barrier_beads(scene) <= most_beads;
+  constexpr double most_beads = 5e5, most_pairs = 1e9;
+  if (!scene.barrier.enabled) return false;
+  const auto beads = static_cast<double>(barrier_beads(scene));
+  return beads <= most_beads && beads_on_posts(scene) * beads <= most_pairs;
 }
 
 double limit_as_built(const scene::Scene& scene) {

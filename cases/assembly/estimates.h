@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "barrier/spans.h"
 #include "cases/scene/scene.h"
 
 namespace lahar::cases {
@@ -64,6 +65,9 @@ struct SolidsLimits {
   double grain_rayleigh, bead_rayleigh, ring_bond, cable_bond, post_bond;  ///< ring: or wire of a mesh
 };
 SolidsLimits solids_limits(const scene::Scene& scene);
+
+/// s: of the bonds of a post, from a few of its beads: all but those at its ends are held alike.
+double post_bond_limit(const barrier::SpansSpec& spec);
 
 /// Whether the barrier can be built to see whether it stands, in a few seconds; of larger ones the run finds it out.
 bool can_be_tried(const scene::Scene& scene);

@@ -1,7 +1,35 @@
 #include "cases/assembly/grain_sizes.h"
 
+#include <deque>
+#include <memory>
+#include <mutex>
+
 namespace lahar::scene {
 namespace {
+
+/// Diameters (m) of a grading, fixed by its volume (m^3) and a seed. To draw a million takes two seconds, and a check
+/// asks for the same a dozen times: those asked for last are kept.
+template <class Grains>
+std::shared_ptr<const std::vector<double>> diameters_of(const Grains& grains, double volume, std::uint64_t seed) {
+  struct Drawn {
+    Grains grains;
+    double volume;
+    std::uint64_t seed;
+    std::shared_ptr<const std::vector<double>> diameters;
+  };
+  constexpr std::size_t most = 4'000'000;  // diameters, but for the last drawn
+  static std::mutex mutex;
+  static std::deque<Drawn> kept;
+  static std::size_t count = 0;  // of all diameters that are kept
+  const std::lock_guard lock(mutex);
+  for (const Drawn& d : kept)
+    if (d.grains == grains && d.volume == volume && d.seed == seed) return d.diameters;
+  auto drawn = std::make_shared<const std::vector<double>>(dem::draw_diameters(distribution_of(grains), volume, seed));
+  kept.push_back({grains, volume, seed, drawn});
+  for (count += drawn->size(); count > most && kept.size() > 1; kept.pop_front())
+    count -= kept.front().diameters->size();
+  return drawn;
+}
 
 /// Draws every grading of one packing, each with numbers of its own.
 class Drawing {
@@ -14,7 +42,7 @@ class Drawing {
   void add(const Grains& grains, std::vector<GrainSize>& sizes) {
     const double volume = solid_volume(packing_, grains.amount, grains.density);
     seed_ += kStride;
-    for (const double d : dem::draw_diameters(distribution_of(grains), volume, seed_))
+    for (const double d : *diameters_of(grains, volume, seed_))
       sizes.push_back({d, 1, grains.density, grains.material});
   }
 

@@ -6,9 +6,21 @@
 #include "cases/assembly/load_shapes.h"
 #include "cases/assembly/rigid_barrier.h"
 #include "cases/scene/reader.h"
+#include "cases/scene/value.h"
 
 namespace lahar::scene {
 namespace {
+
+/// The absolute names of files stand in the resolved scene, which must load again.
+void check_file_names(const Scene& scene, Findings& findings) {
+  const auto check = [&](const ShapeFile& shape, const std::string& key) {
+    if (shape.file.empty() || fits_in_toml(shape.file)) return;
+    findings.mistake(key, fmt::format("{}: \"{}\" is not UTF-8, expected folders whose names are", key, shape.file));
+  };
+  for (std::size_t i = 0; i < scene.walls.size(); ++i) check(scene.walls[i].file, fmt::format("wall[{}].file", i));
+  for (std::size_t i = 0; i < scene.fluid.regions.size(); ++i)
+    check(scene.fluid.regions[i].file, fmt::format("fluid.region[{}].file", i));
+}
 
 /// What is off holds defaults, so that two scenes that run alike compare alike.
 void normalise(Scene& scene) {
@@ -44,6 +56,7 @@ Scene load(const std::filesystem::path& file, const std::vector<std::string>& ov
   scene.barrier.written_at = {at.file, at.line, at.column};
   build_rigid_barrier(scene, findings);
   load_shapes(scene, findings);
+  check_file_names(scene, findings);
   check_together(scene, findings);
   findings.raise();
   normalise(scene);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "cases/assembly/memory.h"
 #include "cases/files/checkpoint_file.h"
@@ -56,23 +57,41 @@ double band_of(const Scene& scene, double spacing) {
   return std::max(4 * spacing, 0.6 * grain_diameters(scene).second);
 }
 
-/// Samples the part of a surface that matters in the domain. Throws ShapeFileError.
+/// A good file of a shape that does not fit the rest of the scene: `keys` have a part in that, and the file's own may.
+/// Keys that begin with "." are those of the shape.
+struct Misfit : cases::ShapeFileError {
+  Misfit(const std::string& what, std::vector<std::string> with) : ShapeFileError(what), keys(std::move(with)) {}
+  std::vector<std::string> keys;
+};
+
+const std::vector<std::string> kPlaceKeys{".translate_m", ".scale", "domain.lower_m", "domain.upper_m"},
+    kSpacingKeys{".resolution_m", ".scale", "fluid.cell_size_m"};
+
+std::string extent_text(const Vec3& lower, const Vec3& upper) {
+  return fmt::format("from ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}) m", lower.x(), lower.y(), lower.z(), upper.x(),
+                     upper.y(), upper.z());
+}
+
+/// Samples the part of a surface that matters in the domain. Throws Misfit.
 std::shared_ptr<const DistanceGrid> sample(const Scene& scene, const TriangleMesh& mesh, const Bounds& bounds,
                                            double spacing) {
   const double band = band_of(scene, spacing);
   const double beyond = std::max(2 * scene.fluid.cell_size, 4 * spacing);  // cells of walls lie outside the domain
   const Vec3 lower = (bounds.lower - Vec3::Constant(band)).cwiseMax(scene.domain.lower - Vec3::Constant(beyond));
   const Vec3 upper = (bounds.upper + Vec3::Constant(band)).cwiseMin(scene.domain.upper + Vec3::Constant(beyond));
-  if (!(upper.array() > lower.array()).all()) throw cases::ShapeFileError("lies outside the domain");
+  if (!(upper.array() > lower.array()).all())
+    throw Misfit(
+        fmt::format("lies outside the domain, {}, expected a part of it inside, {}",
+                    extent_text(bounds.lower, bounds.upper), extent_text(scene.domain.lower, scene.domain.upper)),
+        kPlaceKeys);
   const double brick = DistanceGrid::brick_cells * spacing;
   const double fine = area_of(mesh) / (brick * brick) * (2 * band / brick + 2) * DistanceGrid::brick_nodes;
   const double bytes = sizeof(float) * (fine + 2 * ((upper - lower) / brick).prod()) +
                        2 * sizeof(double) * (upper - lower).head<2>().prod() / (spacing * spacing);
   if (bytes > 0.25 * static_cast<double>(physical_memory()))
-    throw cases::ShapeFileError(
-        fmt::format("takes about {:.2g} GB at a resolution of {:g} m, expected a coarser "
-                    "resolution_m",
-                    bytes * 1e-9, spacing));
+    throw Misfit(fmt::format("takes about {:.2g} GB at a resolution of {:g} m, expected a coarser resolution_m",
+                             bytes * 1e-9, spacing),
+                 kSpacingKeys);
   return sample_distance(mesh, lower, upper, spacing, band);
 }
 
@@ -82,8 +101,8 @@ Bounds sample_mesh(const Scene& scene, const fs::path& path, ShapeFile& s) {
   const Bounds bounds = bounds_of(mesh);
   const double spacing = spacing_of(scene, s, bounds), across = (bounds.upper - bounds.lower).maxCoeff();
   if (spacing > across)
-    throw cases::ShapeFileError(
-        fmt::format("is {:g} m across, expected a resolution_m below that, not {:g} m", across, spacing));
+    throw Misfit(fmt::format("is {:g} m across, expected a resolution_m below that, not {:g} m", across, spacing),
+                 kSpacingKeys);
   s.sampled.grid = sample(scene, mesh, bounds, spacing);
   return bounds;
 }
@@ -98,8 +117,9 @@ void sample_heightmap(const Scene& scene, const fs::path& path, ShapeFile& s) {
   const TriangleMesh mesh = cases::terrain(map, lower - margin, upper + margin);
   const Bounds ground = bounds_of(mesh);
   if (map.lowest() > upper.z() || map.highest() < lower.z())
-    throw cases::ShapeFileError(
-        fmt::format("has heights from {:g} to {:g} m, expected some inside the domain", map.lowest(), map.highest()));
+    throw Misfit(fmt::format("has heights from {:g} to {:g} m, expected some inside the domain, from {:g} to {:g} m",
+                             map.lowest(), map.highest(), lower.z(), upper.z()),
+                 kPlaceKeys);
   s.sampled.grid = sample(scene, mesh, ground, spacing);
 }
 
@@ -110,18 +130,25 @@ std::string check_sum(const fs::path& path) {
   return sum.text();
 }
 
-/// Calls `load(path)` and makes a mistake of what goes wrong.
+/// Calls `load` with the name of the file of the shape at `path` and makes a mistake of what goes wrong.
 template <class Load>
-void load_file(ShapeFile& s, const std::string& key, Findings& findings, const Load& load) {
+void load_file(ShapeFile& s, const std::string& path, Findings& findings, const Load& load) {
+  const std::string key = path + ".file";
   if (!findings.sound({key})) return;
   if (s.file.empty()) return findings.mistake(key, key + " is \"\", expected the name of a file");
-  const fs::path path = file_of(s, findings.place(key));
+  const fs::path file = file_of(s, findings.place(key));
+  const auto text = [&](const std::string& what) { return fmt::format("{}: \"{}\" {}", key, file.string(), what); };
   try {
-    load(path);
-    s.sampled.check_sum = check_sum(path);
-    s.file = path.string();
+    load(file);
+    s.sampled.check_sum = check_sum(file);
+    s.file = file.string();
+  } catch (const Misfit& e) {
+    std::vector<std::string> others = e.keys;
+    for (std::string& other : others)
+      if (other.starts_with('.')) other = path + other;
+    findings.mistake(key, text(e.what()), others);
   } catch (const cases::ShapeFileError& e) {
-    findings.mistake(key, fmt::format("{}: \"{}\" {}", key, path.string(), e.what()));
+    findings.mistake(key, text(e.what()));
   }
 }
 
@@ -158,9 +185,9 @@ void load_shapes(Scene& scene, Findings& findings) {
     const std::string path = fmt::format("wall[{}]", i);
     if (!findings.sound({path})) continue;
     if (w.shape == WallShape::mesh)
-      load_file(w.file, path + ".file", findings, [&](const fs::path& file) { sample_mesh(scene, file, w.file); });
+      load_file(w.file, path, findings, [&](const fs::path& file) { sample_mesh(scene, file, w.file); });
     if (w.shape == WallShape::heightmap)
-      load_file(w.file, path + ".file", findings, [&](const fs::path& file) { sample_heightmap(scene, file, w.file); });
+      load_file(w.file, path, findings, [&](const fs::path& file) { sample_heightmap(scene, file, w.file); });
   }
   if (!scene.fluid.enabled) return;
   for (std::size_t i = 0; i < scene.fluid.regions.size(); ++i) {
@@ -168,7 +195,7 @@ void load_shapes(Scene& scene, Findings& findings) {
     const std::string path = fmt::format("fluid.region[{}]", i);
     if (!findings.sound({path})) continue;
     if (r.shape == RegionShape::mesh)
-      load_file(r.file, path + ".file", findings, [&](const fs::path& file) {
+      load_file(r.file, path, findings, [&](const fs::path& file) {
         const Bounds b = sample_mesh(scene, file, r.file);
         r.lower = b.lower, r.upper = b.upper;
       });

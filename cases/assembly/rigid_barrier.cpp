@@ -36,6 +36,8 @@ void build_rigid_barrier(Scene& scene, Findings& findings) {
     wall.material = rigid.material;
     scene.walls.push_back(std::move(wall));
   }
+  if (scene.fluid.enabled && !scene.barrier.enabled && !scene.measure.section_x)
+    scene.measure.section_x = rigid.origin.x();
 }
 
 }  // namespace lahar::scene

@@ -6,7 +6,8 @@
 namespace lahar::scene {
 
 /// Turns [rigid_barrier] into walls named rigid_barrier_0, rigid_barrier_1, ... from the lowest y up, and switches it
-/// off: what follows, and the resolved scene, know walls only. Finds slits that leave nothing of it.
+/// off: what follows, and the resolved scene, know walls only. With a fluid, and in place of a net, its upstream face
+/// is the measured section where the scene gives none. Finds slits that leave nothing of it.
 void build_rigid_barrier(Scene& scene, Findings& findings);
 
 }  // namespace lahar::scene

@@ -1,5 +1,7 @@
 #include "cases/energy_dissipator/energy_dissipator.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -160,6 +162,17 @@ void check_samples(const EnergyDissipator& b, scene::Findings& findings) {
   }
 }
 
+/// A point is a mean over steps.
+void check_speed(const EnergyDissipator& b, scene::Findings& findings) {
+  const double in_a_step = b.speed * build(b).solids.options().time_step;
+  if (const double apart = b.displacement_at(b.last_force) / static_cast<double>(b.samples); in_a_step > apart)
+    findings.mistake("loading.speed_m_s",
+                     fmt::format("loading.speed_m_s is {:g}, {:.2g} m in a time step, and loading.samples asks for one "
+                                 "every {:.2g} m, expected a lower speed or fewer samples",
+                                 b.speed, in_a_step, apart),
+                     {"loading.samples"});
+}
+
 }  // namespace
 
 void check(const EnergyDissipator& b, scene::Findings& findings) {
@@ -176,7 +189,9 @@ void check(const EnergyDissipator& b, scene::Findings& findings) {
   if (b.unloading == BrakeUnloading::plastic &&
       std::any_of(b.stiffness.begin() + 1, b.stiffness.end(), [&](double k) { return k >= b.stiffness.front(); }))
     findings.mistake(stiffness, "dissipator.unloading is \"plastic\", expected later stages softer than the first");
-  if (findings.mistakes().empty()) check_samples(b, findings);
+  if (!findings.mistakes().empty()) return;
+  check_samples(b, findings);
+  check_speed(b, findings);
 }
 
 BrakeCurve stretch(const EnergyDissipator& brake, const std::function<bool()>& go_on) {

@@ -42,7 +42,7 @@ struct EnergyDissipator {
   [[nodiscard]] double energy_to(double force) const;
 };
 
-/// Notes a law that makes no sense, and too few samples.
+/// Notes a law that makes no sense, too few samples, and a speed at which a step passes more than one.
 void check(const EnergyDissipator& brake, scene::Findings& findings);
 
 /// One moment of the test.

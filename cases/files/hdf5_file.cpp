@@ -115,6 +115,40 @@ std::vector<hsize_t> chunk_for(const std::vector<hsize_t>& dimensions) {
   return chunk;
 }
 
+/// Whether a dataset is what create_column makes: doubles in one dimension without a limit.
+bool is_column(hid_t dataset) {
+  const Hdf5Handle space(H5Dget_space(dataset)), type(H5Dget_type(dataset));
+  if (H5Sget_simple_extent_ndims(space.id()) != 1) return false;
+  hsize_t most = 0;
+  return H5Sget_simple_extent_dims(space.id(), nullptr, &most) == 1 && most == H5S_UNLIMITED &&
+         H5Tget_class(type.id()) == H5T_FLOAT && H5Tget_size(type.id()) == sizeof(double);
+}
+
+/// Whether an attribute holds one value: other programs write lists as well.
+bool is_single(hid_t attribute) {
+  const Hdf5Handle space(H5Aget_space(attribute));
+  return H5Sget_simple_extent_npoints(space.id()) == 1;
+}
+
+/// Whether an attribute is one text of fixed length, as set_attribute writes it.
+bool is_text(hid_t attribute) {
+  const Hdf5Handle type(H5Aget_type(attribute));
+  return is_single(attribute) && H5Tget_class(type.id()) == H5T_STRING && H5Tis_variable_str(type.id()) == 0;
+}
+
+/// Whether a member of a file is a column with these texts, or cannot be opened, as one that is damaged.
+bool is_column_with(hid_t file, const std::string& name, const std::vector<std::string>& texts) {
+  H5L_info_t link;
+  if (H5Lget_info(file, name.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) return false;
+  const Hdf5Handle object(H5Oopen(file, name.c_str(), H5P_DEFAULT));
+  if (!object.valid()) return true;
+  if (H5Iget_type(object.id()) != H5I_DATASET || !is_column(object.id())) return false;
+  return std::all_of(texts.begin(), texts.end(), [&](const std::string& key) {
+    const Hdf5Handle attribute(H5Aopen(object.id(), key.c_str(), H5P_DEFAULT));
+    return attribute.valid() && is_text(attribute.id());
+  });
+}
+
 }  // namespace
 
 Hdf5Handle& Hdf5Handle::operator=(Hdf5Handle&& other) noexcept {
@@ -132,6 +166,7 @@ void Hdf5Handle::reset() noexcept {
 
 Hdf5Column::Hdf5Column(std::filesystem::path path, std::string name, Hdf5Handle dataset)
     : path_(std::move(path)), name_(std::move(name)), dataset_(std::move(dataset)) {
+  if (!is_column(dataset_.id())) throw FileError(path_, name_ + " is no growing column of doubles");
   const Hdf5Handle space = owned(H5Dget_space(dataset_.id()), path_, "cannot read the size of " + name_);
   hsize_t rows = 0;
   check(H5Sget_simple_extent_dims(space.id(), &rows, nullptr), path_, "cannot read the size of " + name_);
@@ -283,6 +318,12 @@ Hdf5Column Hdf5File::open_column(const std::string& name) {
   return {path_, name, owned(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), path_, "cannot open column " + name)};
 }
 
+std::vector<std::string> Hdf5File::columns(const std::string& group, const std::vector<std::string>& texts) const {
+  std::vector<std::string> names = members(group);
+  std::erase_if(names, [&](const std::string& name) { return !is_column_with(file_.id(), group + "/" + name, texts); });
+  return names;
+}
+
 Hdf5Parts Hdf5File::create_parts(const std::string& name, Archive::Number type, std::uint64_t count) {
   const std::string what = "cannot write " + name;
   const hsize_t extent = count;
@@ -339,7 +380,7 @@ std::string Hdf5File::text_attribute(const std::string& object, const std::strin
   const Hdf5Handle attribute =
       owned(H5Aopen_by_name(file_.id(), object.c_str(), key.c_str(), H5P_DEFAULT, H5P_DEFAULT), path_, what);
   const Hdf5Handle type = owned(H5Aget_type(attribute.id()), path_, what);
-  if (H5Tget_class(type.id()) != H5T_STRING) throw FileError(path_, what + ": it is not text");
+  if (!is_text(attribute.id())) throw FileError(path_, what + ": it is no single text of fixed length");
   std::string text(H5Tget_size(type.id()), '\0');
   check(H5Aread(attribute.id(), type.id(), text.data()), path_, what);
   text.resize(std::strlen(text.c_str()));
@@ -350,6 +391,7 @@ double Hdf5File::number_attribute(const std::string& object, const std::string& 
   const std::string what = "cannot read attribute " + key + " of " + object;
   const Hdf5Handle attribute =
       owned(H5Aopen_by_name(file_.id(), object.c_str(), key.c_str(), H5P_DEFAULT, H5P_DEFAULT), path_, what);
+  if (!is_single(attribute.id())) throw FileError(path_, what + ": it is not one number");
   double value = 0;
   check(H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value), path_, what);
   return value;

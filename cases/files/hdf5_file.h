@@ -36,6 +36,7 @@ class Hdf5Handle {
 /// A one-dimensional dataset of doubles that grows at its end.
 class Hdf5Column {
  public:
+  /// Throws FileError if the dataset is no growing column of doubles.
   Hdf5Column(std::filesystem::path path, std::string name, Hdf5Handle dataset);
   /// Adds values at the end. Throws FileError.
   void append(std::span<const double> values);
@@ -99,7 +100,11 @@ class Hdf5File {
 
   /// A new growing column, stored in chunks of `chunk_rows`.
   [[nodiscard]] Hdf5Column create_column(const std::string& name, std::uint64_t chunk_rows);
+  /// Throws FileError if there is none of that name, or something else.
   [[nodiscard]] Hdf5Column open_column(const std::string& name);
+  /// Names of the growing columns of a group that have all of these attributes as texts, in alphabetical order; also of
+  /// what is damaged so that it cannot be opened. Other members are of other programs.
+  [[nodiscard]] std::vector<std::string> columns(const std::string& group, const std::vector<std::string>& texts) const;
 
   /// Datasets that go in parts.
   [[nodiscard]] Hdf5Parts create_parts(const std::string& name, Archive::Number type, std::uint64_t count);
@@ -111,6 +116,7 @@ class Hdf5File {
   /// Attributes of a group or dataset ("/" is the file itself).
   void set_attribute(const std::string& object, const std::string& key, const std::string& text);
   void set_attribute(const std::string& object, const std::string& key, double value);
+  /// Throw FileError also where there are several values, and for a text that set_attribute does not write.
   [[nodiscard]] std::string text_attribute(const std::string& object, const std::string& key) const;
   [[nodiscard]] double number_attribute(const std::string& object, const std::string& key) const;
 

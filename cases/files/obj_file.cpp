@@ -1,4 +1,5 @@
 // Wavefront OBJ: corners (v) and faces (f) only; everything else is passed over.
+#include "cases/files/polygon.h"
 #include "cases/files/text_lines.h"
 
 namespace lahar::cases {
@@ -22,7 +23,7 @@ TriangleMesh parse_obj(const std::string& bytes) {
       if (index < 0 || index >= count) lines.fail(fmt::format("corner {} does not exist", given));
       face.push_back(static_cast<std::uint32_t>(index));
     }
-    for (std::size_t k = 2; k < face.size(); ++k) mesh.triangles.push_back({face[0], face[k - 1], face[k]});
+    if (!add_face(mesh, face)) lines.fail(kUncutFace);
   }
   return mesh;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <numeric>
 
 namespace lahar::cases {
@@ -22,6 +23,14 @@ std::vector<std::uint8_t> as_bytes(const std::vector<Enum>& values) {
   std::vector<std::uint8_t> bytes(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) bytes[i] = static_cast<std::uint8_t>(values[i]);
   return bytes;
+}
+
+/// The number of a frame in the name of its group; nothing for groups that others have added.
+std::optional<std::uint64_t> frame_number(const std::string& name) {
+  std::uint64_t number = 0;
+  const bool read = std::from_chars(name.data(), name.data() + name.size(), number).ec == std::errc();
+  if (!read || name != fmt::format("{:06}", number)) return {};
+  return number;
 }
 
 }  // namespace
@@ -128,7 +137,7 @@ void ParticleWriter::take_up() {
 void ParticleWriter::drop_later_frames() {
   for (const char* group : {"/frames", "/constant"})
     for (const std::string& frame : file_->members(group))
-      if (std::stoull(frame) >= frames_) file_->remove(std::string(group) + "/" + frame);
+      if (frame_number(frame) >= frames_) file_->remove(std::string(group) + "/" + frame);
 }
 
 void ParticleWriter::write(double time_s, const dem::Particles& particles, const dem::Bonds& bonds) {

@@ -4,7 +4,8 @@
 //                         attribute time_s
 //   /constant/NNNNNN/     id, radius, kind, body (N); connectivity (M x 2), sort (M): stored once, and again only when
 //                         particles or bonds were added (NNNNNN is the first frame that they belong to)
-// Numbers are float32 or integers in SI units; every dataset has the attribute `unit`.
+// Numbers are float32 or integers in SI units; every dataset has the attribute `unit`. Groups of other names were added
+// by others and stay.
 #include <cstdint>
 #include <filesystem>
 #include <optional>

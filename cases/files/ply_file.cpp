@@ -5,6 +5,7 @@
 #include <cstring>
 #include <map>
 
+#include "cases/files/polygon.h"
 #include "cases/files/text_lines.h"
 
 namespace lahar::cases {
@@ -122,7 +123,8 @@ void read_vertex(Values& values, const Element& element, TriangleMesh& mesh) {
   mesh.points.push_back(point);
 }
 
-void read_other(Values& values, const Element& element, TriangleMesh& mesh) {
+/// `number` counts the elements of this kind from 0.
+void read_other(Values& values, const Element& element, long number, TriangleMesh& mesh) {
   for (const Property& p : element.properties) {
     const double count = p.count_type.empty() ? 1 : values.next(p.count_type);
     const bool corners = element.name == "face" && (p.name == "vertex_indices" || p.name == "vertex_index");
@@ -135,7 +137,7 @@ void read_other(Values& values, const Element& element, TriangleMesh& mesh) {
         throw ShapeFileError(fmt::format("corner {} of a face does not exist", value));
       face.push_back(static_cast<std::uint32_t>(value));
     }
-    for (std::size_t k = 2; k < face.size(); ++k) mesh.triangles.push_back({face[0], face[k - 1], face[k]});
+    if (!add_face(mesh, face)) throw ShapeFileError(fmt::format("face {}: {}", number, kUncutFace));
   }
 }
 
@@ -158,7 +160,7 @@ TriangleMesh parse_ply(const std::string& bytes) {
       if (vertices)
         read_vertex(values, element, mesh);
       else
-        read_other(values, element, mesh);
+        read_other(values, element, k, mesh);
     }
   }
   return mesh;

@@ -16,7 +16,7 @@ Series read_series(const std::filesystem::path& path) {
   const Hdf5File file = Hdf5File::open_for_reading(path);
   Series series;
   series.time_s = file.read<double>("/series/time_s");
-  for (const std::string& name : file.members("/series")) {
+  for (const std::string& name : file.columns("/series", {"unit", "description"})) {
     if (name == "time_s") continue;
     const std::string dataset = "/series/" + name;
     series.columns.push_back({name, file.text_attribute(dataset, "unit"), file.text_attribute(dataset, "description"),

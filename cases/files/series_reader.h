@@ -19,7 +19,7 @@ struct Series {
 };
 
 /// Reads series.h5. Every column has as many values as there are times: a killed run may leave more, which are dropped,
-/// and a column that was no longer written holds NaN at its end. Throws FileError.
+/// and a column that was no longer written holds NaN at its end. What others have added is left out. Throws FileError.
 [[nodiscard]] Series read_series(const std::filesystem::path& path);
 
 }  // namespace lahar::cases

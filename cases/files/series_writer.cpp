@@ -40,18 +40,20 @@ SeriesWriter SeriesWriter::resume(const std::filesystem::path& path, double unti
   const auto kept = std::upper_bound(times.begin(), times.end(), until_s) - times.begin();
   writer.rows_ = static_cast<std::size_t>(kept);
   if (kept > 0) writer.last_time_s_ = times[writer.rows_ - 1];
-  for (const std::string& name : writer.file_.members(kGroup)) {
+  for (const std::string& name : writer.file_.columns(kGroup, {"unit", "description"})) {
     const std::string column = kGroup + "/" + name;
+    if (column == kTime) continue;
     try {
       (void)writer.file_.read<double>(column);
       writer.file_.open_column(column).truncate(writer.rows_);
     } catch (const FileError&) {
-      if (column == kTime) throw;
       writer.file_.remove(column);
       writer.lost_.push_back(name);
     }
   }
-  writer.time_.push_back({writer.file_.open_column(kTime), "s", {}});
+  Hdf5Column time = writer.file_.open_column(kTime);
+  time.truncate(writer.rows_);
+  writer.time_.push_back({std::move(time), "s", {}});
   return writer;
 }
 

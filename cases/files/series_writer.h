@@ -1,6 +1,6 @@
 #pragma once
 // series.h5: time series. Each column is a one-dimensional dataset /series/NAME of doubles with the attributes `unit`
-// and `description`; /series/time_s is the common abscissa.
+// and `description`; /series/time_s is the common abscissa. What is no such column was added by others and stays.
 #include <cstddef>
 #include <filesystem>
 #include <span>
@@ -28,7 +28,7 @@ class SeriesWriter {
 
   /// Announces a column and returns its index. Asking again for a known name returns the same index. A column that is
   /// declared after rows were appended holds NaN in them. Throws std::logic_error for an unusable name or if the unit
-  /// differs from that of the first declaration.
+  /// differs from that of the first declaration, FileError if something of that name is there that is no column.
   std::size_t declare(const std::string& name, const std::string& unit, const std::string& description);
 
   /// One row: a value for each declared column, in the order of declaration. Times must not go back. Throws

@@ -80,7 +80,10 @@ int main(int argc, char** argv) {
   };
   const CLI::App* run_command = add("run", "Run a scene", {});
   CLI::App* resume_command = app.add_subcommand("resume", "Go on with a run from its last checkpoint");
-  resume_command->add_option("folder", arguments.folder, "Folder of the run (its --out)")->required()->type_name("DIR");
+  resume_command->add_option("folder", arguments.folder, "Folder of the run (its --out)")
+      ->required()
+      ->type_name("DIR")
+      ->check([](const std::string& folder) { return folder.empty() ? "is empty" : ""; });
   add_common_options(*resume_command, arguments.common, {.out = "", .overwrite = false});  // a run goes on in its own
   const CLI::App* check_command = add("check", "Validate a scene and print what it will take",
                                       {.out = "As of the run to come; nothing is written", .overwrite = false});

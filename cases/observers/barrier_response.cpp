@@ -40,7 +40,7 @@ BarrierResponse::BarrierResponse(const Observed& run) : Observer(run) {
   column("barrier_broken_bonds", "1", "bonds that are broken", [this] {
     return static_cast<double>(now_[barrier::Component::barrier].broken_bonds);
   }).peak("broken_bonds", "1", "bonds that are broken at the end");
-  column("wet_beads", "1", "beads of rings and cables in the fluid",
+  column("wet_beads", "1", "beads of the barrier in the fluid, posts included",
          [this] { return static_cast<double>(run_.simulation.wet_beads()); });
 }
 

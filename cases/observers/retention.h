@@ -17,7 +17,7 @@ class Retention final : public Observer {
   [[nodiscard]] std::string_view name() const override { return "retention"; }
 
  private:
-  [[nodiscard]] double limit() const;
+  [[nodiscard]] double reach_of(const barrier::Net& net) const;
   [[nodiscard]] Retained now() const;
 };
 

@@ -16,11 +16,9 @@ class RingTravel final : public Observer {
   void transfer(Archive& archive) override { archive.list("start", start_); }
 
  private:
-  [[nodiscard]] std::vector<double> places() const;
-
   std::vector<barrier::Threading> threads_;
-  std::vector<double> start_;  // m along its cable as made, by thread, at the first row; NaN where it does not pass
-  double mean_ = 0, furthest_ = 0;  // m
+  std::vector<double> start_;  // m, barrier::places_on_cables at the first row
+  barrier::Travel now_;
 };
 
 }  // namespace lahar::cases

@@ -58,7 +58,7 @@ class Annotation {
   }
 
   void time(double seconds) {
-    const std::string text = fmt::format("t = {:.3f} s", seconds);
+    const std::string text = "t = " + time_label(seconds);
     const Point inside(canvas_.text_width(text, kText), kCapHeight * kText.size);
     const Point corner(kMargin, size_.y() - kMargin - inside.y() - 2 * kPadding);
     ground(corner, inside);
@@ -119,6 +119,10 @@ void add_scale_bar(Annotation& annotation, const Camera& camera, int width, int 
 }
 
 }  // namespace
+
+std::string time_label(double seconds) {
+  return (seconds > 0 && seconds < 0.01 ? number(seconds) : fmt::format("{:.3f}", seconds)) + " s";
+}
 
 void annotate(Image& image, const PictureScene& scene, const Camera& camera, const PictureStyle& style,
               const SolidsInView& view) {

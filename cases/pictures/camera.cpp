@@ -66,9 +66,11 @@ Camera fitted_camera(const ViewBox& box, const Vec3& gravity, const ViewDirectio
   const double a = radians(from.azimuth_deg), e = radians(std::clamp(from.elevation_deg, -85.0, 85.0));
   const Vec3 direction = std::cos(e) * (-std::cos(a) * flow - std::sin(a) * left) + std::sin(e) * up;
   Camera camera{box.centre() + direction, box.centre(), up, 30};
+  const double size = (box.upper - box.lower).norm();
+  const double nearest = size > 0 ? 1e-3 * size : 1e-3;  // the eye must not stand at its target
   // Fitting and centring influence each other a little.
   for (int pass = 0; pass < 4; ++pass) {
-    camera.eye = camera.target + std::max(fitting_distance(box, camera, aspect), 1e-3) * direction;
+    camera.eye = camera.target + std::max(fitting_distance(box, camera, aspect), nearest) * direction;
     if (pass < 3) centre_content(box, camera);
   }
   return camera;

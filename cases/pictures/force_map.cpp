@@ -7,6 +7,7 @@
 #include <numeric>
 #include <vector>
 
+#include "cases/pictures/annotation.h"
 #include "cases/pictures/canvas.h"
 #include "cases/pictures/colour.h"
 #include "core/check.h"
@@ -67,7 +68,7 @@ Image force_map(const ForceMap& map) {
 
   Canvas canvas(Canvas::Medium::pixels, kWidth, height, kPixelsPerPoint);
   canvas.text(Point(kMargin, kHead - 8), map.title, kLetters);
-  canvas.text(Point(kWidth - kMargin, kHead - 8), fmt::format("t = {:.3f} s", map.time_s), kLetters, Hold::end);
+  canvas.text(Point(kWidth - kMargin, kHead - 8), "t = " + time_label(map.time_s), kLetters, Hold::end);
   canvas.clip(Point(kMargin, kHead), Point(kWidth - kMargin, foot));
   for (const std::size_t k : order) {
     const std::size_t b = map.first_bond + k;

@@ -82,7 +82,8 @@ void describe(V& v, RockfallRun& part) {
           "Drag in the last third of that time, deceleration per velocity.");
   v.value("duration_s", s.duration, {positive()}, "From the moment when the ball's bottom is in the net's plane.");
   v.value("time_step_s", s.time_step, {non_negative()}, "0 = 0.7 of the smallest limit of a bond.");
-  v.value("sample_interval_s", s.sample_interval, {positive()}, "Time between entries of the series.");
+  v.value("sample_interval_s", s.sample_interval, {positive()},
+          "Time between entries of the series, at least a time step.");
 }
 
 /// rockfall.toml

@@ -29,7 +29,7 @@ std::vector<CurveColumn> columns_of(const RockfallSeries& s) {
       {"ball_energy_J", "J", "kinetic and potential energy of the ball about the net's plane", s.ball_energy},
       {"ball_force_N", "N", "of the net on the ball, upwards", s.ball_force},
       {"brake_elongation_m", "m", "mean over the dissipators", s.brake_elongation},
-      {"brake_energy_J", "J", "area under the curves of all dissipators", s.brake_energy},
+      {"brake_energy_J", "J", "stored and plastically dissipated in all dissipators", s.brake_energy},
       {"bond_energy_J", "J", "elastic energy of all bonds", s.bond_energy},
       {"friction_loss_J", "J", "dissipated by slip", s.friction_loss},
       {"contact_loss_J", "J", "dissipated by contact damping", s.contact_loss},
@@ -78,7 +78,7 @@ void draw_rockfall(const std::filesystem::path& folder, const RockfallResult& re
               .x = time,
               .y = {"energy", "kJ"},
               .series = {energy("ball", s.ball_energy), energy("bonds", s.bond_energy),
-                         energy("of which dissipators", s.brake_energy), energy("lost to friction", s.friction_loss),
+                         energy("dissipators", s.brake_energy), energy("lost to friction", s.friction_loss),
                          energy("lost in contacts", s.contact_loss), energy("lost in bonds", s.bond_loss)}};
   chart.series[2].dash = Dash::dashed;
   chart.series[2].colour = ChartColour::vermilion;

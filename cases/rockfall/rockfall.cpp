@@ -13,7 +13,8 @@
 #include "barrier/topology.h"
 #include "core/check.h"
 #include "core/worst.h"
-#include "dem/bonds/axial_law.h"
+#include "dem/bonds/bond_constants.h"
+#include "dem/bonds/bond_energy.h"
 #include "dem/solids.h"
 #include "dem/time_step.h"
 
@@ -79,6 +80,18 @@ double time_step_of(const Rockfall& r, const dem::Bonds& bonds, const dem::Parti
   return r.time_step > 0 ? r.time_step : 0.7 * dem::bond_time_step(bonds, particles);
 }
 
+void check_dissipators(const Rockfall& r, scene::Findings& findings) {
+  const std::string stiffness = "bonds.dissipator_stiffness_N_m3";
+  if (r.dissipator_stiffness.size() != 2)
+    return findings.mistake(stiffness, stiffness + " does not have 2 entries, expected two stages");
+  // Plastic elongation would not grow under load (dem/bonds/axial_law.h).
+  if (r.plastic_unloading && r.dissipator_stiffness[1] >= r.dissipator_stiffness[0])
+    findings.mistake("bonds.plastic_unloading",
+                     "bonds.plastic_unloading is true and the second stage of dissipator_stiffness_N_m3 as stiff as "
+                     "the first, expected a softer one",
+                     {stiffness});
+}
+
 void check_ball(const Rockfall& r, scene::Findings& findings) {
   if (r.ball_diameter >= r.net_width)
     findings.mistake("ball.diameter_m",
@@ -88,7 +101,18 @@ void check_ball(const Rockfall& r, scene::Findings& findings) {
                      "ball.diameter_m is not above net.ring_diameter_m, expected a ball that no ring lets through");
 }
 
-/// Of bonds, of guides and of contacts; the last two seldom bind.
+/// A guide lets go of a cable that it holds at its first or last bond.
+void check_extension(const Rockfall& r, const barrier::Net& net, dem::Particles particles, const dem::Bonds& bonds,
+                     scene::Findings& findings) {
+  barrier::Guides guides = guides_of(r, net);
+  guides.apply(particles);
+  if (guides.slipped_out())
+    findings.mistake("net.cable_extension_m",
+                     fmt::format("net.cable_extension_m is {:g}, expected more than a bond of the cables, {:.4g}",
+                                 r.cable_extension, bonds.rest_length[net.cables.front().first_bond]));
+}
+
+/// Of bonds, of guides and of contacts; the last two seldom bind. A row needs a step at least.
 void check_step(const Rockfall& r, const dem::Particles& particles, const dem::Bonds& bonds,
                 scene::Findings& findings) {
   const double limit = dem::bond_time_step(bonds, particles), time_step = time_step_of(r, bonds, particles);
@@ -109,6 +133,11 @@ void check_step(const Rockfall& r, const dem::Particles& particles, const dem::B
   const double bead = *std::min_element(particles.mass.begin(), particles.mass.end());
   refuse("net.guide_stiffness_N_m", 0.5 * barrier::guide_time_step({.stiffness = r.guide_stiffness}, bead));
   refuse("contact.youngs_modulus_Pa", 0.3 * dem::rayleigh_time_step(particles, materials_of(r)));
+  if (r.sample_interval < time_step)
+    findings.mistake("run.sample_interval_s",
+                     fmt::format("run.sample_interval_s is {:g}, expected at least a time step, {:.4g}",
+                                 r.sample_interval, time_step),
+                     {"run.time_step_s"});
 }
 
 }  // namespace
@@ -124,18 +153,19 @@ bool as_in_paper(const Rockfall& rockfall) {
 double Rockfall::impact_speed() const { return std::sqrt(2 * kGravity * drop_height); }
 
 void check(const Rockfall& r, scene::Findings& findings) {
-  if (r.dissipator_stiffness.size() != 2)
-    return findings.mistake("bonds.dissipator_stiffness_N_m3",
-                            "bonds.dissipator_stiffness_N_m3 does not have 2 entries, expected two stages");
+  check_dissipators(r, findings);
+  if (!findings.sound({"bonds"})) return;
   check_ball(r, findings);
   dem::Particles particles;
   dem::Bonds bonds;
+  barrier::Net net;
   try {
-    (void)barrier::build_net(net_spec(r), particles, bonds);
+    net = barrier::build_net(net_spec(r), particles, bonds);
   } catch (const InputError& e) {
     for (const InputMistake& m : e.mistakes()) findings.mistake("net", "net: " + m.message);
     return;
   }
+  check_extension(r, net, particles, bonds, findings);
   check_step(r, particles, bonds, findings);
 }
 
@@ -213,8 +243,16 @@ class Strike {
       : r_(r), net_(net), solids_(solids), ball_(ball), threads_(barrier::threadings(net)) {
     start_places_ = places();
     energy_at_start_ = solids.ledger().total();
-    ball_energy_at_start_ = ball_energy();
     bond_loss_at_start_ = solids.bond_energy().dissipated();  // as the net came to rest
+  }
+
+  /// Peaks between the rows: of tension in every step, of overlap in every 25th, for it looks through all contacts.
+  void watch_peaks() {
+    for (const barrier::Wire& cable : net_.cables)
+      for (std::size_t b = cable.first_bond; b < cable.first_bond + cable.bonds; ++b)
+        result.largest_tension = std::max(result.largest_tension, solids_.bonds().axial_force[b]);
+    if (solids_.step_count() % 25 == 0)
+      result.worst_overlap = std::max(result.worst_overlap, solids_.worst_overlap().ratio);
   }
 
   void sample(double time, double travelled) {
@@ -231,8 +269,7 @@ class Strike {
     s.bond_loss.push_back(bonds.dissipated() - bond_loss_at_start_);
     s.ledger_gap.push_back(ledger.total() - energy_at_start_);
     sample_brakes();
-    sample_cables();
-    result.worst_overlap = std::max(result.worst_overlap, solids_.worst_overlap().ratio);
+    sample_rings();
   }
 
   RockfallResult result;
@@ -242,16 +279,10 @@ class Strike {
     return dem::motion_energy(solids_.particles(), ball_, Vec3(0, 0, -kGravity));
   }
   [[nodiscard]] std::vector<double> places() const {
-    std::vector<double> all;
-    for (const auto& [ring, cable] : threads_) {
-      const auto place = barrier::place_on_cable(barrier::centre_line(net_.rings[ring], solids_.particles()),
-                                                 barrier::centre_line(net_.cables[cable], solids_.particles()));
-      all.push_back(place.value_or(std::nan("")));
-    }
-    return all;
+    return barrier::places_on_cables(net_, threads_, solids_.particles(), solids_.bonds());
   }
   void sample_brakes();
-  void sample_cables();
+  void sample_rings();
 
   const Rockfall& r_;
   const barrier::Net& net_;
@@ -259,7 +290,7 @@ class Strike {
   dem::ParticleIndex ball_;
   std::vector<barrier::Threading> threads_;
   std::vector<double> start_places_;
-  double energy_at_start_ = 0, ball_energy_at_start_ = 0, bond_loss_at_start_ = 0;
+  double energy_at_start_ = 0, bond_loss_at_start_ = 0;
 };
 
 void Strike::sample_brakes() {
@@ -268,11 +299,11 @@ void Strike::sample_brakes() {
   std::int64_t active = 0;
   for (const std::size_t b : net_.dissipators) {
     const double elongation = bonds.elongation[b];
-    const dem::BondSort& sort = bonds.sorts[static_cast<std::size_t>(bonds.sort[b])];
-    const dem::AxialCurve curve = dem::axial_curve(sort.axial, std::numbers::pi * sort.bond_radius * sort.bond_radius);
+    const dem::BondConstants law = dem::constants_of(bonds.sorts[static_cast<std::size_t>(bonds.sort[b])]);
+    const dem::BondEnergy of_bond = dem::energy_of(bonds, law, b, b + 1);
     sum += elongation;
-    energy += dem::curve_energy(curve, elongation);
-    active += elongation > curve.e1;
+    energy += of_bond.axial + of_bond.plastic;
+    active += elongation > law.axial.e1;
     if (elongation > result.largest_brake_elongation)
       result.largest_brake_elongation = elongation, result.brake_force = bonds.axial_force[b];
   }
@@ -283,20 +314,11 @@ void Strike::sample_brakes() {
   result.active_brakes = std::max(result.active_brakes, active);
 }
 
-void Strike::sample_cables() {
-  for (const barrier::Wire& cable : net_.cables)
-    for (std::size_t b = cable.first_bond; b < cable.first_bond + cable.bonds; ++b)
-      result.largest_tension = std::max(result.largest_tension, solids_.bonds().axial_force[b]);
-  const std::vector<double> now = places();
-  double sum = 0, count = 0;
-  for (std::size_t k = 0; k < now.size(); ++k) {
-    const double travel = std::abs(now[k] - start_places_[k]) * r_.wire_diameter;
-    if (!std::isfinite(travel)) continue;
-    sum += travel, count += 1;
-    result.largest_travel = std::max(result.largest_travel, travel);
-  }
-  result.series.ring_travel.push_back(sum / std::max(count, 1.0));
-  result.mean_travel = std::max(result.mean_travel, result.series.ring_travel.back());
+void Strike::sample_rings() {
+  const barrier::Travel travel = barrier::travel_between(start_places_, places());
+  result.series.ring_travel.push_back(travel.mean);
+  result.mean_travel = std::max(result.mean_travel, travel.mean);
+  result.largest_travel = std::max(result.largest_travel, travel.furthest);
 }
 
 /// Linear interpolation of a series.
@@ -359,10 +381,13 @@ RockfallResult SettledNet::strike(const Rockfall& r, const std::function<bool(do
   strike.result.settled_sag = -lowest;
   strike.result.settled_speed = std::sqrt(squares / static_cast<double>(p.particles.size()));
   strike.sample(0, height - radius);
+  strike.watch_peaks();
   for (std::int64_t k = 1; solids.time() < r.duration && !strike.result.interrupted; ++k) {
-    while (solids.time() < static_cast<double>(k) * r.sample_interval) {
+    const double until = std::min(static_cast<double>(k) * r.sample_interval, r.duration);
+    while (solids.time() < until) {
       guide(guides, solids);
       solids.step();
+      strike.watch_peaks();
     }
     strike.sample(solids.time(), solids.particles().position.z[ball] - radius);
     strike.result.interrupted = !progress(solids.time());

@@ -49,22 +49,22 @@ struct Rockfall {
   [[nodiscard]] double impact_speed() const;  ///< m/s
 };
 
-/// Whether what the paper reports can be asked of this rockfall: the paper's parameters, but for the length and
-/// resolution of the series.
+/// Whether what the paper reports can be asked of this rockfall: the paper's parameters, but for the time step and the
+/// length and resolution of the series.
 [[nodiscard]] bool as_in_paper(const Rockfall& rockfall);
 
-/// Notes what cannot be run, such as a net that cannot be built.
+/// Notes what cannot be run, such as a net that cannot be built or cables that end in their guides.
 void check(const Rockfall& rockfall, scene::Findings& findings);
 
 /// Everything over the time since time zero.
 struct RockfallSeries {
-  std::vector<double> time;                                    ///< s
-  std::vector<double> ball_displacement;                       ///< m, upwards
-  std::vector<double> ball_energy;                             ///< J, kinetic + potential about the net's plane
-  std::vector<double> ball_force;                              ///< N, of the net on the ball, upwards
-  std::vector<double> brake_elongation;                        ///< m, mean over the dissipators
-  std::vector<double> brake_energy;                            ///< J, in all dissipators
-  std::vector<double> bond_energy;                             ///< J, in all bonds
+  std::vector<double> time;               ///< s
+  std::vector<double> ball_displacement;  ///< m, upwards
+  std::vector<double> ball_energy;        ///< J, kinetic + potential about the net's plane
+  std::vector<double> ball_force;         ///< N, of the net on the ball, upwards
+  std::vector<double> brake_elongation;   ///< m, mean over the dissipators
+  std::vector<double> brake_energy;       ///< J, stored and plastically dissipated in all dissipators
+  std::vector<double> bond_energy;        ///< J, stored in all bonds
   std::vector<double> friction_loss, contact_loss, bond_loss;  ///< J
   std::vector<double> ledger_gap;                              ///< J: total energy less that at time zero
   std::vector<double> ring_travel;  ///< m, mean of the edge rings' sliding along their cables
@@ -78,10 +78,10 @@ struct RockfallResult {
   double lowest_time = 0;                      ///< s, of the ball's lowest point
   double depth = 0;                            ///< m, its displacement there
   double least_energy_time = 0;                ///< s, of the ball's least energy
-  double lost_until_50_ms = 0;                 ///< share of the ball's energy at time zero
+  double lost_until_50_ms = 0;                 ///< share of the ball's kinetic energy at time zero
   double lost_until_50_ms_of_centre = 0;       ///< the same if time zero is when its centre is in the net's plane
   double rebound_energy = 0;                   ///< J, gained from the least to the end
-  double largest_tension = 0;                  ///< N, in a cable
+  double largest_tension = 0;                  ///< N, in a cable, of all steps
   double brake_elongation = 0;                 ///< m, largest mean
   double largest_brake_elongation = 0;         ///< m, of a single one
   double brake_force = 0;                      ///< N, at that elongation
@@ -90,7 +90,7 @@ struct RockfallResult {
   double mean_travel = 0, largest_travel = 0;  ///< m, of edge rings along their cables, largest over time
   double largest_gap = 0;                      ///< share of the ball's kinetic energy at time zero
   std::string lost_links;                      ///< what passed through what, in words; empty if nothing did
-  double worst_overlap = 0;                    ///< of the smaller radius
+  double worst_overlap = 0;                    ///< of the smaller radius, deepest of every 25th step
   std::int64_t beads = 0, rings = 0;
   std::int64_t steps = 0;  ///< settling included
   double simulated = 0;    ///< s, likewise

@@ -85,7 +85,6 @@ void set_flow_law_numbers(const scene::Scene& scene, FluidFigures& f) {
 FluidFigures fluid_figures(const scene::Scene& scene) {
   FluidFigures f;
   const double dx = scene.fluid.cell_size;
-  const auto bytes_per_block = 512.0 * static_cast<double>(scene::fluid_bytes_per_cell(scene.run.precision));
   const auto cells = ((scene.domain.upper - scene.domain.lower) / dx).array();
   f.domain_cells = cells.unaryExpr([](double n) { return std::ceil(n - 1e-9); }).prod();
   f.liquid_cells = scene::liquid_cells(scene);
@@ -94,9 +93,8 @@ FluidFigures fluid_figures(const scene::Scene& scene) {
   f.start_blocks = blocks_at_start(scene);
   const double all_blocks = cells.unaryExpr([](double n) { return std::ceil((n + 2) / 8); }).prod();
   f.expected_blocks = std::min(all_blocks, spreading * (f.start_blocks + f.inflow_cells / 512));
-  const double of_domain = scene::bytes_of_domain(scene);
-  f.start_bytes = f.start_blocks * bytes_per_block + of_domain;
-  f.expected_bytes = f.expected_blocks * bytes_per_block + of_domain;
+  f.start_bytes = scene::bytes_at_start(scene, f.start_blocks, f.liquid_cells);
+  f.expected_bytes = std::max(f.start_bytes, scene::bytes_when_spread(scene, f.expected_blocks, spreading));
   f.max_speed = expected_max_speed(scene);
   f.time_step = fluid_time_step(scene);
   f.steps = std::ceil(scene.run.duration / f.time_step);

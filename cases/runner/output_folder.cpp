@@ -78,8 +78,16 @@ std::vector<fs::path> files_of_run(const fs::path& folder) {
   return files;
 }
 
+bool log_tells_of_steps(const fs::path& folder) {
+  std::ifstream log(folder / "run.log");
+  for (std::string line; std::getline(log, line);)
+    if (line.ends_with(kStepsBeginMark)) return true;
+  return false;
+}
+
 /// What a run writes before its first step says nothing that the next run does not.
 bool holds_results(const fs::path& folder) {
+  if (log_tells_of_steps(folder)) return true;
   const std::vector<fs::path> files = files_of_run(folder);
   return std::any_of(files.begin(), files.end(), [](const fs::path& file) {
     return file.filename() != "scene.resolved.toml" && file.filename() != "run.log";
@@ -189,12 +197,17 @@ void FormerRun::recover(const fs::path& folder) {
 PreparedFolder prepare_output(const fs::path& folder, bool overwrite) {
   create_folder(folder);
   FolderLock lock(folder);
-  FormerRun::recover(folder);
-  if (fs::is_empty(folder)) return {std::move(lock), {}};
-  if (!holds_run(folder)) refuse(folder, "is not empty and holds no former run, expected a new or an empty folder");
-  if (!overwrite && holds_results(folder))
-    refuse(folder, "holds a former run, expected a new folder, or --overwrite to replace that run");
-  return {std::move(lock), FormerRun(folder)};
+  try {
+    FormerRun::recover(folder);
+    if (fs::is_empty(folder)) return {std::move(lock), {}};
+    if (!holds_run(folder)) refuse(folder, "is not empty and holds no former run, expected a new or an empty folder");
+    if (!overwrite && holds_results(folder))
+      refuse(folder, "holds a former run, expected a new folder, or --overwrite to replace that run");
+    return {std::move(lock), FormerRun(folder)};
+  } catch (const fs::filesystem_error& e) {
+    refuse(folder, fmt::format("cannot be made ready ({}: {}), expected a folder that can be read and written to",
+                               e.path1().string(), e.code().message()));
+  }
 }
 
 }  // namespace lahar::cases

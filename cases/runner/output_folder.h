@@ -11,6 +11,9 @@
 
 namespace lahar::cases {
 
+/// What run.log says when the first step begins: from then on the folder holds results.
+inline constexpr const char* kStepsBeginMark = "the steps begin";
+
 /// Whether a folder holds a run: a scene.resolved.toml that Lahar wrote.
 bool holds_run(const std::filesystem::path& folder);
 
@@ -77,8 +80,9 @@ struct PreparedFolder {
 };
 
 /// Makes the folder of `--out` ready for a new run, and locks it. Creates it if it is not there. If it is there and not
-/// empty, it must hold a former run that has ended and `overwrite` must be set; that run is set aside. Throws
-/// InputError otherwise, before anything is changed.
+/// empty, it must hold a former run that has ended, and `overwrite` must be set unless that ended before its first
+/// step; that run is set aside. Throws InputError otherwise, before anything is changed, and where the folder cannot be
+/// read or its files cannot be moved.
 [[nodiscard]] PreparedFolder prepare_output(const std::filesystem::path& folder, bool overwrite);
 
 }  // namespace lahar::cases

@@ -69,6 +69,7 @@ RunResult run_to_folder(const scene::Scene& scene, const RunOptions& options, co
   RunMonitor monitor{progress, log, start, [&] {
                        folder.former.remove();
                        std::filesystem::remove(options.out / "summary.json");  // of the stretch until now
+                       log.info(kStepsBeginMark);
                      }};
   try {
     RunResult result = runner(scene, options, monitor);

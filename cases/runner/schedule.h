@@ -16,7 +16,7 @@ class Schedule {
   /// Whether any are asked for.
   [[nodiscard]] bool runs() const { return interval_ > 0; }
   [[nodiscard]] bool due(double time) const {
-    return runs() && time + kRounding >= from_ + static_cast<double>(since_) * interval_;
+    return runs() && time + rounding() >= from_ + static_cast<double>(since_) * interval_;
   }
   /// Whether the end of a run at `time` has none of its own yet.
   [[nodiscard]] bool wants_last(double time) const { return runs() && is_behind(time); }
@@ -32,7 +32,7 @@ class Schedule {
   /// shorter than any step, one is due at every step.
   void skip_until(double time) {
     if (!due(time)) return;
-    const double passed = std::floor((time + kRounding - from_) / interval_);
+    const double passed = std::floor((time + rounding() - from_) / interval_);
     since_ = std::max(since_, static_cast<std::int64_t>(std::min(passed, kMostCounted)) - 1);
     for (int k = 0; k < 3 && due(time); ++k) ++since_;  // rounding moves the division by one at most
   }
@@ -53,7 +53,9 @@ class Schedule {
   }
 
  private:
-  static constexpr double kRounding = 1e-9;       ///< s, so that none is missed by rounding
+  /// s, so that none is missed by rounding: far below a step, also where many make a short interval.
+  [[nodiscard]] double rounding() const { return std::min(1e-9, 1e-5 * interval_); }
+
   static constexpr double kMostCounted = 0x1p62;  ///< fits into 64 bits
 
   double interval_, from_ = 0, last_ = -1;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include "barrier/ring.h"
+#include "cases/assembly/drawn_out_dissipators.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/runner/warnings_by_part.h"
 
@@ -137,6 +139,20 @@ void add_step_of_barrier(const scene::Scene& s, double time_step, Warnings& list
                   time_step, limit));
 }
 
+/// A run stops where its step no longer holds for dissipators that are drawn out: told where that comes early
+/// (drawn_out_dissipators.h).
+void add_drawn_out(const scene::Scene& s, double time_step, Warnings& list) {
+  const std::optional<DrawnOutLimit> limit = early_limit(s, time_step);
+  if (!limit) return;
+  const bool asked_for = s.solids.time_step > 0;
+  const auto remedy = [&](double step) { return asked_for ? two_digits_down(step) : bond_safety_for(s, step); };
+  list.push_back(fmt::format(
+      "the time step of particles ({:.3g} s) holds until a dissipator is drawn out by {:.2g} m, at {:.4g} N, where the "
+      "run stops; {} of {:.2g} would do up to {:.2g} m, of {:.2g} up to {:.2g} m",
+      time_step, limit->elongation, limit->force, asked_for ? "solids.time_step_s" : "solids.bond_safety",
+      remedy(limit->step_for_further), limit->further, remedy(limit->step_for_far), limit->far));
+}
+
 /// Where particles of both rates would have the same step.
 void add_two_rates(const scene::Scene& s, double time_step, Warnings& list) {
   if (!s.solids.two_rates || long_step_of(s) > 1) return;
@@ -183,6 +199,7 @@ void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& lis
     s.walls.empty() ? list.push_back("there are grains but no walls: nothing holds them") : add_leaks(s, list);
   if (f.grains > 0) add_soft_grains(s, list);
   if (s.barrier.enabled) add_barrier(s, list), add_soft_wires(s, list), add_breaking_rings(s, list);
+  if (s.barrier.enabled) add_drawn_out(s, f.time_step, list);
   add_two_rates(s, f.time_step, list);
   add_safeties(s, list);
 }

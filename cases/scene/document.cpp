@@ -9,6 +9,7 @@
 
 #include "cases/scene/overrides.h"
 #include "cases/scene/value.h"
+#include "cases/scene/writer.h"
 
 namespace lahar::scene {
 namespace {
@@ -21,6 +22,13 @@ constexpr std::string_view kChangesMark = "scene.changes: ";
   throw InputError(std::vector<InputMistake>{{file, line, column, std::move(message)}});
 }
 
+/// How much a file may hold, MiB. A resolved scene spells out what its source leaves to defaults and bases.
+std::uintmax_t most_mebibytes(const fs::path& file) {
+  std::string start(std::string_view(resolved_mark).size(), '\0');
+  std::ifstream(file, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == resolved_mark ? 256 : 16;
+}
+
 std::string read_text(const fs::path& file) {
   const std::string name = file.string();
   std::error_code error;
@@ -28,8 +36,9 @@ std::string read_text(const fs::path& file) {
   if (status.type() == fs::file_type::not_found) fail(name, 0, 0, "there is no such file, expected a scene (TOML)");
   if (fs::is_directory(status)) fail(name, 0, 0, "is a directory, expected a scene file (TOML)");
   if (!fs::is_regular_file(status)) fail(name, 0, 0, "is no ordinary file, expected a scene file (TOML)");
-  constexpr std::uintmax_t most = 16U << 20;
-  if (fs::file_size(file, error) > most) fail(name, 0, 0, "is larger than 16 MiB, expected a scene file (TOML)");
+  const std::uintmax_t most = most_mebibytes(file);
+  if (fs::file_size(file, error) > most << 20)
+    fail(name, 0, 0, fmt::format("is larger than {} MiB, expected a scene file (TOML)", most));
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;
   if (!in || (fs::file_size(file, error) > 0 && !(text << in.rdbuf()))) fail(name, 0, 0, "cannot be read");

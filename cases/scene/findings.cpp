@@ -1,6 +1,8 @@
 #include "cases/scene/findings.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <tuple>
 
 namespace lahar::scene {
@@ -42,13 +44,20 @@ void Findings::mistake_at(const Place& place, std::string message) {
 
 bool Findings::sound(const std::vector<std::string>& paths) const {
   // Neither the path itself, nor anything inside it, nor a table around it may be unsound.
-  const auto inside = [](const std::string& inner, const std::string& outer) {
-    return inner.starts_with(outer) &&
-           (inner.size() == outer.size() || inner[outer.size()] == '.' || inner[outer.size()] == '[');
+  const auto around_is_unsound = [&](std::string_view path) {
+    for (std::size_t k = 0; k < path.size(); ++k)
+      if ((path[k] == '.' || path[k] == '[') && unsound_.contains(path.substr(0, k))) return true;
+    return false;
   };
-  return std::none_of(paths.begin(), paths.end(), [&](const std::string& path) {
-    return std::any_of(unsound_.begin(), unsound_.end(),
-                       [&](const std::string& bad) { return inside(bad, path) || inside(path, bad); });
+  const auto some_inside_is_unsound = [&](const std::string& path) {
+    return std::ranges::any_of(std::array{'.', '['}, [&](char mark) {
+      const std::string first = path + mark;
+      const auto next = unsound_.lower_bound(first);
+      return next != unsound_.end() && next->starts_with(first);
+    });
+  };
+  return std::ranges::none_of(paths, [&](const std::string& path) {
+    return unsound_.contains(path) || around_is_unsound(path) || some_inside_is_unsound(path);
   });
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // What reading a scene brings to light: where each value stands, what is wrong, and which values are not to be trusted.
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -36,7 +37,7 @@ class Findings {
  private:
   std::string file_;
   std::map<std::string, Place> places_;
-  std::set<std::string> unsound_;
+  std::set<std::string, std::less<>> unsound_;
   std::vector<InputMistake> mistakes_;
 };
 

@@ -462,7 +462,8 @@ void describe(V& v, Barrier& s) {
     v.table("posts", s.posts, Presence::optional, "Spans between posts. One span without posts when left out.");
     v.value("settle_time_s", s.settle_time, {non_negative()},
             "So long the barrier sags and comes to rest under gravity, alone, before the run begins; 0 = it starts as "
-            "built, free of stress.");
+            "built, free of stress. Bonds keep their load; contacts begin the run without tangential force, and what "
+            "friction held may move a little.");
   });
 }
 
@@ -491,9 +492,10 @@ void describe(V& v, Coupling& s) {
               "Over which flow and grains are averaged, no less than a cell: two diameters or more. What divides each "
               "length of the domain and is no shorter is taken.");
       v.value("bed_drag", s.bed_drag, {}, "Drag law of grains among others.");
-      v.value("beads_as_grains", s.beads_as_grains, {},
-              "Whether each bead of a wire feels the drag and buoyancy of a lone sphere by that law, as in averaged "
-              "studies, instead of wire_drag.");
+      v.value(
+          "beads_as_grains", s.beads_as_grains, {},
+          "Whether each bead of a wire feels drag and buoyancy as a grain among the grains around it, by that law, as "
+          "in averaged studies, instead of wire_drag; it fills no space among them.");
     });
     v.value("body_weighting", s.body_weighting, {},
             "Weight of the solid in a partly covered cell. This and the next three are for resolved grains.");
@@ -511,8 +513,8 @@ void describe(V& v, Coupling& s) {
 template <class V>
 void describe(V& v, Measure& s) {
   v.value("section_x_m", s.section_x, {},
-          "Plane whose arrival times and passing masses are measured. Default: the barrier's plane if there is a "
-          "fluid, or none.");
+          "Plane whose arrival times and passing masses are measured. Default: the barrier's plane, of a rigid one the "
+          "upstream face, if there is a fluid, or none.");
   v.value("inflow_distance_m", s.inflow_distance, {non_negative()},
           "The energy of the arriving flow is taken when its front is this far upstream of the section.");
   v.value("outflow_distance_m", s.outflow_distance, {non_negative()},

@@ -65,6 +65,15 @@ std::string string_text(const std::string& s) {
   return text + "\"";
 }
 
+bool fits_in_toml(const std::string& s) {
+  try {
+    (void)toml::parse("v = " + string_text(s));
+    return true;
+  } catch (const toml::parse_error&) {
+    return false;
+  }
+}
+
 std::string read(const toml::node& node, const Rule& rule, double& value) {
   if (!node.is_number()) return "is " + kind_text(node);
   // Not node.value<double>(), which has none for a whole number beyond 2^53.

@@ -20,6 +20,8 @@ std::string quote(const toml::node& node);
 std::string number_text(double v);
 /// A TOML basic string.
 std::string string_text(const std::string& s);
+/// Whether string_text(s) is TOML: not where s is no UTF-8, as the name of a folder may be.
+bool fits_in_toml(const std::string& s);
 
 /// Each reads `node` into `value`; returns what is wrong ("is ...", "has ...") or "" if all is well.
 std::string read(const toml::node& node, const Rule& rule, double& value);

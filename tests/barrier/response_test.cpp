@@ -95,6 +95,15 @@ TEST(Response, EnergiesAreThoseOfTheSprings) {
   EXPECT_DOUBLE_EQ(dissipator_elongation(b.net, b.bonds, 0), knee + 1e-4);
 }
 
+/// A wire that goes slack does not bend, whatever moment stands in its bond.
+TEST(Response, WiresThatOnlyPullHoldNoBending) {
+  Built b;
+  const std::size_t ring = b.net.rings[0].first_bond;
+  b.bonds.sorts[static_cast<std::size_t>(b.bonds.sort[ring])].axial.tension_only = true;
+  b.bonds.moment.set(ring, {0, 2, 0});
+  EXPECT_EQ(b.look()[Component::rings].energy.elastic(), 0);
+}
+
 /// What plastic elongation took stays taken when the bond breaks.
 TEST(Response, BrokenBondsKeepTheirPlasticWork) {
   Built b;

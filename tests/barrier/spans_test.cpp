@@ -162,6 +162,30 @@ TEST(Spans, RestsFreeOfStressAndReportsEveryBond) {
   EXPECT_FALSE(is_reported(Component::mesh, b.net));
 }
 
+/// An end hangs on its post. A place whose nearest bead is that of the end would fix it in space as well.
+TEST(Spans, RefusesPlacesBesideTheEndsOfCables) {
+  const auto upper_at = [](double place) {
+    SpansSpec spec = two_spans();
+    spec.net.upper.support.fixed_at = {0, place, 1};
+    return spec;
+  };
+  for (const double place : {0.001, 0.02, 0.98, 0.999, 1 - 1e-12})
+    EXPECT_NE(refusal(upper_at(place)).find("from its end, which hangs on a post"), std::string::npos) << place;
+  SpansSpec lower = two_spans();
+  lower.net.lower.support.fixed_at = {0, 0.999, 1};
+  EXPECT_NE(refusal(lower).find("from its end, which hangs on a post"), std::string::npos);
+  const std::size_t without = Built(two_spans()).net.fixed_beads.size();
+  for (const double place : {0.04, 0.5}) {
+    const Built b(upper_at(place));
+    EXPECT_EQ(b.net.fixed_beads.size(), without + 2) << place;
+    for (std::size_t c = 0; c < b.net.cables.size(); ++c) {
+      const Wire& cable = b.net.cables[c];
+      for (const dem::ParticleId end : {cable.first_bead, cable.first_bead + cable.beads - 1})
+        EXPECT_EQ(b.particles.state[b.particles.index(end)], dem::ParticleState::free) << place << ", cable " << c;
+    }
+  }
+}
+
 TEST(Spans, RefusesWhatCannotStand) {
   SpansSpec low = two_spans();
   low.post_height = 0.13;

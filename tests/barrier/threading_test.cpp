@@ -83,6 +83,40 @@ TEST(Threading, PlacesOfANewNetAreInTheMiddleOfItsRings) {
   }
 }
 
+/// A net that grows by a tenth carries its rings along with their cables.
+TEST(Threading, PlacesAreThoseAlongTheCableAsMade) {
+  Built b;
+  const auto threads = threadings(b.net);
+  const std::vector<double> before = places_on_cables(b.net, threads, b.particles, b.bonds);
+  ASSERT_EQ(before.size(), threads.size());
+  for (std::size_t k = 0; k < threads.size(); ++k) {
+    const Polyline ring = centre_line(b.net.rings[threads[k].ring], b.particles),
+                   cable = centre_line(b.net.cables[threads[k].cable], b.particles);
+    EXPECT_NEAR(before[k], place_on_cable(ring, cable).value() * (cable.end(0) - cable.start(0)).norm(), 1e-6) << k;
+  }
+  for (std::size_t i = 0; i < b.particles.size(); ++i) b.particles.position.set(i, 1.1 * b.particles.position[i]);
+  const Travel travel = travel_between(before, places_on_cables(b.net, threads, b.particles, b.bonds));
+  EXPECT_NEAR(travel.furthest, 0, 1e-9);
+}
+
+TEST(Threading, TornRingsAndCablesHaveNoPlaces) {
+  Built b;
+  const auto threads = threadings(b.net);
+  b.bonds.intact[b.net.rings[threads.front().ring].first_bond] = 0;
+  b.bonds.intact[b.net.cables[1].first_bond + 3] = 0;
+  const std::vector<double> places = places_on_cables(b.net, threads, b.particles, b.bonds);
+  for (std::size_t k = 0; k < threads.size(); ++k)
+    EXPECT_EQ(std::isnan(places[k]), threads[k].ring == threads.front().ring || threads[k].cable == 1) << k;
+}
+
+TEST(Threading, TravelLeavesOutWhatHasNoPlace) {
+  const double none = std::nan("");
+  const Travel travel = travel_between({1, 2, none, 4}, {1.5, none, 3, 3});
+  EXPECT_DOUBLE_EQ(travel.mean, 0.75);
+  EXPECT_DOUBLE_EQ(travel.furthest, 1);
+  EXPECT_EQ(travel_between({none, 1}, {1, none}).mean, 0);
+}
+
 TEST(Threading, TiesBondEachThreadedRingOnceToTheNearestBeadOfItsCable) {
   Built b;
   const std::size_t before = b.bonds.size();

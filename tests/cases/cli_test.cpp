@@ -1,4 +1,5 @@
 // The built executables: exit codes, what they print, and that bad input leaves nothing behind.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -9,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/cases/files/shape_texts.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::scene {
@@ -135,6 +137,22 @@ TEST_F(Cli, AFileThatIsNoMeshIsAMistakeOfItsKey) {
   }
 }
 
+/// Its absolute name could not stand in the resolved scene.
+TEST_F(Cli, AMeshInAFolderThatIsNotUtf8IsRefused) {
+  const std::string folder = "Gerinne \xfc";
+  std::filesystem::create_directory(folder_.path() / folder);
+  folder_.write(folder + "/scene.toml",
+                small_scene + "[[wall]]\nshape = \"mesh\"\nfile = \"block.stl\"\nmaterial = \"rock\"\n");
+  folder_.write(folder + "/block.stl", cases::stl_text(box_mesh(Vec3(0.7, 0.7, 0), Vec3(0.9, 0.9, 0.2))));
+  for (const char* command : {"check", "run --out out"}) {
+    const Outcome o = run(std::string(command) + " '" + folder + "/scene.toml'");
+    EXPECT_EQ(o.code, 2);
+    EXPECT_TRUE(o.err.starts_with(folder + "/scene.toml:18:8: wall[0].file: \"")) << o.err;
+    EXPECT_TRUE(o.err.ends_with("block.stl\" is not UTF-8, expected folders whose names are\n")) << o.err;
+    EXPECT_EQ(files(), 1u);
+  }
+}
+
 TEST_F(Cli, BadCommandLinesExitWithTwo) {
   for (const char* arguments : {"", "fly", "run", "check a.toml b.toml", "run --threads 0 a.toml", "run --set"}) {
     const Outcome o = run(arguments);
@@ -168,6 +186,7 @@ TEST_F(Cli, WhatAProgramCannotTakeIsRefusedWithTheReason) {
       {"speed_error", "--precision float --out out", "--precision: the study turns this knob itself"},
       {"compare_cfd_dem", "--precision double --records r --out out", "--records with --set or --precision"},
       {"lahar", "run scene.toml --out ''", "--out: is empty"},
+      {"lahar", "resume ''", "folder: is empty"},
       {"validate", "fluid.tow --out out", "no entry or group is called 'fluid.tow'"},
       {"hard_cases", "H21 --out out", "no hard case is called 'H21'"},
       {"speed_error", "dambreak --out out", "dambreak"},
@@ -254,6 +273,36 @@ TEST_F(Cli, ResumeRefusesWhatItCannotDo) {
     EXPECT_EQ(std::count(o.err.begin(), o.err.end(), '\n'), 1) << o.err;
     EXPECT_EQ(files(), 0u);
   }
+}
+
+/// In its own folder, too, a run is named.
+TEST_F(Cli, ResumeTakesNoEmptyName) {
+  const std::string scene = case_file("bouncing_sphere/scene.toml").string();
+  ASSERT_EQ(run(fmt::format("run --threads 1 --quiet --set run.duration_s=0.01 --out . '{}'", scene)).code, 0);
+  const std::string log = file_text(folder_.path() / "run.log");
+  const Outcome o = run("resume ''");
+  EXPECT_EQ(o.code, 2);
+  EXPECT_TRUE(o.err.starts_with("command line:1:1: folder: is empty")) << o.err;
+  EXPECT_EQ(file_text(folder_.path() / "run.log"), log);
+}
+
+/// Results may be removed to save room: what is left tells of the run.
+TEST_F(Cli, TheRecordOfARunIsKept) {
+  folder_.write("scene.toml", small_scene);
+  const std::string again = "run --threads 1 --quiet scene.toml --set run.duration_s=0.01 --out out";
+  ASSERT_EQ(run(again).code, 0);
+  const auto scene_file = folder_.path() / "out/scene.resolved.toml", log_file = folder_.path() / "out/run.log";
+  const std::string scene = file_text(scene_file), log = file_text(log_file);
+  const std::vector<std::filesystem::directory_entry> entries(
+      std::filesystem::directory_iterator(folder_.path() / "out"), {});
+  for (const auto& entry : entries)
+    if (entry.path() != scene_file && entry.path() != log_file) std::filesystem::remove(entry.path());
+  const Outcome o = run(again);
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.err.find("holds a former run"), std::string::npos) << o.err;
+  EXPECT_EQ(file_text(scene_file), scene);
+  EXPECT_EQ(file_text(log_file), log);
+  EXPECT_EQ(run(again + " --overwrite").code, 0);
 }
 
 TEST_F(Cli, ExistingResultsAreKept) {

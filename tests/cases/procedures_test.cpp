@@ -104,6 +104,64 @@ TEST(Procedures, RefuseWhatMakesNoSense) {
   EXPECT_EQ(mistakes_in(rockfall), 1u);
 }
 
+/// The one mistake is told at `key`.
+template <class Parameters>
+void expect_refused(const std::string& key, const Parameters& parameters) {
+  scene::Findings findings("test");
+  check(parameters, findings);
+  ASSERT_EQ(findings.mistakes().size(), 1u) << key;
+  EXPECT_FALSE(findings.sound({key})) << findings.mistakes()[0].message;
+}
+
+/// A net of 2 x 2 rings, flat when the ball comes.
+Rockfall small_rockfall() {
+  Rockfall small;
+  small.net_width = 2 * small.ring_pitch, small.ball_diameter = 0.4, small.ball_mass = 60;
+  small.settling_time = 0;
+  return small;
+}
+
+TEST(Procedures, ARockfallRefusesPlasticDissipatorsThatDoNotSoften) {
+  Rockfall r = small_rockfall();
+  r.plastic_unloading = true;
+  EXPECT_EQ(mistakes_in(r), 0u);
+  r.dissipator_stiffness[1] = r.dissipator_stiffness[0];
+  expect_refused("bonds.plastic_unloading", r);
+  r.plastic_unloading = false;
+  EXPECT_EQ(mistakes_in(r), 0u);
+}
+
+TEST(Procedures, ARockfallRefusesCablesThatEndInTheirGuides) {
+  Rockfall r = small_rockfall();
+  r.cable_extension = 1.5 * r.wire_diameter;
+  EXPECT_EQ(mistakes_in(r), 0u);
+  r.cable_extension = 0.5 * r.wire_diameter;
+  expect_refused("net.cable_extension_m", r);
+}
+
+TEST(Procedures, ARockfallRefusesRowsCloserThanItsSteps) {
+  Rockfall r = small_rockfall();
+  r.sample_interval = r.time_step;
+  EXPECT_EQ(mistakes_in(r), 0u);
+  r.sample_interval = 0.5 * r.time_step;
+  expect_refused("run.sample_interval_s", r);
+}
+
+TEST(Procedures, ADissipatorIsNotPulledByMoreThanAPointInAStep) {
+  EnergyDissipator fast;
+  fast.speed = 1000, fast.samples = 100000;
+  expect_refused("loading.speed_m_s", fast);
+}
+
+TEST(Procedures, ARockfallEndsWithItsDuration) {
+  const auto go_on = [](double) { return true; };
+  Rockfall r = small_rockfall();
+  r.duration = 2.5e-3, r.sample_interval = 1e-3;
+  const RockfallResult result = SettledNet(r, go_on).strike(r, go_on);
+  ASSERT_EQ(result.series.time.size(), 4u);
+  EXPECT_NEAR(result.series.time.back(), r.duration, 1.01 * r.time_step);
+}
+
 TEST(Procedures, RefuseAnAbsurdTimeStep) {
   const auto go_on = [](double) { return true; };
   Rockfall small;
@@ -116,14 +174,46 @@ TEST(Procedures, RefuseAnAbsurdTimeStep) {
 
 TEST(RockfallReadings, OneDissipatorACableIsOneAtOneEndOfEach) {
   const auto go_on = [](double) { return true; };
-  Rockfall small;
-  small.net_width = 2 * small.ring_pitch, small.ball_diameter = 0.4, small.ball_mass = 60;
-  small.settling_time = 0, small.duration = 0.03, small.activation_force = 1;
+  Rockfall small = small_rockfall();
+  small.duration = 0.03, small.activation_force = 1;
   const RockfallResult both = SettledNet(small, go_on).strike(small, go_on);
   EXPECT_EQ(both.active_brakes, 8);
   EXPECT_LT(both.worst_overlap, 0.1);  // the ball begins on the flat net, not in it
   small.dissipators_per_cable = 1;
   EXPECT_EQ(SettledNet(small, go_on).strike(small, go_on).active_brakes, 4);
+}
+
+TEST(RockfallReadings, PeaksDoNotDependOnTheSampleInterval) {
+  const auto go_on = [](double) { return true; };
+  const auto strike = [&](double sample_interval) {
+    Rockfall r = small_rockfall();
+    r.duration = 0.004, r.sample_interval = sample_interval;
+    return SettledNet(r, go_on).strike(r, go_on);
+  };
+  const RockfallResult fine = strike(0.5e-3), coarse = strike(4e-3);
+  ASSERT_EQ(fine.steps, coarse.steps);
+  EXPECT_GT(fine.worst_overlap, 0);
+  EXPECT_EQ(fine.worst_overlap, coarse.worst_overlap);
+  EXPECT_GT(fine.largest_tension, 0);
+  EXPECT_EQ(fine.largest_tension, coarse.largest_tension);
+}
+
+/// Without damping all that bonds lose is plastic, and the dissipators', which hold the rest of their energy.
+TEST(RockfallReadings, PlasticDissipatorsKeepWhatTheyDissipatedAsTheBallRebounds) {
+  const auto go_on = [](double) { return true; };
+  Rockfall r = small_rockfall();
+  r.ball_mass = 20, r.drop_height = 2, r.duration = 0.2;
+  r.plastic_unloading = true, r.activation_force = 1e3, r.bond_damping_ratio = 0;
+  r.youngs_modulus *= 0.01, r.ball_modulus *= 0.01, r.ring_stiffness *= 0.1, r.cable_stiffness *= 0.1;
+  r.time_step = 1e-5;
+  const RockfallSeries s = SettledNet(r, go_on).strike(r, go_on).series;
+  ASSERT_GT(s.bond_loss.back(), 10);
+  ASSERT_LT(s.brake_elongation.back(), 0.9 * *std::ranges::max_element(s.brake_elongation));
+  for (std::size_t k = 0; k < s.time.size(); ++k) {
+    const double stored = s.brake_energy[k] - s.bond_loss[k], rounding = 1e-9 * s.brake_energy[k];
+    EXPECT_GE(stored, -rounding) << s.time[k];
+    EXPECT_LE(stored, s.bond_energy[k] + rounding) << s.time[k];
+  }
 }
 
 TEST(RingPullScaling, KeepsTheWireAndTheMassOfTheRing) {

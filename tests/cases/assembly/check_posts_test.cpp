@@ -14,6 +14,8 @@ INSTANTIATE_TEST_SUITE_P(
     CrossChecks, PostsMistake,
     testing::Values(
         Rejection{{"barrier.posts.height_m=0.19"}, "barrier.posts.height_m", "shorter than the net"},
+        Rejection{{"barrier.posts.height_m=220"}, "barrier.posts.height_m", "220 m above the domain"},
+        Rejection{{"barrier.posts.height_m=0.9"}, "barrier.posts.height_m", "at most its height, 0.5 m"},
         Rejection{{"barrier.posts.diameter_m=0.05"}, "barrier.posts.diameter_m", "too thick for a beam"},
         Rejection{{"barrier.posts.area_m2=0"}, "barrier.posts.area_m2", "above 0"},
         Rejection{{"barrier.posts.second_moment_m4=0"}, "barrier.posts.second_moment_m4", "above 0"},
@@ -35,6 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
             {"barrier.posts.retaining[0].anchor_offset_m=[-0.2, 0, -0.012]"}, "barrier.posts: ", "deep in a wall"},
         Rejection{{"barrier.anchors.cable_places=[]"}, "barrier.anchors.cable_places", "lacks 0"},
         Rejection{{"barrier.anchors.cable_places=[0, 0.99]"}, "barrier.anchors.cable_places", "lacks 1"},
+        Rejection{{"barrier.anchors.cable_places=[0, 0.001, 1]"}, "barrier.posts: ", "which hangs on a post"},
         Rejection{{"barrier.posts.retaining[0].anchor_offset_m=[-0.6, 0, 0]"},
                   "barrier.posts.retaining[0].anchor_offset_m",
                   "outside the domain"},
@@ -64,6 +67,11 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"barrier.net.ring_pitch_m=0.06"}, "barrier.net.ring_pitch_m", "kind = \"rings\""},
         Rejection{{"barrier.bonds.ring_stiffness_N_m3=3e11"}, "barrier.bonds.ring_stiffness_N_m3", "rings"},
         Rejection{{"barrier.bonds.ring_shear_strength_Pa=1e9"}, "barrier.bonds.ring_shear_strength_Pa", "rings"}));
+
+/// Heads may stand above the domain, as far as it is high.
+TEST(CheckPosts, PostsMayReachOutOfTheDomain) {
+  EXPECT_EQ(mistakes_in(case_file("two_spans/scene.toml"), {"barrier.posts.height_m=0.8"}), std::vector<std::string>{});
+}
 
 TEST(CheckPosts, SpansSpecHoldsWhatTheSceneSays) {
   const Scene scene = load(case_file("two_spans/scene.toml"), {"solids.bond_stiffness_scale=0.5"});

@@ -256,6 +256,18 @@ TEST(CheckSolids, APackingMayNotTouchTheNet) {
   EXPECT_NE(inside.front().find("beads of the barrier"), std::string::npos) << inside.front();
 }
 
+/// A net that stands on a corner: of its four corners the upper one alone leaves the domain.
+TEST(CheckSolids, EveryCornerOfTheNetIsInTheDomain) {
+  const auto net = case_file("hanging_net/scene.toml");
+  const std::vector<std::string> on_a_corner{"barrier.net.origin_m=[0, 0, 0]", "barrier.net.width_direction=[0, 1, 1]",
+                                             "barrier.net.height_direction=[0, -1, 1]",
+                                             "domain.lower_m=[-0.2, -0.3, -0.1]", "domain.upper_m=[0.2, 0.5, 0.5]"};
+  EXPECT_TRUE(mistakes_in(net, on_a_corner).empty());
+  std::vector<std::string> low = on_a_corner;
+  low.back() = "domain.upper_m=[0.2, 0.5, 0.4]";
+  expect_rejection(net, {low, "barrier.net.width_m", "0.452548) lies outside the domain"});
+}
+
 TEST(CheckSolids, TheSectionIsTheNetsPlaneUnlessGiven) {
   EXPECT_EQ(debris_flow().measure.section_x, 4.1);
   EXPECT_EQ(load(case_file("debris_flow/scene.toml"),

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <numbers>
 
+#include "cases/assembly/net_spec.h"
+#include "dem/time_step.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::cases {
@@ -122,6 +125,43 @@ TEST(Estimates, SofteningLengthensTheLimits) {
   EXPECT_NEAR(soft.grain_rayleigh / hard.grain_rayleigh, 10, 1e-9);
   EXPECT_NEAR(soft.bead_rayleigh / hard.bead_rayleigh, 10, 1e-9);
   EXPECT_NEAR(soft.cable_bond / hard.cable_bond, 5, 1e-9);
+}
+
+/// A few beads of a post ask for the step that all ask for.
+TEST(Estimates, PostLimitIsThatOfTheWholePost) {
+  for (const char* foot : {"fixed", "hinged"})
+    for (const char* height : {"0.2", "0.22", "0.23", "0.8"}) {
+      const scene::Scene spans =
+          load(case_file("two_spans/scene.toml"),
+               {std::string("barrier.posts.foot=") + foot, std::string("barrier.posts.height_m=") + height});
+      dem::Particles particles;
+      dem::Bonds bonds;
+      add_post(post_spec(scene::make_spans_spec(spans), 0), particles, bonds);
+      const double whole = dem::bond_time_step(bonds, particles);
+      EXPECT_NEAR(solids_limits(spans).post_bond, whole, 1e-9 * whole) << foot << ", " << height;
+    }
+}
+
+/// Whole posts of four million beads take seconds.
+TEST(Estimates, PostLimitIsTakenFromAFewBeads) {
+  scene::Scene spans = load(case_file("two_spans/scene.toml"));
+  spans.barrier.posts.height = 1e5;
+  const std::clock_t start = std::clock();
+  EXPECT_GT(solids_limits(spans).post_bond, 0);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 0.3);
+}
+
+/// Cables on posts are compared with all other wires: long ones take as long as many.
+TEST(Estimates, BarriersThatCanBeTried) {
+  scene::Scene spans = load(case_file("two_spans/scene.toml"));
+  EXPECT_TRUE(can_be_tried(spans));
+  spans.barrier.posts.height = 100;
+  EXPECT_LT(barrier_beads(spans), 200'000);
+  EXPECT_FALSE(can_be_tried(spans));
+  spans.barrier.posts.elements = {};
+  EXPECT_TRUE(can_be_tried(spans));
+  spans.barrier.posts.height = 1e300;
+  EXPECT_FALSE(can_be_tried(spans));
 }
 
 TEST(Estimates, SettlingSpeedFromStokesToNewton) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <numbers>
 #include <numeric>
 
@@ -68,6 +69,21 @@ TEST(Gradings, AreFixedBySeedAndDifferBetweenTables) {
   twice.grains.packings.push_back(one.grains.packings[0]);
   EXPECT_NE(grain_sizes(twice, 0), grain_sizes(twice, 1));
   EXPECT_EQ(grain_sizes(twice, 0), grain_sizes(one, 0));
+}
+
+/// A check asks a dozen times for the grains of a packing: they are drawn once.
+TEST(Gradings, AreDrawnOnce) {
+  const Scene scene = load(kScene, log_normal("median_diameter_m=0.0006, log_deviation=0.3, smallest_diameter_m=4e-4, "
+                                              "largest_diameter_m=1e-3, mass_kg=0.04, weighting=\"mass\""));
+  Scene fresh = scene;
+  fresh.run.seed = 17;
+  const auto seconds_of = [&](int times) {  // of the processor
+    const std::clock_t start = std::clock();
+    for (int k = 0; k < times; ++k) EXPECT_GT(grain_sizes(fresh, 0).size(), 50'000u);
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  };
+  const double drawn = seconds_of(1);
+  EXPECT_LT(seconds_of(20), 10 * drawn);
 }
 
 TEST(Gradings, LogNormalCountsMassOrGrains) {

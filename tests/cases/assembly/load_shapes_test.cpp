@@ -140,6 +140,25 @@ TEST(LoadShapes, AChangedFileIsLookedForBesideTheScene) {
   EXPECT_EQ(mistakes_in(scene).size(), 0U) << testing::PrintToString(mistakes_in(scene));
 }
 
+/// Told where the key stands that moved it away, with both extents.
+TEST(LoadShapes, AMeshOutsideTheDomainSaysWhereItLies) {
+  const ScratchFolder scratch;
+  scratch.write("block.stl", stl_text(box_mesh(Vec3(0, 0, 0), Vec3(200, 300, 150))));
+  const auto scene = scratch.write("scene.toml", tank + region + block);
+  for (const std::string set : {"wall[0].translate_m=[5, 0, 0]", "domain.upper_m=[0.4, 0.5, 0.5]"}) {
+    const auto all = mistakes_in(scene, {set});
+    ASSERT_EQ(all.size(), 1U) << testing::PrintToString(all);
+    EXPECT_TRUE(all[0].starts_with("--set " + set)) << all[0];
+  }
+  const std::string moved = mistakes_in(scene, {"wall[0].translate_m=[5, 0, 0]"}).at(0);
+  EXPECT_NE(moved.find("lies outside the domain, from (5, 0, 0) to (5.2, 0.3, 0.15) m, expected a part of it inside, "
+                       "from (0, 0, 0) to (1, 0.5, 0.5) m"),
+            std::string::npos)
+      << moved;
+  const std::string grown = mistakes_in(scene, {"wall[0].scale=1e-6"}).at(0);
+  EXPECT_TRUE(grown.starts_with("--set wall[0].scale=1e-6")) << grown;
+}
+
 class WrongShape : public testing::TestWithParam<Rejection> {};
 
 /// A good scene with a mesh, a terrain and a liquid ball, changed in one way.
@@ -166,7 +185,7 @@ TEST_P(WrongShape, IsTheOneMistake) {
 INSTANTIATE_TEST_SUITE_P(
     LoadShapes, WrongShape,
     testing::Values(Rejection{{"wall[0].file=''"}, "wall[0].file", "expected the name of a file"},
-                    Rejection{{"wall[0].file='missing.stl'"}, "wall[0].file", "there is no such file"},
+                    Rejection{{"wall[0].file='missing.stl'"}, "wall[0].file", "there is no such file, expected"},
                     Rejection{{"wall[0].file=GAPING"}, "wall[0].file", "is not closed: 3 edges"},
                     Rejection{{"wall[0].file=HOLLOW"}, "wall[0].file", "has no triangles"},
                     Rejection{{"wall[0].file=WORDS"}, "wall[0].file", "expected .stl, .ply or .obj"},

@@ -49,6 +49,33 @@ TEST(RigidBarrier, TheResolvedSceneHasItsWallsOnce) {
   EXPECT_EQ(load(file, {}), scene);
 }
 
+/// As of a net, with a fluid and where the scene names no section.
+TEST(RigidBarrier, ItsUpstreamFaceIsTheMeasuredSection) {
+  const auto dam = case_file("dam_break/scene.toml");
+  const std::vector<std::string> in_dam{"rigid_barrier.enabled=true", "rigid_barrier.origin_m=[0.8, 0, 0]",
+                                        "rigid_barrier.width_m=0.3", "rigid_barrier.height_m=0.1",
+                                        "rigid_barrier.thickness_m=0.1"};
+  EXPECT_FALSE(load(dam).measure.section_x.has_value());
+  const Scene scene = load(dam, in_dam);
+  EXPECT_EQ(scene.measure.section_x, 0.8);
+  EXPECT_EQ(load(dam, with(in_dam, "measure.section_x_m=0.7")).measure.section_x, 0.7);
+  EXPECT_FALSE(load(case_file("hanging_net/scene.toml"), kSlits).measure.section_x.has_value()) << "no fluid";
+  const ScratchFolder folder;
+  EXPECT_EQ(load(folder.write("again.toml", to_toml(scene)), {}), scene);
+  expect_rejection(
+      dam, {with(in_dam, "rigid_barrier.origin_m=[1.4, 0, 0]"), "measure.outflow_distance_m", "leads to x = 1.725"});
+}
+
+/// A net beside it keeps the section.
+TEST(RigidBarrier, ANetIsMeasuredRatherThanAWall) {
+  EXPECT_EQ(load(case_file("debris_flow/scene.toml"),
+                 {"barrier.net.width_m=0.38", "barrier.net.height_m=0.26", "rigid_barrier.enabled=true",
+                  "rigid_barrier.origin_m=[4.6, 0, 0]", "rigid_barrier.width_m=1.8", "rigid_barrier.height_m=0.1",
+                  "rigid_barrier.thickness_m=0.1", "rigid_barrier.material=steel"})
+                .measure.section_x,
+            4.1);
+}
+
 TEST(RigidBarrier, RefusesSlitsThatLeaveNothing) {
   const auto file = case_file("hanging_net/scene.toml");
   expect_rejection(file, {with(kSlits, "rigid_barrier.slit_width_m=0.2"), "rigid_barrier.slits", "leave nothing"});

@@ -98,6 +98,48 @@ TEST(Hdf5File, AttributesTypesAndMembers) {
   EXPECT_THROW((void)file.read<double>("/g/absent"), FileError);
 }
 
+/// What others put into a file may have any form.
+TEST(Hdf5File, OnlyGrowingColumnsWithTheirTextsAreColumns) {
+  const TestFolder folder;
+  Hdf5File file = Hdf5File::create(folder / "a.h5");
+  const std::vector<double> values(6, 0.5);
+  for (const char* name : {"/g/column", "/g/bare", "/g/listed"}) file.create_column(name, 4).append(values);
+  file.write<double>("/g/table", values, {3, 2});
+  file.write<double>("/g/list", values, {6});
+  file.write<float>("/g/inner/list", std::vector<float>(6), {6});
+  for (const char* name : {"/g/column", "/g/table", "/g/list", "/g/inner"})
+    file.set_attribute(name, "unit", std::string("m"));
+  file.set_attribute("/g/listed", "unit", 1.0);
+  file.close();
+  const hid_t plain = H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  H5Lcreate_soft("/g/column", plain, "/g/link", H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(plain);
+  file = Hdf5File::open_for_appending(folder / "a.h5");
+  EXPECT_EQ(file.columns("/g", {"unit"}), std::vector<std::string>{"column"});
+  EXPECT_EQ(file.columns("/g", {}), (std::vector<std::string>{"bare", "column", "listed"}));
+  EXPECT_EQ(file.open_column("/g/bare").rows(), 6U);
+  for (const char* name : {"/g/table", "/g/list", "/g/inner", "/g/absent"})
+    EXPECT_THROW((void)file.open_column(name), FileError) << name;
+}
+
+TEST(Hdf5File, AttributesOfOtherFormsAreRefused) {
+  const TestFolder folder;
+  Hdf5File::create(folder / "a.h5").close();
+  const hid_t plain = H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hsize_t count = 1000;
+  const hid_t many = H5Screate_simple(1, &count, nullptr), one = H5Screate(H5S_SCALAR);
+  const hid_t text = H5Tcopy(H5T_C_S1), endless = H5Tcopy(H5T_C_S1);
+  H5Tset_size(text, 8), H5Tset_size(endless, H5T_VARIABLE);
+  H5Aclose(H5Acreate2(plain, "numbers", H5T_NATIVE_DOUBLE, many, H5P_DEFAULT, H5P_DEFAULT));
+  H5Aclose(H5Acreate2(plain, "texts", text, many, H5P_DEFAULT, H5P_DEFAULT));
+  H5Aclose(H5Acreate2(plain, "endless", endless, one, H5P_DEFAULT, H5P_DEFAULT));
+  H5Tclose(text), H5Tclose(endless), H5Sclose(many), H5Sclose(one), H5Fclose(plain);
+  const Hdf5File file = Hdf5File::open_for_reading(folder / "a.h5");
+  EXPECT_THROW((void)file.number_attribute("/", "numbers"), FileError);
+  for (const char* key : {"texts", "endless", "numbers"})
+    EXPECT_THROW((void)file.text_attribute("/", key), FileError) << key;
+}
+
 TEST(Hdf5File, SaysWhyAFileCannotBeOpened) {
   const TestFolder folder;
   const std::string path = (folder / "missing/a.h5").string();

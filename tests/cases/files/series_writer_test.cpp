@@ -213,6 +213,55 @@ TEST(SeriesWriter, AColumnThatCannotBeReadIsLeftOut) {
   EXPECT_EQ(series.find("b")->values[200], 7);
 }
 
+/// Tables, lists and groups beside the columns.
+TEST(SeriesWriter, WhatOthersHaveAddedStays) {
+  const TestFolder folder;
+  const auto path = folder / "series.h5";
+  {
+    SeriesWriter writer(path);
+    writer.declare("a", "m", "");
+    for (int n = 0; n < 10; ++n) writer.append(n, {1.0 * n});
+  }
+  const std::vector<double> values(12, 0.5);
+  {
+    Hdf5File file = Hdf5File::open_for_appending(path);
+    file.write<double>("/series/table", values, {6, 2});
+    file.write<double>("/series/list", values, {12});
+    file.write<double>("/series/mine/list", values, {12});
+    file.create_column("/series/bare", 4).append(values);
+  }
+  {
+    SeriesWriter writer = SeriesWriter::resume(path, 4.5);
+    EXPECT_EQ(writer.lost(), std::vector<std::string>{});
+    EXPECT_THROW(writer.declare("table", "m", ""), FileError);
+    writer.declare("a", "m", "");
+    writer.append(5, {-1});
+  }
+  const Hdf5File file = Hdf5File::open_for_reading(path);
+  EXPECT_EQ(file.dimensions("/series/table"), (std::vector<std::uint64_t>{6, 2}));
+  for (const char* name : {"/series/table", "/series/list", "/series/mine/list", "/series/bare"})
+    EXPECT_EQ(file.read<double>(name), values) << name;
+  const Series series = read_series(path);
+  EXPECT_EQ(series.time_s, (std::vector<double>{0, 1, 2, 3, 4, 5}));
+  ASSERT_EQ(series.columns.size(), 1U);
+  EXPECT_EQ(series.columns[0].values, (std::vector<double>{0, 1, 2, 3, 4, -1}));
+}
+
+/// Whatever has become of its attributes.
+TEST(SeriesWriter, ResumeShortensTheTimesInAnyCase) {
+  const TestFolder folder;
+  const auto path = folder / "series.h5";
+  {
+    SeriesWriter writer(path);
+    for (int n = 0; n < 4; ++n) writer.append(n, {});
+  }
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  H5Adelete_by_name(file, "/series/time_s", "unit", H5P_DEFAULT);
+  H5Fclose(file);
+  SeriesWriter::resume(path, 1.5).close();
+  EXPECT_EQ(read_series(path).time_s, (std::vector<double>{0, 1}));
+}
+
 TEST(SeriesWriter, RefusesMisuse) {
   const TestFolder folder;
   SeriesWriter writer(folder / "series.h5");

@@ -5,6 +5,7 @@
 
 #include "cases/files/heightmap_file.h"
 #include "cases/files/mesh_file.h"
+#include "core/mesh_distance.h"
 #include "tests/cases/files/shape_texts.h"
 #include "tests/cases/scene/scene_files.h"
 
@@ -39,6 +40,66 @@ TEST(MeshFile, FacesOfObjMayBePolygonsAndCountBackwards) {
       parse_obj("# a square\nv 0 0 0\nv 1 0 0 # first\nvn 0 0 1\nv 1 1 0\nv 0 1 0\nf 1//1 2//1 -2//1 4//1\n");
   ASSERT_EQ(m.triangles.size(), 2u);
   EXPECT_EQ(m.triangles[1], (std::array<std::uint32_t, 3>{0, 2, 3}));
+}
+
+/// Two arms along x and z with caps at the ends of y: faces of any number of corners, counted from 1, as an OBJ.
+std::string l_shape(const std::string& caps) {
+  std::string text;
+  for (const double y : {0.1, 0.9})
+    for (const auto& [x, z] : {std::pair{0.9, 0.1}, {0.9, 0.3}, {0.3, 0.3}, {0.3, 0.9}, {0.1, 0.9}, {0.1, 0.1}})
+      text += fmt::format("v {} {} {}\n", x, y, z);
+  return text + caps + "f 2 1 7 8\nf 3 2 8 9\nf 4 3 9 10\nf 5 4 10 11\nf 6 5 11 12\nf 1 6 12 7\n";
+}
+
+/// The same as a PLY of text with caps of six corners.
+std::string l_shape_in_ply() {
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 12\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face 8\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const double y : {0.1, 0.9})
+    for (const auto& [x, z] : {std::pair{0.9, 0.1}, {0.9, 0.3}, {0.3, 0.3}, {0.3, 0.9}, {0.1, 0.9}, {0.1, 0.1}})
+      text += fmt::format("{} {} {}\n", x, y, z);
+  return text +
+         "6 0 1 2 3 4 5\n6 11 10 9 8 7 6\n4 1 0 6 7\n4 2 1 7 8\n4 3 2 8 9\n4 4 3 9 10\n4 5 4 10 11\n4 0 5 11 6\n";
+}
+
+/// No triangle of a cap may hang in the notch: distances there are those of a body cut by hand.
+TEST(MeshFile, ConcaveFacesAreCutWithinThemselves) {
+  const scene::ScratchFolder scratch;
+  const std::string polygons = "f 1 2 3 4 5 6\nf 12 11 10 9 8 7\n";
+  const std::string by_hand = "f 3 4 5\nf 3 5 6\nf 3 6 1\nf 3 1 2\nf 11 10 9\nf 12 11 9\nf 7 12 9\nf 8 7 9\n";
+  const auto distances = [](const TriangleMesh& mesh) {
+    EXPECT_NEAR(signed_volume(mesh), 0.8 * 0.28, 1e-12);
+    return sample_distance(mesh, Vec3::Zero(), Vec3::Ones(), 0.02, 0.2);
+  };
+  const auto right = distances(read_closed_mesh(scratch.write("hand.obj", l_shape(by_hand))));
+  const auto obj = distances(read_closed_mesh(scratch.write("l.obj", l_shape(polygons))));
+  const auto ply = distances(read_closed_mesh(scratch.write("l.ply", l_shape_in_ply())));
+  EXPECT_NEAR(right->distance({0.5, 0.12, 0.4}), 0.1, 1e-5);
+  for (const Vec3& p : {Vec3(0.5, 0.12, 0.4), Vec3(0.5, 0.88, 0.5), Vec3(0.4, 0.1, 0.6), Vec3(0.2, 0.12, 0.5)}) {
+    EXPECT_NEAR(obj->distance(p), right->distance(p), 1e-6) << p.transpose();
+    EXPECT_NEAR(ply->distance(p), right->distance(p), 1e-6) << p.transpose();
+  }
+}
+
+/// Two boxes side by side, each as it is or inside out.
+TriangleMesh two_boxes(bool first_turned, bool second_turned) {
+  TriangleMesh mesh = box_mesh(Vec3(0.1, 0.1, 0.1), Vec3(0.5, 0.5, 0.5));
+  TriangleMesh second = box_mesh(Vec3(0.6, 0.6, 0.1), Vec3(0.92, 0.92, 0.42));
+  if (first_turned) flip(mesh);
+  if (second_turned) flip(second);
+  const auto start = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), second.points.begin(), second.points.end());
+  for (const auto& t : second.triangles) mesh.triangles.push_back({t[0] + start, t[1] + start, t[2] + start});
+  return mesh;
+}
+
+TEST(MeshFile, AWholeFileInsideOutIsTurned) {
+  const scene::ScratchFolder scratch;
+  for (const bool turned : {false, true}) {
+    const TriangleMesh mesh = read_closed_mesh(scratch.write("two.obj", obj_text(two_boxes(turned, turned))));
+    EXPECT_NEAR(signed_volume(mesh), std::pow(0.4, 3) + std::pow(0.32, 3), 1e-12) << turned;
+  }
 }
 
 struct BadFile {
@@ -85,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
     MeshFile, BadMesh,
     testing::Values(
         BadFile{"a.step", "", "expected .stl, .ply or .obj"}, BadFile{"a.stl", "", "is no STL file"},
-        BadFile{"a.stl", "solid nothing\nendsolid\n", "has no triangles"},
+        BadFile{"a.stl", "solid nothing\nendsolid\n", "has no triangles, expected"},
         BadFile{"a.stl", box_bytes.substr(0, box_bytes.size() - 1), "is no STL file"},
         BadFile{"a.stl", "solid s\nvertex 0 0\n", "line 2: expected \"vertex x y z\""},
         BadFile{"a.stl", "solid s\nvertex 0 0 up\n", "line 2: \"up\" is no finite number"},
@@ -93,9 +154,17 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"a.stl", "solid s\n\nvertex 0 0 0\nendloop\n", "line 4: a facet has 1 corners"},
         BadFile{"a.stl", "solid s\nvertex 0 0 0\n", "ends inside a facet"},
         BadFile{"a.stl", "solid s\ntriangle 0 0 0\n", "\"triangle\" is no word of an STL file"},
-        BadFile{"a.stl", stl_text(open_box()), "is not closed: 3 edges"},
+        BadFile{"a.stl", stl_text(open_box()), "outside, expected none"},
         BadFile{"a.stl", stl_text(mixed_box()), "is not closed: 3 edges"},
         BadFile{"a.stl", stl_text(flat()), "encloses no volume"},
+        BadFile{"a.obj", obj_text(two_boxes(false, true)), "from (0.6, 0.6, 0.1) to (0.92, 0.92, 0.42)"},
+        BadFile{"a.obj", obj_text(two_boxes(true, false)), "from (0.1, 0.1, 0.1) to (0.5, 0.5, 0.5)"},
+        BadFile{"a.obj", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n", "line 5: a face cannot be cut"},
+        BadFile{"a.ply",
+                "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                "0 0\n1 1\n1 0\n0 1\n3 0 1 2\n4 0 1 2 3\n",
+                "face 1: a face cannot be cut"},
         BadFile{"a.obj", "v 0 0\n", "line 1: expected \"v x y z\""},
         BadFile{"a.obj", "v 0 0 0\nf 1 1\n", "fewer than 3 corners"},
         BadFile{"a.obj", "v 0 0 0\nf 1 1 2\n", "line 2: corner 2 does not exist"},

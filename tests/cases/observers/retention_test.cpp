@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
+#include <string>
 
 #include "cases/observers/observer_list.h"
 #include "tests/cases/observers/two_balls.h"
@@ -74,6 +76,44 @@ TEST(Retention, ABulgedNetHoldsWhatItCarries) {
   EXPECT_EQ(observers.metrics().at("retained_mass_ratio"), 1);
   p.position.x[bead] = scene.domain.upper.x() + 1;
   EXPECT_NEAR(observers.metrics().at("retained_mass_ratio"), share, 1e-12);
+}
+
+/// All grains of the small debris flow at one place, before or behind a net of 30 degrees from upright.
+struct InclinedNet {
+  explicit InclinedNet(const std::string& height_direction)
+      : scene(
+            scene::load(scene::source_folder() / "tests/cases/observers/everything.toml",
+                        {"barrier.net.origin_m=[0.6, 0, 0.02]", "barrier.net.height_direction=" + height_direction})) {}
+  double ratio_at(const Vec3& place) {
+    dem::Particles& p = simulation->solids()->particles();
+    for (std::size_t i = 0; i < p.size(); ++i)
+      if (p.kind[i] == dem::ParticleKind::grain) p.position.set(i, place);
+    return observers.metrics().at("retained_mass_ratio");
+  }
+
+  const scene::Scene scene;
+  const std::unique_ptr<Simulation> simulation = build_simulation(scene);
+  const ObserverList observers{scene, *simulation};
+};
+
+/// Its crest is farther down than its foot; a grain just beyond the foot has got through.
+TEST(Retention, ANetThatLeansDownstreamHoldsNothingBeyondItsPlane) {
+  InclinedNet inclined("[0.5, 0, 0.8660254037844386]");
+  const Vec3 behind_foot(0.66, 0.13, 0.06), normal(0.8660254037844386, 0, -0.5);
+  const barrier::Net& net = *inclined.simulation->net();
+  ASSERT_LT((net.normal - normal).norm(), 1e-12);
+  EXPECT_EQ(inclined.ratio_at(behind_foot - 0.08 * normal), 1);
+  EXPECT_EQ(inclined.ratio_at(behind_foot), 0);
+  dem::Particles& p = inclined.simulation->solids()->particles();
+  p.position.set(p.index(net.rings.front().first_bead), behind_foot + 0.001 * normal);
+  EXPECT_EQ(inclined.ratio_at(behind_foot), 1);
+}
+
+/// A grain behind its crest has got over it, although its foot is farther down.
+TEST(Retention, ANetThatLeansUpstreamHoldsNothingBeyondItsPlane) {
+  InclinedNet inclined("[-0.5, 0, 0.8660254037844386]");
+  EXPECT_EQ(inclined.ratio_at({0.58, 0.13, 0.15}), 0);
+  EXPECT_EQ(inclined.ratio_at({0.48, 0.13, 0.15}), 1);
 }
 
 /// A mesh bulges like a net of rings; a node at a torn wire may fly off and holds nothing.

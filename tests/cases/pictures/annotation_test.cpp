@@ -53,6 +53,22 @@ TEST(Annotation, TheClockRuns) {
   EXPECT_LT(different, 300) << "all but one digit keep their place";
 }
 
+TEST(Annotation, ShortTimesHaveSignificantDigits) {
+  for (const auto& [seconds, label] : {std::pair{0.0, "0.000 s"},
+                                       {1.25, "1.250 s"},
+                                       {0.01, "0.010 s"},
+                                       {0.0025, "0.0025 s"},
+                                       {1.2345e-4, "0.000123 s"},
+                                       {2e-9, "2e-09 s"}})
+    EXPECT_EQ(time_label(seconds), label);
+  const PictureStyle style{.legend = false};
+  const Image now = annotated(style, {}, 2e-9), later = annotated(style, {}, 4e-9);
+  int different = 0;
+  for (int y = 0; y < 360; ++y)
+    for (int x = 0; x < 640; ++x) different += now.at(x, y) != later.at(x, y);
+  EXPECT_GT(different, 10);
+}
+
 TEST(Annotation, TheScaleBarHasItsTrueLength) {
   const PictureStyle with{.time_stamp = false}, without{.time_stamp = false, .legend = false};
   const Image image = annotated(with);

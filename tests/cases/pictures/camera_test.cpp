@@ -46,6 +46,18 @@ TEST(Camera, FittedCameraShowsTheBoxAndFillsThePicture) {
   }
 }
 
+/// Whatever the size of the box, it fills the same part of the picture; a box of no size has a camera too.
+TEST(Camera, SmallBoxesAreFittedToo) {
+  const auto width_of = [](double size) {
+    const ViewBox box{Vec3::Zero(), Vec3::Constant(size)};
+    const Projection projection(fitted_camera(box, Vec3(0, 0, -9.81), {115, 28}, 1), 900, 900);
+    return projection.pixel(Vec3(size, 0, 0)).x() - projection.pixel(Vec3::Zero()).x();
+  };
+  for (const double size : {1e-3, 1e-4, 1e-5}) EXPECT_NEAR(width_of(size), width_of(1), 1) << size;
+  const Camera camera = fitted_camera(ViewBox{}, Vec3(0, 0, -9.81), {115, 28}, 1);
+  EXPECT_GT((camera.target - camera.eye).norm(), 0);
+}
+
 TEST(Camera, AzimuthTurnsFromDownstreamToTheSide) {
   const ViewBox box{Vec3::Zero(), Vec3::Ones()};
   const Vec3 gravity(0, 0, -9.81);

@@ -1,5 +1,6 @@
 #include "cases/runner/output_folder.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "cases/scene/writer.h"
+#include "tests/cases/files/small_disk.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::cases {
@@ -80,6 +82,17 @@ TEST(OutputFolder, ARunThatDidNotBeginIsReplaced) {
   prepare_output(scratch.path(), false).former.remove();
   EXPECT_EQ(count(scratch.path()), 1u);
   EXPECT_TRUE(fs::exists(scratch.path() / "notes.txt"));
+}
+
+/// Whatever became of its results.
+TEST(OutputFolder, ARunThatBeganIsNotReplacedUnasked) {
+  const scene::ScratchFolder scratch;
+  scratch.write("scene.resolved.toml", std::string(scene::resolved_mark) + "\n");
+  const std::string log = fmt::format("info: Lahar\ninfo: {}\ninfo: done at t = 1 s\n", kStepsBeginMark);
+  scratch.write("run.log", log);
+  EXPECT_NE(refused([&] { (void)prepare_output(scratch.path(), false); }).find("holds a former run"),
+            std::string::npos);
+  EXPECT_EQ(scene::file_text(scratch.path() / "run.log"), log);
 }
 
 /// As when its grains turn out not to fit: what was there before is there again.
@@ -181,6 +194,36 @@ TEST(OutputFolder, AFileInTheWay) {
   EXPECT_THROW((void)prepare_output(file, true), InputError);
   EXPECT_THROW((void)prepare_output(file / "below", true), InputError);
   EXPECT_EQ(scene::file_text(file), "x");
+}
+
+/// As a user other than root, who may read everything.
+TEST(OutputFolder, AFolderThatCannotBeReadIsRefused) {
+  const scene::ScratchFolder scratch;
+  const fs::path folder = scratch.path() / "post box";
+  fs::create_directory(folder);
+  fs::permissions(folder, fs::perms(0333));
+  const int status = status_of_child([&] {
+    constexpr uid_t nobody = 65534;
+    if (chdir(folder.c_str()) != 0 || (getuid() == 0 && setuid(nobody) != 0)) _exit(2);
+    const std::string why = refused([] { (void)prepare_output(".", true); });
+    _exit(why.starts_with("--out .:1:1: cannot be made ready (") ? 0 : 1);
+  });
+  fs::permissions(folder, fs::perms(0755));
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+/// Here by a file where a folder should be for the former run.
+TEST(OutputFolder, AFormerRunThatCannotBeMovedIsRefused) {
+  const scene::ScratchFolder scratch;
+  scratch.write("scene.resolved.toml", std::string(scene::resolved_mark) + "\n");
+  scratch.write("series.h5", "old");
+  scratch.write(".former_run.part", "mine");
+  const std::string why = refused([&] { (void)prepare_output(scratch.path(), true); });
+  EXPECT_NE(why.find(":1:1: cannot be made ready (" + (scratch.path() / ".former_run.part").string()),
+            std::string::npos)
+      << why;
+  EXPECT_EQ(count(scratch.path()), 3u);
 }
 
 TEST(OutputFolder, ARunThatIsGoingOnKeepsItsFiles) {

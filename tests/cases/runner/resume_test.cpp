@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "cases/assembly/simulation.h"
 #include "cases/files/hdf5_file.h"
 #include "cases/files/series_reader.h"
 #include "cases/runner/checkpoint.h"
@@ -13,6 +14,7 @@
 #include "cases/runner/run.h"
 #include "cases/runner/summary.h"
 #include "core/check.h"
+#include "core/memory_archive.h"
 #include "tests/cases/files/shape_texts.h"
 #include "tests/cases/scene/scene_files.h"
 
@@ -132,6 +134,31 @@ TEST_F(Resume, ParticlesGoOn) {
     EXPECT_EQ(one.read<float>("/frames/" + frame + "/position"), two.read<float>("/frames/" + frame + "/position"));
 }
 
+/// Grains, a net and a surface. The water stands on both sides of the net, so that wires are wet from the start.
+TEST_F(Resume, AFlowGoesOnWithAnotherNumberOfThreads) {
+  const auto load = [](const std::string& duration) {
+    return scene::load(scene::source_folder() / "tests/integration/small_debris_flow.toml",
+                       {"run.duration_s=" + duration, "run.output_interval_s=0", "run.image_interval_s=0",
+                        "fluid.region[0].upper_m=[0.7, 0.25976, 0.2]"});
+  };
+  const scene::Scene scene = load("0.08");
+  const RunResult whole = run_to_folder(scene, {.out = folder("whole"), .threads = 1, .quiet = true}, run_scene);
+  run_to_folder(load("0.033"), {.out = folder("part"), .threads = 1, .quiet = true}, run_scene);
+  const RunResult rest = run_to_folder(load_resumed(folder("part"), {"run.duration_s=0.08"}),
+                                       {.out = folder("part"), .threads = 2, .quiet = true, .resume = true}, run_scene);
+  EXPECT_EQ(whole.summary.metrics, rest.summary.metrics);
+  expect_same_series(folder("whole"), folder("part"));
+  const auto end_of = [&](const std::string& name) {
+    const auto simulation = build_simulation(scene, Beginning::checkpoint);
+    load_checkpoint(folder(name), [&](Archive& archive) { archive.part("step", *simulation); });
+    EXPECT_GT(simulation->wet_beads(), 100U);
+    return state_of(*simulation);
+  };
+  const StoredState one = end_of("whole"), two = end_of("part");
+  EXPECT_GT(one.bytes(), 500'000U);
+  EXPECT_EQ(differing_lists(one, two), std::vector<std::string>{});
+}
+
 /// Its last row was taken before it ended: what metrics say of the end is known from then.
 TEST_F(Resume, AFinishedRunOfParticlesKeepsItsMetrics) {
   const RunResult whole =
@@ -193,6 +220,31 @@ TEST_F(Resume, ADamagedSeriesBeginsAnew) {
   EXPECT_GT(series.time_s.front(), 0.09);
   EXPECT_NEAR(series.time_s.back(), 0.2, 0.01);
   EXPECT_NE(scene::file_text(folder("out") / "run.log").find("the series begins anew"), std::string::npos);
+}
+
+TEST_F(Resume, WhatAUserHasAddedStays) {
+  run_to_folder(scene::load(scene::case_file("bouncing_sphere/scene.toml"),
+                            {"run.duration_s=0.12", "run.output_interval_s=0.05"}),
+                {.out = folder("out"), .threads = 1, .quiet = true}, run_scene);
+  const std::vector<double> mine{1, 2, 3, 4};
+  const auto series = folder("out") / "series.h5", particles = folder("out") / "particles.h5";
+  {
+    Hdf5File file = Hdf5File::open_for_appending(series);
+    file.write<double>("/series/table", mine, {2, 2});
+    file.write<double>("/series/mine/list", mine, {4});
+  }
+  for (const char* name : {"/frames/notes/list", "/frames/99_notes/list", "/constant/notes/list"})
+    Hdf5File::open_for_appending(particles).write<double>(name, mine, {4});
+  resume("out", {"run.duration_s=0.2"});
+  EXPECT_EQ(scene::file_text(folder("out") / "run.log").find("anew"), std::string::npos);
+  EXPECT_EQ(read_series(series).time_s.front(), 0);
+  EXPECT_NEAR(read_series(series).time_s.back(), 0.2, 0.01);
+  for (const char* name : {"/series/table", "/series/mine/list"})
+    EXPECT_EQ(Hdf5File::open_for_reading(series).read<double>(name), mine) << name;
+  const Hdf5File file = Hdf5File::open_for_reading(particles);
+  for (const char* name : {"/frames/notes/list", "/frames/99_notes/list", "/constant/notes/list"})
+    EXPECT_EQ(file.read<double>(name), mine) << name;
+  EXPECT_TRUE(file.contains("/frames/000004"));
 }
 
 /// A disk that is full says nothing of what was written before: here a folder stands where the copy would.

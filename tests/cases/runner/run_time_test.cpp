@@ -42,6 +42,18 @@ TEST(RunTime, ThinLiquidTakesLonger) {
   EXPECT_GT(a_cell("[1.6, 0.3, 0.04]"), 2 * a_cell("[0.5, 0.3, 0.78]"));
 }
 
+/// Cells of doubles are half as many in a vector and in the cache; particles are doubles either way.
+TEST(RunTime, DoubleTakesLongerInTheFluidAlone) {
+  const auto ratio = [](const char* file) {
+    return run_time_of(file, {"run.precision=double"}) / run_time_of(file, {"run.precision=float"});
+  };
+  EXPECT_NEAR(ratio("dam_break/scene.toml"), 1.6, 1e-9);
+  EXPECT_EQ(ratio("bouncing_sphere/scene.toml"), 1);
+  const double both = ratio("compare_cfd_dem/matched.toml");
+  EXPECT_GT(both, 1.1);
+  EXPECT_LT(both, 1.5);
+}
+
 /// The smaller the smallest grain the shorter the steps of a packing, and the more of them, whatever the density.
 TEST(RunTime, CountsPackings) {
   const auto prepared = [](const std::string& smallest, const std::string& density) {

@@ -43,6 +43,17 @@ TEST(Schedule, NoneIsMissedNorTwiceDueByRounding) {
   }
 }
 
+/// Due at 0, 2, 4 ns and so on, not before.
+TEST(Schedule, AnIntervalOfNanoseconds) {
+  Schedule s(2e-9);
+  for (int step = 0; step <= 100; ++step) {
+    const double time = 1e-10 * step;
+    EXPECT_EQ(s.due(time), step % 20 == 0) << "at step " << step;
+    if (s.due(time)) s.note(time);
+  }
+  EXPECT_EQ(s.done(), 6);
+}
+
 /// Counting would take forever.
 TEST(Schedule, AnIntervalFarShorterThanAStep) {
   for (const double interval : {1e-9, 1e-12, 1e-15, 1e-300}) {

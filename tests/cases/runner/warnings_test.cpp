@@ -153,8 +153,8 @@ TEST(Warnings, ContactsThatAreTooSoftToHold) {
   EXPECT_TRUE(warns(sphere("100"), "solids.normal_stiffness_N_m of 100 N/m is small"));
   EXPECT_FALSE(warns(sphere("1e6"), "is small"));
   const auto net = [](const char* modulus) {
-    return check_scene(
-        load(case_file("hanging_net/scene.toml"), {std::string("materials.steel.youngs_modulus_Pa=") + modulus}));
+    return check_scene(load(case_file("hanging_net/scene.toml"),
+                            {"solids.bond_safety=0.5", std::string("materials.steel.youngs_modulus_Pa=") + modulus}));
   };
   EXPECT_TRUE(warns(net("210"), "wires of \"steel\" are softer than rubber"));
   EXPECT_FALSE(warns(net("210e9"), "rubber"));

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "cases/scene/writer.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::scene {
@@ -71,6 +72,19 @@ TEST(Document, HugeFile) {
   const auto file = scratch.write("huge.toml", "");
   std::filesystem::resize_file(file, std::uintmax_t{4} << 30);  // no byte of it is stored
   EXPECT_EQ(the_mistake(mistakes_in(file)), "huge.toml:0:0: is larger than 16 MiB, expected a scene file (TOML)");
+}
+
+/// It may be many times as long as its source, which was accepted.
+TEST(Document, AResolvedSceneMayBeFarLonger) {
+  const ScratchFolder scratch;
+  const std::string text = fmt::format("{}#{}\n", small_scene, std::string(17 << 20, ' '));
+  EXPECT_EQ(the_mistake(mistakes_in(scratch.write("long.toml", text))),
+            "long.toml:0:0: is larger than 16 MiB, expected a scene file (TOML)");
+  const auto resolved = scratch.write("resolved.toml", fmt::format("{}\n{}", resolved_mark, text));
+  EXPECT_EQ(load(resolved).identity.name, "small");
+  std::filesystem::resize_file(resolved, (std::uintmax_t{256} << 20) + 1);
+  EXPECT_EQ(the_mistake(mistakes_in(resolved)),
+            "resolved.toml:0:0: is larger than 256 MiB, expected a scene file (TOML)");
 }
 
 TEST(Document, DeepNesting) {

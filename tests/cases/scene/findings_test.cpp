@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 namespace lahar::scene {
 namespace {
 
@@ -20,6 +22,29 @@ TEST(Findings, SoundnessSpreadsInwardsAndOutwards) {
   EXPECT_FALSE(findings.sound({"x", "a"}));
   EXPECT_FALSE(findings.sound({"a.b[1].c.d"}));
   EXPECT_TRUE(findings.sound({"a.b[10]", "a.b[0]", "a.bb"}));
+}
+
+/// Signs that stand before '.' and '[' in the order of characters part a table from what is inside it.
+TEST(Findings, NamesThatBeginAlikeAreNotInside) {
+  Findings findings("f.toml");
+  findings.mistake("a.b-c.d", "wrong");
+  findings.mistake("a.b0", "wrong");
+  EXPECT_TRUE(findings.sound({"a.b"}));
+  findings.not_read("a.b.c");
+  EXPECT_FALSE(findings.sound({"a.b"}));
+  EXPECT_TRUE(findings.sound({"a.b.cc", "a.b[0]"}));
+}
+
+/// A name that is mistyped once stands in as many mistakes as there are grains: none is looked at to judge another
+/// grain. Mistake by mistake this takes 4e8 comparisons.
+TEST(Findings, ManyMistakesAreLookedUp) {
+  Findings findings("f.toml");
+  constexpr int many = 20'000;
+  const auto path = [](int k) { return "grains.sphere[" + std::to_string(k) + "]"; };
+  for (int k = 0; k < many; ++k) findings.mistake(path(k) + ".material", "wrong");
+  const std::clock_t start = std::clock();
+  for (int k = 0; k < many; ++k) EXPECT_TRUE(findings.sound({path(many + k)}));
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 1);
 }
 
 /// What the user changed is to blame, then what is written, then the table around.

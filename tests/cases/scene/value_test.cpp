@@ -35,6 +35,13 @@ TEST(Value, StringsReadBackExactly) {
   }
 }
 
+/// As in names of files, which are any bytes.
+TEST(Value, OnlyUtf8FitsInToml) {
+  for (const std::string text : {"", "quo\"te", "line\nbreak", "Gerinne \xc3\xbc"})
+    EXPECT_TRUE(fits_in_toml(text)) << text;
+  for (const std::string text : {"Gerinne \xfc", "\xc3", "\xed\xa0\x80"}) EXPECT_FALSE(fits_in_toml(text)) << text;
+}
+
 /// Whole numbers beyond 2^53, too, are numbers.
 TEST(Value, ReadsLargeWholeNumbers) {
   double number = 7;

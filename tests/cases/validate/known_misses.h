@@ -27,6 +27,15 @@ inline const std::map<std::pair<std::string, std::string>, Known>& known_misses(
       {{"free_surface.dam_break_no_slip", "time to Z = 3.5 against that on a slipping bed, 10 mm"}, {2.7, 2.8}},
       {{"free_surface.dam_break_no_slip", "at a lattice velocity of 0.1 against 0.05"}, {2.6, 2.8}},
       {{"free_surface.martin_moyce", "RMS of the error of Z, of Z"}, {0.12, 0.15}},
+      // Thinner than sqrt(9 nu) as it runs out: 2.2 times as fast as the wave.
+      {{"free_surface.thin_films", "way of the front of 0.5 cells, kinematic wave, cells"}, {8.0, 9.5}},
+      // Drag closes no gap; 0.980 and 0.764 in the full form.
+      {{"wires_in_fluid.jet_through_ring",
+        "ring of 7 cells, wire 0.778 by the drag law: discharge over free area sqrt(2 g h), 0.55 to 0.70"},
+       {0.95, 1.02}},
+      {{"wires_in_fluid.jet_through_ring",
+        "ring of 7 cells, wire 0.778 mapped: discharge over free area sqrt(2 g h), 0.55 to 0.70"},
+       {0.74, 0.80}},
       // 0.699, where builds may differ; 0.718 in the full form
       {{"free_surface.orifice_jet", "discharge over A sqrt(2 g h), 0.55 to 0.70"}, {0.70, 0.74}},
       {{"grains_in_fluid.gas_under_sphere",
