@@ -75,13 +75,13 @@ DamBreakRun run_dam_break(const DamBreak& dam) {
       run.height.push_back(height_at_back(fluid, cells) / (2.0 * dam.width));
     }
     fluid.step();
+    keep_worst(run.fastest, fluid.max_speed_lu());
     if (++run.steps % 20 != 0) continue;
-    keep_worst(run.fastest, fastest(fluid) * fluid.units().time_step);
     rise.note(energy());
     keep_worst(run.drift, std::abs(fluid.mass_drift()));
   }
   run.energy_rise = rise.largest() / initial;
-  run.limited = static_cast<double>(fluid.account().limited) / fluid.cell_updates();
+  run.limited_cells = fluid.limited_cells();
   run.rescaled = fluid.rescaled_mass() / fluid.liquid_mass();
   run.changes = fluid.time_step_record().changes;
   run.shortest_step = fluid.time_step_record().shortest;

@@ -32,10 +32,10 @@ struct DamBreakRun {
   std::vector<double> time, front;  ///< T and Z = x/a, every step until the end of the tank is near
   std::vector<double> height;       ///< H of the column at the wall behind it, at the same times
   std::size_t steps = 0;
-  double fastest = 0;                          ///< lu of that step, of every 20th step
+  double fastest = 0;                          ///< cell of all steps, lu of its step
+  std::size_t limited_cells = 0;               ///< most in a step that the velocity limiter slowed
   double energy_rise = 0;                      ///< largest above the lowest before, of the initial energy
   double drift = 0;                            ///< largest, of the mass
-  double limited = 0;                          ///< cell updates with a limited stress, of all
   double rescaled = 0;                         ///< mass that changes of the time step brought in, of all
   std::int64_t changes = 0;                    ///< of the time step
   double shortest_step = 1, longest_step = 1;  ///< of the first

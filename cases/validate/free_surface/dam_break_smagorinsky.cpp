@@ -1,6 +1,8 @@
-// Smagorinsky constants from 0 to 0.2 in a dam break that splashes, tau - 1/2 = 1e-6.
+// Smagorinsky constants from 0 to 0.2 in a dam break that splashes, tau - 1/2 = 1e-6. The case asks for stability with
+// an eddy viscosity; without one the same bars hold. The largest speed is that of case H1.
+#include <fmt/format.h>
+
 #include <cmath>
-#include <string>
 
 #include "cases/validate/entry.h"
 #include "cases/validate/free_surface/dam_break.h"
@@ -8,7 +10,6 @@
 namespace lahar::validate {
 namespace {
 
-/// Largest speed of a channel flow between plates under a small force, with an eddy viscosity, over that without.
 std::vector<Row> run(const Context& context) {
   return in_precision(context, [&]<class Real>() {
     std::vector<Row> rows;
@@ -18,10 +19,10 @@ std::vector<Row> run(const Context& context) {
       dam.smagorinsky = cs;
       dam.steps = context.quick ? 800 : 6000;
       const DamBreakRun run = run_dam_break<Real>(dam);
-      rows.push_back(at_most_row(cs > 0
-                                     ? "Cs " + std::to_string(cs).substr(0, 3) + ", tau - 1/2 = 1e-6: fastest cell, lu"
-                                     : "Cs 0, the same (no bar but the speed of sound)",
-                                 run.fastest, cs > 0 ? 0.36 : 0.57));
+      const std::string what = fmt::format("Cs {:g}, tau - 1/2 = 1e-6: ", cs);
+      rows.push_back(at_most_row(what + "fastest cell, lu", run.fastest, 0.3));
+      rows.push_back(at_most_row(what + "most cells in a step that the velocity limiter slowed",
+                                 static_cast<double>(run.limited_cells), 0));
     }
     return rows;
   });

@@ -61,13 +61,15 @@ void lower(std::vector<Row>& rows, double diameter, double speed, bool lift, con
         relative_row(what + ": lift / weight of the water displaced", under.lift / (volume * t.gravity), 1, 0.05));
   if (lift) {
     move_to(step, t.depth + 1.5 * diameter, speed);
-    // The sphere keeps a film of interface cells; how much liquid that is.
     (void)rest(step, settle, 1);
-    double carried = 0;
-    step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) {
-      if (c.centre.z() > t.depth + diameter / 2) carried += c.liquid_volume;
-    });
+    // The sphere keeps a film of interface cells; the rest is in the tank again.
+    double carried = 0, left = 0;
+    step.fluid()->for_each_wet_cell(
+        [&](const lbm::WetCell& c) { (c.centre.z() > t.depth + diameter / 2 ? carried : left) += c.liquid_volume; });
     rows.push_back(note_row(what + ": liquid that it keeps when it is lifted out, of its volume", carried / volume));
+    rows.push_back(
+        absolute_row(what + ": level after it is lifted out with what it keeps, less that before, of its volume",
+                     (left + carried - before.volume) / volume, 0, 0.01));
   }
   add_ledgers(rows, what, step);
 }

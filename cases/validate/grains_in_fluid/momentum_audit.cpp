@@ -134,6 +134,7 @@ std::vector<Row> run(const Context& context) {
       {"bgk", lbm::Bgk{}},
       {"weighting by the solid fraction", central, BodyWeighting::solid_fraction},
       {"Noble & Torczynski", central, BodyWeighting::noble_torczynski},
+      {"inertial", central, BodyWeighting::inertial},
       {"faded", central, BodyWeighting::wall_distance, SolidOperator::damped_nonequilibrium},
       {"bounce-back", central, BodyWeighting::wall_distance, SolidOperator::nonequilibrium_bounce_back},
       // The liquid inside turns round in every step, undamped: a grain that is free runs away with it.

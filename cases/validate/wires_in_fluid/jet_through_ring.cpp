@@ -44,7 +44,7 @@ void ask(std::vector<Row>& rows, Vessel v, bool quick) {
     const Discharge d = run_out<Real>(v);
     const std::string what = fmt::format("ring of {:g} cells, wire {:.3g} {}", v.opening, v.wire(),
                                          rim == Rim::wire_law ? "by the drag law" : "mapped");
-    if (!quick) rows.push_back(cd_row(what, d, circle(v.opening)));
+    rows.push_back(cd_row(what, d, circle(v.opening)));
     rows.push_back(jet_row(what, d));
     rows.push_back(at_most_row(fmt::format("{}: discharge over that of the hole without it (free area {:.2f} of it)",
                                            what, circle(v.opening) / bare.lattice_area),
