@@ -64,6 +64,9 @@ struct WirePiece {
   double density;  ///< of the liquid
 };
 
+/// A direction across the stream, which a piece of wire that nothing holds is taken to have.
+Vec3 across(const Vec3& slip) { return slip.squaredNorm() > 0 ? slip.unitOrthogonal() : Vec3(Vec3::UnitX()); }
+
 /// Coefficients, over the slip that is left, of the laws across and along a wire at the slip of now: in a steady stream
 /// each step takes the law's force off what is left.
 void set_laws(const WirePiece& piece, const WireInCells& wire, dem::LiquidDrag& drag) {
@@ -460,11 +463,10 @@ dem::LiquidDrag WireDrag<Real>::drag_on(const lbm::Fluid<Real>& fluid, const dem
   drag.liquid = liquid, drag.acceleration = bead.acceleration;
   drag.liquid_mass = units.mass() * liquid_volume(fluid, bead) / std::max(1.0, claims);
   const Vec3 slip = before - particles.velocity[i];
-  // A piece of wire that nothing holds turns across the stream.
-  const Vec3 across = slip.squaredNorm() > 0 ? Vec3(slip.unitOrthogonal()) : Vec3(Vec3::UnitX());
+  const std::optional<Vec3> tangent = tangent_of(particles, bead);
   set_laws({.slip = slip,
             .slip_left = liquid - particles.velocity[i],
-            .tangent = tangent_of(particles, bead).value_or(across),
+            .tangent = tangent ? *tangent : across(slip),
             .length = bead.share * bead.length,
             .density = rho},
            wire, drag);
