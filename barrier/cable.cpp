@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "barrier/anchors.h"
 #include "core/check.h"
@@ -32,6 +33,9 @@ Wire add_cable(const Polyline& line, const CableSupport& support, const WireProp
   spec.sort = sorts.wire;
   spec.dissipator_sort = sorts.dissipator;
   spec.dissipator_bonds = items_at(support.dissipators_at, line.segments());
+  if (spec.dissipator_bonds.size() < support.dissipators_at.size())
+    throw InputError("two dissipators of a cable of " + std::to_string(line.segments()) +
+                     " bonds fall on one of them, expected places farther apart");
   spec.fixed_beads = support.fixed_all ? all_items(line.points.size()) : items_at(support.fixed_at, line.points.size());
   spec.body = body;
   if (support.held_across) spec.rail = (line.points.back() - line.points.front()).normalized();

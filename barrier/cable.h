@@ -31,7 +31,7 @@ struct CableSorts {
   int wire = 0, dissipator = 0;
 };
 
-/// Adds a cable along `line`.
+/// Adds a cable along `line`. Throws InputError where two dissipators fall on one bond.
 Wire add_cable(const Polyline& line, const CableSupport& support, const WireProperties& properties,
                const CableSorts& sorts, std::int32_t body, dem::Particles& particles, dem::Bonds& bonds);
 

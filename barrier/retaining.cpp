@@ -96,7 +96,11 @@ Retaining add_retaining(const Post& post, const Vec3& anchor, const std::vector<
   const Vec3 back = (anchor - head).normalized();
   // Its last bead is clear of the post, along which a steep cable leads.
   const double away = (back - back.dot(axis) * axis).norm();
-  const Vec3 end = head + (post.radius + 0.55 * properties.diameter) / away * back;
+  const double at_head = (post.radius + 0.55 * properties.diameter) / away;
+  if (at_head >= (anchor - head).norm())
+    throw InputError(
+        "the anchor of a retaining cable lies so near its post that no cable fits, expected it farther away");
+  const Vec3 end = head + at_head * back;
   Retaining made;
   made.wire = add_cable(cable_line({.start = anchor, .end = end}, properties.diameter),
                         {.fixed_at = {0}, .fixed_all = false, .dissipators_at = dissipators_at}, properties, sorts,

@@ -1,14 +1,8 @@
 # `cmake --install`: headers by room under include/lahar, libraries, executables, scenes, and what find_package(Lahar)
 # needs to give Lahar::core, Lahar::lbm, Lahar::dem, Lahar::barrier and Lahar::coupling.
-include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(lahar_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/Lahar)
-
-# Inline functions of Eigen types in a user's program must agree with the library on the alignment of memory.
-if(LAHAR_NATIVE)
-  target_compile_options(lahar_options INTERFACE $<INSTALL_INTERFACE:-march=native>)
-endif()
 
 set(lahar_exported lahar_options)
 foreach(room core lbm dem barrier coupling)

@@ -88,11 +88,11 @@ Vec3 Walls::gradient(std::size_t wall, const Vec3& p) const {
   return std::visit([&](const auto& s) { return Vec3(s.gradient(p)); }, walls_[wall].shape);
 }
 
-WallPoint Walls::nearest(const Vec3& p) const {
+WallPoint Walls::nearest(const Vec3& p, double slack) const {
   WallPoint best;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     const double d = distance(w, p);
-    if (d < best.distance) {
+    if (d < best.distance - (best.wall < 0 ? 0.0 : slack)) {
       best.distance = d;
       best.wall = static_cast<int>(w);
     }

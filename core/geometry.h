@@ -98,8 +98,8 @@ class Walls {
   /// Signed distance to one wall; infinite where it is open.
   [[nodiscard]] double distance(std::size_t wall, const Vec3& p) const;
   [[nodiscard]] Vec3 gradient(std::size_t wall, const Vec3& p) const;
-  /// The nearest (deepest) wall.
-  [[nodiscard]] WallPoint nearest(const Vec3& p) const;
+  /// The nearest (deepest) wall; one counts as nearer than those before it by more than `slack` (m).
+  [[nodiscard]] WallPoint nearest(const Vec3& p, double slack = 0) const;
 
  private:
   std::vector<Wall> walls_;

@@ -9,6 +9,13 @@
 #include <cstddef>
 #include <vector>
 
+// A function that the compiler neither puts into its callers nor copies for some of them.
+#if defined(__GNUC__) && !defined(__clang__)
+#define LAHAR_ONE_COPY [[gnu::noinline, gnu::noclone]]
+#else
+#define LAHAR_ONE_COPY [[gnu::noinline]]
+#endif
+
 namespace lahar {
 
 /// Limits the number of threads while it lives.
@@ -29,7 +36,7 @@ inline int thread_count() {
 /// The one loop that both the calling thread alone and threads of TBB run: two copies might be compiled to other
 /// roundings, and results would depend on the number of threads.
 template <class Body>
-[[gnu::noinline, gnu::noclone]] void run_range(const Body& body, std::size_t begin, std::size_t end) {
+LAHAR_ONE_COPY void run_range(const Body& body, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end; ++i) body(i);
 }
 

@@ -151,22 +151,25 @@ class Mask {
  private:
 #if !LAHAR_MASK_REGISTERS
   [[gnu::always_inline]] unsigned bits_of_vector() const {
-    if constexpr (kHalves) return lanes_.low.bits() | lanes_.high.bits() << N / 2;
-    unsigned found = 0;
+    if constexpr (kHalves) {
+      return lanes_.low.bits() | lanes_.high.bits() << N / 2;
+    } else {
+      unsigned found = 0;
 #if defined(__SSE2__)
-    // The signs of 16 bytes at a time.
-    constexpr int kLanes = 16 / sizeof(Word);
-    for (int first = 0; first < N; first += kLanes) {
-      const char* part = reinterpret_cast<const char*>(&lanes_) + first * sizeof(Word);
-      if constexpr (sizeof(Word) == 4)
-        found |= static_cast<unsigned>(_mm_movemask_ps(_mm_load_ps(reinterpret_cast<const float*>(part)))) << first;
-      else
-        found |= static_cast<unsigned>(_mm_movemask_pd(_mm_load_pd(reinterpret_cast<const double*>(part)))) << first;
-    }
+      // The signs of 16 bytes at a time.
+      constexpr int kLanes = 16 / sizeof(Word);
+      for (int first = 0; first < N; first += kLanes) {
+        const char* part = reinterpret_cast<const char*>(&lanes_) + first * sizeof(Word);
+        if constexpr (sizeof(Word) == 4)
+          found |= static_cast<unsigned>(_mm_movemask_ps(_mm_load_ps(reinterpret_cast<const float*>(part)))) << first;
+        else
+          found |= static_cast<unsigned>(_mm_movemask_pd(_mm_load_pd(reinterpret_cast<const double*>(part)))) << first;
+      }
 #else
-    for (int k = 0; k < N; ++k) found |= (lanes_[k] != 0 ? 1U : 0U) << k;
+      for (int k = 0; k < N; ++k) found |= (lanes_[k] != 0 ? 1U : 0U) << k;
 #endif
-    return found;
+      return found;
+    }
   }
 #endif
 

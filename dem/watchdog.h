@@ -86,7 +86,8 @@ inline void check_bonds(const Bonds& bonds, const Particles& p, double time_step
   const double limit = bond_time_step(bonds, p);
   if (time_step <= limit) return;
   std::size_t longest = 0;
-  for (std::size_t b = 0; b < bonds.size(); ++b)
+  while (!bonds.intact[longest]) ++longest;  // one is whole: the limit is of those that are
+  for (std::size_t b = longest; b < bonds.size(); ++b)
     if (bonds.intact[b] && bonds.elongation[b] > bonds.elongation[longest]) longest = b;
   throw NumericalFailure(detail::particle_name(p, bonds.i[longest]), step,
                          "bonds that are drawn out, by " + detail::number(bonds.elongation[longest]) +

@@ -22,7 +22,8 @@ missing_packages() {
   done <"$lahar_root/tools/packages.txt"
 }
 
-# Runs a command as root, directly or by sudo. Without a terminal sudo must not ask for a password.
+# Runs a command as root, directly or by sudo. Without a terminal sudo must not ask for a password. Names the packages
+# that its caller misses (`missing`) where it can do neither.
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then
     "$@"
@@ -30,7 +31,7 @@ as_root() {
     if [ -t 0 ]; then sudo "$@"; else sudo -n "$@"; fi
   else
     die "packages must be installed, but this is neither root nor is there sudo. As root, run:
-  apt-get update && apt-get install -y --no-install-recommends $(missing_packages | tr '\n' ' ')"
+  apt-get update && apt-get install -y --no-install-recommends ${missing[*]}"
   fi
 }
 

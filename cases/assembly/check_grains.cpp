@@ -16,30 +16,33 @@
 namespace lahar::scene {
 namespace {
 
-/// The largest depth (m, > 0) at which points of a box lie inside walls, on a lattice that includes the corners.
-double depth_on_lattice(const Walls& walls, const Vec3& lower, const Vec3& upper) {
+WallPoint deeper(const WallPoint& a, const WallPoint& b) { return b.distance < a.distance ? b : a; }
+
+/// Where points of a box lie deepest inside a wall, on a lattice that includes the corners; at distance 0 from no wall
+/// where none does.
+WallPoint deepest_on_lattice(const Walls& walls, const Vec3& lower, const Vec3& upper) {
   constexpr int n = 8;
-  double deepest = 0;
+  WallPoint deepest{.distance = 0};
   for (int i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i) {
     const Vec3 part(i % (n + 1), i / (n + 1) % (n + 1), i / ((n + 1) * (n + 1)));
-    deepest = std::max(deepest, -walls.nearest(lower + (upper - lower).cwiseProduct(part / n)).distance);
+    deepest = deeper(deepest, walls.nearest(lower + (upper - lower).cwiseProduct(part / n)));
   }
   return deepest;
 }
 
 /// The same where centres of grains may be, for what is too thin for a lattice: boxes that a wall may reach into are
 /// halved along each side until they are `finest` (m) small, or as many as can be looked at in a second.
-double depth_at_centres(const Walls& walls, const Vec3& lower, const Vec3& upper, double finest) {
+WallPoint deepest_at_centres(const Walls& walls, const Vec3& lower, const Vec3& upper, double finest) {
   constexpr std::size_t most = 100'000;
   std::vector<Vec3> centres{0.5 * (lower + upper)};
   Vec3 half = 0.5 * (upper - lower);
-  double deepest = 0;
-  for (; half.minCoeff() >= 0 && half.norm() > finest && deepest == 0 && centres.size() < most / 8; half /= 2) {
+  WallPoint deepest{.distance = 0};
+  for (; half.minCoeff() >= 0 && half.norm() > finest && deepest.wall < 0 && centres.size() < most / 8; half /= 2) {
     std::vector<Vec3> parts;
     for (const Vec3& centre : centres) {
-      const double distance = walls.nearest(centre).distance;
-      deepest = std::max(deepest, -distance);
-      if (distance > half.norm()) continue;
+      const WallPoint nearest = walls.nearest(centre);
+      deepest = deeper(deepest, nearest);
+      if (nearest.distance > half.norm()) continue;
       for (int k = 0; k < 8; ++k)
         parts.push_back(centre + 0.5 * half.cwiseProduct(Vec3(k & 1, k >> 1 & 1, k >> 2) * 2 - Vec3::Ones()));
     }
@@ -48,11 +51,11 @@ double depth_at_centres(const Walls& walls, const Vec3& lower, const Vec3& upper
   return deepest;
 }
 
-double depth_in_walls(const Walls& walls, const Packing& packing, double smallest) {
-  if (walls.empty()) return 0;
+WallPoint deepest_in_walls(const Walls& walls, const Packing& packing, double smallest) {
+  if (walls.empty()) return {};
   const Vec3 rim = Vec3::Constant(smallest / 2);
-  return std::max(depth_on_lattice(walls, packing.lower, packing.upper),
-                  depth_at_centres(walls, packing.lower + rim, packing.upper - rim, smallest / 16));
+  return deeper(deepest_on_lattice(walls, packing.lower, packing.upper),
+                deepest_at_centres(walls, packing.lower + rim, packing.upper - rim, smallest / 16));
 }
 
 void check_packing_content(const Packing& packing, const std::string& path, Findings& findings) {
@@ -93,9 +96,9 @@ void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
   double smallest = (packing.upper - packing.lower).minCoeff();
   for (const GrainSize& size : findings.sound({path}) ? grain_sizes(scene, i) : packing.sizes)
     smallest = std::min(smallest, size.diameter);
-  if (const double depth = depth_in_walls(make_walls(scene), packing, smallest); depth > slack)
-    findings.mistake(path + ".lower_m",
-                     fmt::format("{} reaches {:.3g} m into a wall, expected it in free space", path, depth));
+  if (const WallPoint deepest = deepest_in_walls(make_walls(scene), packing, smallest); deepest.distance < -slack)
+    findings.mistake(path + ".lower_m", fmt::format("{} reaches {:.3g} m into wall[{}], expected it in free space",
+                                                    path, -deepest.distance, deepest.wall));
 }
 
 void check_sphere(const Scene& scene, const Walls& walls, std::size_t i, Findings& findings) {
@@ -119,8 +122,10 @@ void check_sphere(const Scene& scene, const Walls& walls, std::size_t i, Finding
                      fmt::format("{}.velocity_m_s is {:g} m/s, expected at most {:g} m/s, where a run stops", path,
                                  s.velocity.norm(), kLargestSpeed));
   if (!findings.sound({"wall", path})) return;
-  if (!s.fixed && !walls.empty() && walls.nearest(s.position).distance < (1 - kLargestOverlap) * s.diameter / 2)
-    findings.mistake(path + ".position_m", path + " is inside a wall, expected it in free space");
+  if (const WallPoint wall = walls.nearest(s.position);
+      !s.fixed && wall.distance < (1 - kLargestOverlap) * s.diameter / 2)
+    findings.mistake(path + ".position_m",
+                     fmt::format("{} is inside wall[{}], expected it in free space", path, wall.wall));
   for (std::size_t k = 0; k < scene.grains.packings.size(); ++k) {
     const Packing& packing = scene.grains.packings[k];
     if (!findings.sound({fmt::format("grains.packing[{}]", k)})) continue;

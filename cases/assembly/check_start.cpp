@@ -35,11 +35,12 @@ void require_clear_of_walls(const scene::Scene& scene, const dem::Particles& p) 
     for (const scene::GrainSize& size : scene::grain_sizes(scene, k))
       for (const dem::ParticleIndex end = i + static_cast<dem::ParticleIndex>(size.count); i < end; ++i) {
         const Vec3 x = p.position[i];
-        if (walls.nearest(x).distance >= (1 - scene::kLargestOverlap) * p.radius[i]) continue;
+        const WallPoint wall = walls.nearest(x);
+        if (wall.distance >= (1 - scene::kLargestOverlap) * p.radius[i]) continue;
         refuse(scene.grains.packings[k].written_at,
-               fmt::format("grains.packing[{}]: a grain at ({:.4g}, {:.4g}, {:.4g}) m reaches into a wall, expected "
+               fmt::format("grains.packing[{}]: a grain at ({:.4g}, {:.4g}, {:.4g}) m reaches into wall[{}], expected "
                            "walls outside of its box",
-                           k, x.x(), x.y(), x.z()));
+                           k, x.x(), x.y(), x.z(), wall.wall));
       }
 }
 

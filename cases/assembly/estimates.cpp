@@ -5,12 +5,14 @@
 #include <limits>
 #include <numbers>
 
+#include "cases/assembly/build.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/grain_extent.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/assembly/net_spec.h"
 #include "core/capillary.h"
 #include "dem/time_step.h"
+#include "lbm/step/fluid_filling.h"
 
 namespace lahar::cases {
 namespace {
@@ -103,9 +105,11 @@ scene::FluidRegion with_boxes_above(scene::FluidRegion r, const std::vector<scen
 
 double start_compression(const scene::Scene& scene) {
   const Walls walls = scene::make_walls(scene);
+  const std::vector<bool> borne = lbm::borne_regions(lbm::Domain(fluid_options(scene).domain), liquid_regions(scene));
   double depth = 0;
-  for (const scene::FluidRegion& r : scene.fluid.regions) {
-    const scene::FluidRegion whole = with_boxes_above(r, scene.fluid.regions);
+  for (std::size_t k = 0; k < borne.size(); ++k) {
+    if (!borne[k]) continue;
+    const scene::FluidRegion whole = with_boxes_above(scene.fluid.regions[k], scene.fluid.regions);
     depth = std::max(depth, scene::open_depth(walls, whole.lower, whole.upper).value_or(0));
   }
   const double pressure = -scene.gravity.vector().z() * depth / std::pow(sound_speed(scene), 2);  // over rho c_s^2

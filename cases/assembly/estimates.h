@@ -31,8 +31,9 @@ double fluid_time_step(const scene::Scene& scene);
 /// m/s: of the lattice fluid, cell size / time step / sqrt(3). The scene must have a fluid.
 double sound_speed(const scene::Scene& scene);
 
-/// By which share the deepest region of liquid is too heavy at the start. Liquid at rest under its own weight has the
-/// density exp(g h / c_s^2) at a depth h; this is its mean over the depth, less 1. The scene must have a fluid.
+/// By which share the deepest region of liquid that walls bear is too heavy at the start (lbm/step/fluid_filling.h).
+/// Liquid at rest under its own weight has the density exp(g h / c_s^2) at a depth h; this is its mean over the depth,
+/// less 1. The scene must have a fluid.
 double start_compression(const scene::Scene& scene);
 
 /// s: the longest step with surface tension; infinity without.

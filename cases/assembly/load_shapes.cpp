@@ -45,10 +45,17 @@ double spacing_of(const Scene& scene, const ShapeFile& s, const Bounds& bounds) 
   return std::isfinite(smallest) ? smallest / 8 : (bounds.upper - bounds.lower).norm() / 200;
 }
 
-double area_of(const TriangleMesh& mesh) {
+/// At most the area of a surface within a box, m^2: what a triangle has there is no more than a plane through the box
+/// around both, whose parts as seen along the axes are those of its sides.
+double area_within(const TriangleMesh& mesh, const Vec3& lower, const Vec3& upper) {
   double area = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    area += 0.5 * (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).norm();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Vec3 a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
+    const Vec3 sides = upper.cwiseMin(a.cwiseMax(b).cwiseMax(c)) - lower.cwiseMax(a.cwiseMin(b).cwiseMin(c));
+    if ((sides.array() < 0).any()) continue;
+    const Vec3 seen(sides.y() * sides.z(), sides.z() * sides.x(), sides.x() * sides.y());
+    area += std::min(0.5 * (b - a).cross(c - a).norm(), seen.norm());
+  }
   return area;
 }
 
@@ -85,12 +92,14 @@ std::shared_ptr<const DistanceGrid> sample(const Scene& scene, const TriangleMes
                     extent_text(bounds.lower, bounds.upper), extent_text(scene.domain.lower, scene.domain.upper)),
         kPlaceKeys);
   const double brick = DistanceGrid::brick_cells * spacing;
-  const double fine = area_of(mesh) / (brick * brick) * (2 * band / brick + 2) * DistanceGrid::brick_nodes;
+  const double fine =
+      area_within(mesh, lower, upper) / (brick * brick) * (2 * band / brick + 2) * DistanceGrid::brick_nodes;
   const double bytes = sizeof(float) * (fine + 2 * ((upper - lower) / brick).prod()) +
                        2 * sizeof(double) * (upper - lower).head<2>().prod() / (spacing * spacing);
   if (bytes > 0.25 * static_cast<double>(physical_memory()))
-    throw Misfit(fmt::format("takes about {:.2g} GB at a resolution of {:g} m, expected a coarser resolution_m",
-                             bytes * 1e-9, spacing),
+    throw Misfit(fmt::format("reaches {} and takes about {:.2g} GB at a resolution of {:g} m, expected a coarser "
+                             "resolution_m (or a scale, where the file is not in metres)",
+                             extent_text(bounds.lower, bounds.upper), bytes * 1e-9, spacing),
                  kSpacingKeys);
   return sample_distance(mesh, lower, upper, spacing, band);
 }

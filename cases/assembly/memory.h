@@ -25,7 +25,7 @@ inline constexpr double kBytesPerParticle = 1000;
 double averaging_nodes(const Scene& scene);
 
 /// Bytes that such a node takes in memory (AveragedExchange::Node) and in a checkpoint.
-inline constexpr double kBytesPerNode = 104, kStoredBytesPerNode = 40;
+inline constexpr double kBytesPerNode = 96, kStoredBytesPerNode = 40;
 
 /// Bytes of what is kept for the whole domain, wet or dry: those nodes, and the bed of each column of cells.
 double bytes_of_domain(const Scene& scene);

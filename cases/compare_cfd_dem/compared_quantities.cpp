@@ -189,10 +189,12 @@ double water_loss(const CaseRun& c) {
   return (until_arrival(c, "fluid_potential_J") + kept) / won;
 }
 
-/// Integral of a column over the second after the grains' arrival; NaN if the run ends before.
+/// Integral of a column over the second after the grains' arrival, of means since the row before or by straight lines
+/// between the rows; NaN if the run ends before.
 double integral_after_arrival(const CaseRun& c, const char* column) {
   const std::vector<double>& time = c.series.time_s;
   const double begin = grains_arrival(c), end = begin + 1;
+  const bool mean = is_mean(column);
   const auto* values = c.series.find(column);
   if (!values || !std::isfinite(begin) || time.empty() || time.back() < end) return kNone;
   double sum = 0;
@@ -200,7 +202,7 @@ double integral_after_arrival(const CaseRun& c, const char* column) {
     const double from = std::clamp(begin, time[k - 1], time[k]), to = std::clamp(end, time[k - 1], time[k]);
     if (to <= from) continue;
     const double middle = (0.5 * (from + to) - time[k - 1]) / (time[k] - time[k - 1]);
-    sum += (to - from) * std::lerp(values->values[k - 1], values->values[k], middle);
+    sum += (to - from) * (mean ? values->values[k] : std::lerp(values->values[k - 1], values->values[k], middle));
   }
   return sum;
 }
@@ -401,6 +403,11 @@ const std::vector<ShownColumn>& shown_columns() {
       {"grains_passed_kg", "grains that have passed", "kg"},
       {"grains_kinetic_J", "kinetic energy of the grains", "kJ", 1e-3}};
   return all;
+}
+
+bool is_mean(const std::string& column) {
+  const auto& all = shown_columns();
+  return std::any_of(all.begin(), all.end(), [&](const ShownColumn& c) { return c.name == column && c.mean; });
 }
 
 }  // namespace lahar::study

@@ -44,5 +44,7 @@ struct ShownColumn {
   bool mean = false;       ///< since the row before, not of the row's time
 };
 const std::vector<ShownColumn>& shown_columns();
+/// Of a column of a run's series: whether a shown one is a mean since the row before.
+[[nodiscard]] bool is_mean(const std::string& column);
 
 }  // namespace lahar::study

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "cases/compare_cfd_dem/study_case.h"
+#include "cases/files/case_file.h"
 #include "cases/validate/reference_table.h"
 #include "core/check.h"
 
@@ -11,7 +12,7 @@ namespace lahar::study {
 
 const std::vector<Flow>& published_flows() {
   static const std::vector<Flow> all = [] {
-    const auto table = validate::ReferenceTable::read(validate::case_file("compare_cfd_dem/li2020_table5.csv"));
+    const auto table = validate::ReferenceTable::read(cases::case_file("compare_cfd_dem/li2020_table5.csv"));
     std::vector<Flow> flows(table.size());
     constexpr std::pair<const char*, double Flow::*> columns[] = {
         {"L_m", &Flow::release}, {"Fr", &Flow::froude},  {"E_in_kJ", &Flow::e_in}, {"E_out_kJ", &Flow::e_out},

@@ -49,11 +49,6 @@ std::vector<double> means_between(const std::vector<std::size_t>& rows, const st
   return values;
 }
 
-bool is_mean(const std::string& column) {
-  const auto& all = shown_columns();
-  return std::any_of(all.begin(), all.end(), [&](const ShownColumn& c) { return c.name == column && c.mean; });
-}
-
 std::vector<double> numbers_of(const nlohmann::json& list) {
   std::vector<double> numbers;
   for (const auto& item : list) numbers.push_back(item.is_null() ? kUnknown : item.get<double>());

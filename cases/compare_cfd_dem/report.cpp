@@ -28,7 +28,7 @@ struct Curve {
   int seed;
   [[nodiscard]] std::string label() const {
     std::string text = fmt::format("{}, {}, {}", sweep, coupling, preset);
-    if (seed != 1) text += fmt::format(", seed {}", seed);
+    if (seed != 1) text += ", another seed";
     std::replace(text.begin(), text.end(), '_', ' ');
     return text;
   }
@@ -80,6 +80,13 @@ cases::Dash dash_of(const std::string& preset, int seed) {
   return seed == 1 ? solid : dotted;
 }
 
+/// Many packings have one name in the legend.
+void add_curve(cases::Chart& chart, cases::ChartSeries curve) {
+  const auto& all = chart.series;
+  if (std::any_of(all.begin(), all.end(), [&](const auto& other) { return other.name == curve.name; })) curve.name = "";
+  chart.series.push_back(std::move(curve));
+}
+
 /// Theirs over their Froude number, and ours at the flow of the same release distance. No line joins flows that were
 /// run by different programs (commits).
 cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results) {
@@ -118,7 +125,7 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
       ours.x.push_back(x), ours.y.push_back(y);
     }
     if (points.size() < 4) ours.mark = Mark::points;  // what lies between is not known
-    chart.series.push_back(ours);
+    add_curve(chart, ours);
   }
   return chart;
 }
@@ -137,15 +144,14 @@ cases::Chart over_time(const ShownColumn& shown, double release, const std::stri
     const StudyCase& s = c.study_case;
     const auto* values = c.curves.find(shown.name);
     if (s.release != release || s.sweep != sweep || s.variant != variants().front().name || !values) continue;
-    ChartSeries line{
-        .name = fmt::format("{}, {}{}", s.coupling, s.preset, s.seed == 1 ? "" : fmt::format(", seed {}", s.seed)),
-        .x = c.curves.time_s,
-        .y = values->values,
-        .dash = dash_of(s.preset, s.seed),
-        .colour = colour_of(s.sweep, s.coupling)};
+    ChartSeries line{.name = fmt::format("{}, {}{}", s.coupling, s.preset, s.seed == 1 ? "" : ", another seed"),
+                     .x = c.curves.time_s,
+                     .y = values->values,
+                     .dash = dash_of(s.preset, s.seed),
+                     .colour = colour_of(s.sweep, s.coupling)};
     std::replace(line.name.begin(), line.name.end(), '_', ' ');
     for (double& y : line.y) y *= shown.factor;
-    chart.series.push_back(line);
+    add_curve(chart, line);
   }
   return chart;
 }

@@ -11,7 +11,7 @@
 #include <tuple>
 
 #include "cases/assembly/load.h"
-#include "cases/validate/reference_table.h"
+#include "cases/files/case_file.h"
 #include "core/check.h"
 
 namespace lahar::study {
@@ -93,9 +93,7 @@ std::string StudyCase::name() const {
   return variant == variants().front().name ? own : own + "-" + variant;
 }
 
-std::filesystem::path StudyCase::scene_file() const {
-  return validate::case_file("compare_cfd_dem/" + sweep + ".toml");
-}
+std::filesystem::path StudyCase::scene_file() const { return cases::case_file("compare_cfd_dem/" + sweep + ".toml"); }
 
 bool counts_in_spread(const StudyCase& c) { return find(variants(), c.variant).same_flow; }
 

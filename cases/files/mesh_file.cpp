@@ -41,7 +41,8 @@ std::string read_bytes(const std::filesystem::path& file) {
   std::ostringstream text;
   if (!in || (std::filesystem::file_size(file, error) > 0 && !(text << in.rdbuf())))
     throw ShapeFileError("cannot be read");
-  return text.str();
+  const std::string bytes = text.str();
+  return bytes.starts_with("\xEF\xBB\xBF") ? bytes.substr(3) : bytes;  // the mark of a text in UTF-8
 }
 
 TriangleMesh read_closed_mesh(const std::filesystem::path& file) {

@@ -57,11 +57,13 @@ class EarCutter {
   /// A triangle within what is left, with no other corner inside or on the cut.
   [[nodiscard]] bool is_ear(std::size_t k) const {
     const Triangle t = corner(k);
-    const double flat = flat_area(t);
-    if (!(turn(t) > flat)) return false;
+    if (!(turn(t) > flat_area(t))) return false;
+    const double ab = (t.b - t.a).norm(), bc = (t.c - t.b).norm(), ca = (t.a - t.c).norm();
+    const double height = kFlat * std::max({ab, bc, ca});
     return std::none_of(left_.begin(), left_.end(), [&](std::uint32_t other) {
       const Vec3& p = mesh_.points[other];
-      return turn({t.a, t.b, p}) > flat && turn({t.b, t.c, p}) > flat && turn({t.c, t.a, p}) >= -flat;
+      return turn({t.a, t.b, p}) > height * ab && turn({t.b, t.c, p}) > height * bc &&
+             turn({t.c, t.a, p}) >= -height * ca;
     });
   }
   /// An ear, or else a corner on the line between its neighbours; the number of corners where there is neither.

@@ -7,7 +7,8 @@
 
 namespace lahar::cases {
 
-/// Writes the grids `density` (fill level, 0 gas .. 1 liquid) and `velocity` (m/s) of a snapshot. Voxels are active
+/// Writes the grids `density` (fill level, 0 gas .. 1 liquid and what is submerged in it) and `velocity` (m/s) of a
+/// snapshot. Voxels are active
 /// where the fill level is not 0; world coordinates are metres, voxel (i,j,k) lies at the centre of its cell. File
 /// metadata: time_s; grid metadata: unit. The file appears in one stroke. Throws FileError, and std::logic_error if a
 /// block does not start at a multiple of the block width or the cell size is not positive.

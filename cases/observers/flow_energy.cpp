@@ -22,8 +22,9 @@ FlowEnergy::FlowEnergy(const Observed& run, const ObserverList& before)
     result(
         "e_out_kJ", "kJ",
         "energy of liquid and grains that has passed `measure.outflow_distance_m` beyond the measured section; absent "
-        "without a fluid, or without grains and barrier",
-        [this] { return (outflow_.energy().sum() + grains_->energy_out()) / 1000; });
+        "without a fluid, or without grains and barrier, or where its liquid's energy is",
+        [this] { return (outflow_.energy().sum() + grains_->energy_out()) / 1000; })
+        .unknown_at_times();
 }
 
 void FlowEnergy::sample(double) {

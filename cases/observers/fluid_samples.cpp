@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lbm/grid/block_geometry.h"
+
 namespace lahar::cases {
 
 double depth_over(const FluidView& fluid, const Vec3& point, double top) {
@@ -16,7 +18,8 @@ double depth_over(const FluidView& fluid, const Vec3& point, double top) {
     if (domain.period()[a] == 0) cell[a] = std::clamp(cell[a], domain.first()[a], domain.last_within()[a]);
   cell.z() = static_cast<int>(std::floor((point.z() - domain.origin().z()) / dx + 0.5 + rounding));
   const auto below_top = [&] { return domain.centre(cell).z() < top; };
-  while (below_top() && domain.classify(cell) == lbm::CellType::wall) ++cell.z();  // below the ground
+  const auto in_wall = [&] { return domain.classify(lbm::image_of(domain, cell)) == lbm::CellType::wall; };
+  while (below_top() && in_wall()) ++cell.z();  // below the ground
   double depth = 0;
   for (int gap = 0; below_top() && gap <= longest_gap; ++cell.z())
     if (const auto found = fluid.cell_at(domain.centre(cell))) {
@@ -54,7 +57,7 @@ double pressure_at(const FluidView& fluid, const Vec3& point) {
   if (wall.wall >= 0 && wall.distance < dx / 2) p += (dx / 2 - wall.distance) * wall.normal;
   double sum = 0, weights = 0;
   for_cells_around(domain, p, [&](const Vec3& centre, double weight) {
-    if (domain.classify(domain.cell_at(centre)) == lbm::CellType::wall) return;
+    if (domain.classify(lbm::image_of(domain, domain.cell_at(centre))) == lbm::CellType::wall) return;
     if (const auto cell = fluid.cell_at(centre)) sum += weight * cell->pressure;
     weights += weight;
   });

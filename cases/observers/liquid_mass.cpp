@@ -11,7 +11,8 @@ LiquidMass::LiquidMass(const Observed& run) : Observer(run) {
          [this, &fluid] { return fluid.mass_drift(now_); })
       .peak_magnitude("liquid_mass_drift_rel", "largest `liquid_mass_drift_rel` of the rows, without its sign");
   result("liquid_mass_start_kg", "kg",
-         "liquid at the start; a depth h holds g h / (2 c_s^2) more under its own weight, c_s = cell size / (sqrt 3 "
+         "liquid at the start; a depth h that walls bear holds g h / (2 c_s^2) more under its own weight, c_s = cell "
+         "size / (sqrt 3 "
          "time step)",
          [&] {
            const LiquidTransfers t = fluid.transfers();

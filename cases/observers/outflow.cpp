@@ -10,10 +10,13 @@ Outflow::Outflow(const Observed& run, const ObserverList& before) : Observer(run
          [this] { return flow_.now().outflow_power; });
   result("liquid_passed_kg", "kg", "liquid that came past the outflow section, or is gone", [this] { return passed_; });
   result("e_out_liquid_kinetic_kJ", "kJ",
-         "kinetic energy of that liquid: per mass the mean of what crosses the outflow section",
-         [this] { return energy().kinetic / 1000; });
-  result("e_out_liquid_potential_kJ", "kJ", "potential energy of that liquid, in the same way",
-         [this] { return energy().potential / 1000; });
+         "kinetic energy of that liquid: per mass the mean of what crosses the outflow section; absent where liquid is "
+         "gone and none crossed there",
+         [this] { return energy().kinetic / 1000; })
+      .unknown_at_times();
+  result("e_out_liquid_potential_kJ", "kJ", "potential energy of that liquid, in the same way", [this] {
+    return energy().potential / 1000;
+  }).unknown_at_times();
 }
 
 void Outflow::sample(double interval) {
@@ -27,7 +30,7 @@ void Outflow::sample(double interval) {
 }
 
 OutflowEnergy Outflow::energy() const {
-  if (mass_ <= 0) return {};
+  if (mass_ <= 0) return passed_ > 0 ? OutflowEnergy{kUnknown, kUnknown} : OutflowEnergy{};
   return {passed_ * kinetic_ / mass_, passed_ * (energy_ - kinetic_) / mass_};
 }
 

@@ -11,9 +11,9 @@ struct OutflowEnergy {
   [[nodiscard]] double sum() const { return kinetic + potential; }
 };
 
-/// The rate through cells that are partly full (level times velocity) is up to a twentieth more than the mass that
-/// goes: spray and sheets wait for their cells to fill. So the ledger says how much has passed, the rates what energy
-/// it had.
+/// The rate through cells that are partly full (level times velocity) is more than the mass that goes, by up to a
+/// twentieth in streams, by an eighth in trickles and spray: these wait for their cells to fill. So the ledger says how
+/// much has passed, the rates what energy it had.
 class Outflow final : public Observer {
  public:
   Outflow(const Observed& run, const ObserverList& before);
@@ -21,7 +21,7 @@ class Outflow final : public Observer {
   [[nodiscard]] std::string_view name() const override { return "outflow"; }
   void sample(double interval) override;
   void transfer(Archive& archive) override;
-  /// Passed so far.
+  /// Passed so far. NaN where liquid has left the domain and none crossed the section: nothing is known of it.
   [[nodiscard]] OutflowEnergy energy() const;
 
  private:

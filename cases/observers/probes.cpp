@@ -134,6 +134,8 @@ void Probes::after_step() {
   for (Sensor& sensor : sensors_)  // by the time of the fluid: its step may just have changed
     if (sensor.time_mean) sensor.since += (now - looked_at_) * pressure_on(sensor);
   looked_at_ = now;
+  // A reflection books what walls get in the coming step, which has another length where the step has just changed.
+  if (const FluidView* fluid = run_.simulation.fluid()) fluid_span_ += fluid->units().time_step;
   if (!run_.simulation.solids()) return;
   for (auto first = forces_.begin(); first != forces_.end(); ++first) {
     const auto is_beside = [&](const ForceProbe& probe) { return probe.wall == first->wall; };
@@ -144,8 +146,8 @@ void Probes::after_step() {
   }
 }
 
-Probes::Load Probes::mean_load(const Load& sum, double interval, const Vec3& point) {
-  const double rate = interval > 0 ? 1 / interval : 0.0;
+Probes::Load Probes::mean_load(const Load& sum, double span, const Vec3& point) {
+  const double rate = span > 0 ? 1 / span : 0.0;
   const Vec3 force = rate * sum.force, moment = rate * sum.moment - point.cross(force);
   return {force, moment};
 }
@@ -168,18 +170,20 @@ void Probes::sample(double interval) {
   }
   for (ForceProbe& probe : forces_) {
     probe.both = {};
-    const auto add = [&](Load& mean, const Load& sum) {
-      mean = mean_load(sum, interval, probe.point);
+    const auto add = [&](Load& mean, const Load& sum, double span) {
+      mean = mean_load(sum, span, probe.point);
       probe.both.force += mean.force, probe.both.moment += mean.moment;
     };
     if (const FluidView* fluid = run_.simulation.fluid()) {
       const lbm::WallLoad& now = fluid->wall_loads()[probe.wall];
-      add(probe.fluid, {now.impulse - probe.fluid_before.force, now.angular_impulse - probe.fluid_before.moment});
+      add(probe.fluid, {now.impulse - probe.fluid_before.force, now.angular_impulse - probe.fluid_before.moment},
+          fluid_span_);
       probe.fluid_before = {now.impulse, now.angular_impulse};
     }
-    if (run_.simulation.solids()) add(probe.grains, probe.grains_since);
+    if (run_.simulation.solids()) add(probe.grains, probe.grains_since, interval);
     probe.grains_since = {};
   }
+  fluid_span_ = 0;
 }
 
 void Probes::transfer(Archive& archive) {
@@ -189,6 +193,7 @@ void Probes::transfer(Archive& archive) {
     archive.part(fmt::format("force_{}_grains_since", k), forces_[k].grains_since);
   }
   for (std::size_t k = 0; k < sensors_.size(); ++k) archive.value(fmt::format("sensor_{}_since", k), sensors_[k].since);
+  archive.value("fluid_span", fluid_span_);
   if (archive.loading()) looked_at_ = run_.simulation.time();
   for (std::size_t k = 0; k < followed_.size(); ++k) archive.value(fmt::format("grain_{}", k), followed_[k].grain);
 }

@@ -60,14 +60,15 @@ class Probes final : public Observer {
   void declare_grain(const scene::Probe& probe);
   [[nodiscard]] double pressure_on(const Sensor& sensor) const;
   void declare_load(std::size_t probe, const std::string& source, const std::string& who, Load ForceProbe::*load);
-  [[nodiscard]] static Load mean_load(const Load& sum, double interval, const Vec3& point);
+  [[nodiscard]] static Load mean_load(const Load& sum, double span, const Vec3& point);
 
   std::vector<Level> levels_;
   std::vector<Current> currents_;
   std::vector<ForceProbe> forces_;
   std::vector<Sensor> sensors_;
   std::vector<Followed> followed_;
-  double looked_at_;  ///< s: when pressures were last summed
+  double looked_at_;       ///< s: when pressures were last summed
+  double fluid_span_ = 0;  ///< s: in which walls got what the fluid has booked since the last row
 };
 
 }  // namespace lahar::cases

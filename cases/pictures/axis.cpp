@@ -34,11 +34,11 @@ std::vector<double> multiples(double low, double high, double step) {
   return values;
 }
 
-// A constant gets some room around it.
+// A constant gets some room around it, and so do numbers that differ by roundings alone.
 void make_usable(double& low, double& high, AxisScale scale) {
   const bool logarithmic = scale == AxisScale::logarithmic;
   if (low > high) low = logarithmic ? 1 : 0, high = logarithmic ? 10 : 1;
-  if (low < high) return;
+  if (high - low > 1e-12 * std::max(std::abs(low), std::abs(high))) return;
   if (logarithmic) {
     low /= 2, high *= 2;
   } else {

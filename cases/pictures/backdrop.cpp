@@ -19,6 +19,15 @@ ViewBox bounds_of(const SolidCylinder& c) {
   return {c.start.cwiseMin(c.end) - Vec3::Constant(c.radius), c.start.cwiseMax(c.end) + Vec3::Constant(c.radius)};
 }
 
+/// Outwards from the face at which a ray enters a box.
+Vec3f face_entered(const Vec3f& lower, const Vec3f& upper, const Ray& ray) {
+  const Eigen::Array3f inverse = ray.direction.array().inverse();
+  const Eigen::Array3f a = (lower - ray.origin).array() * inverse, b = (upper - ray.origin).array() * inverse;
+  int axis = 0;
+  a.min(b).maxCoeff(&axis);
+  return ray.direction[axis] > 0 ? Vec3f(-Vec3f::Unit(axis)) : Vec3f(Vec3f::Unit(axis));
+}
+
 }  // namespace
 
 Backdrop::Backdrop(const Walls& walls, const ViewBox& box, const Vec3& eye)
@@ -79,8 +88,13 @@ BackdropHit Backdrop::nearest(const Ray& ray, float limit) const {
   for (const Solid& solid : solids_) {
     const float t = solid_distance(solid, ray, hit.distance);
     if (!(t < hit.distance)) continue;
-    const Vec3 normal = walls_.gradient(static_cast<std::size_t>(solid.wall), ray.at(t).cast<double>());
-    hit = {t, normal.cast<float>(), solid.wall, false};
+    // Where the view box cuts a solid, the cut is seen.
+    const auto wall = static_cast<std::size_t>(solid.wall);
+    const Vec3 at = ray.at(t).cast<double>();
+    const bool cut = walls_.distance(wall, at) < -1e-4 * static_cast<double>((upper_ - lower_).norm());
+    const Vec3f normal =
+        cut ? face_entered(solid.lower, solid.upper, ray) : Vec3f(walls_.gradient(wall, at).cast<float>());
+    hit = {t, normal, solid.wall, false};
   }
   if (hit.wall < 0) hit.distance = kNoHit;
   return hit;

@@ -15,7 +15,11 @@ void add_divided_lengths(const scene::Scene& s, const Vec3& lengths, Warnings& l
   constexpr double bearable = 1.15;  // of what was asked for
   const double asked = s.coupling.averaging_length;
   for (int a = 0; a < 3; ++a)
-    if (lengths[a] > bearable * asked)
+    if (lengths[a] < (1 - 1e-6) * asked)
+      list.push_back(
+          fmt::format("coupling.averaging_length_m is {:g}, more than the domain along {}: {:.3g} m is taken", asked,
+                      "xyz"[a], lengths[a]));
+    else if (lengths[a] > bearable * asked)
       list.push_back(
           fmt::format("coupling.averaging_length_m is {:g}, but along {} the domain is divided into lengths "
                       "of {:.3g} m: choose one that divides it",
@@ -57,6 +61,19 @@ void add_shaken_wires(const scene::Scene& s, const SolidsFigures& f, Warnings& l
       *f.cells_per_wire, s.solids.bond_damping_ratio, calm));
 }
 
+/// Beads weigh as spheres; mapped wires displace cylinders.
+void add_floating_wires(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
+  constexpr double of_cylinder = 2.0 / 3;  // the sphere that it is around
+  const double density = s.barrier.net.density, least = s.fluid.density / of_cylinder;
+  if (!f.cells_per_wire || !s.coupling.resolve_wires_from_cells ||
+      *f.cells_per_wire < *s.coupling.resolve_wires_from_cells || density >= least)
+    return;
+  list.push_back(fmt::format(
+      "barrier.net.density_kg_m3 is {:g}: wires that are resolved (coupling.resolve_wires_from_cells) weigh as their "
+      "spheres and displace cylinders: below {:g}, 1.5 times the liquid's, they float up",
+      density, least));
+}
+
 }  // namespace
 
 void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
@@ -66,6 +83,7 @@ void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& l
                                *f.cells_per_smallest_grain));
   add_restless_grains(s, f, list);
   add_shaken_wires(s, f, list);
+  add_floating_wires(s, f, list);
   constexpr double light = 0.2;  // docs/decisions/0034
   if (f.lightest_grain && *f.lightest_grain < light)
     list.push_back(

@@ -105,7 +105,7 @@ bool has_a_cell(const scene::WallSettings& solid, const Bounds& bounds, const sc
   const scene::CellBox box{cell_from(lower), cell_from(upper), s.domain.lower, dx};
   const Shape shape = scene::make_wall(solid, -1).shape;
   return scene::cells_inside(box, 1, [&](const Vec3& p) {
-           return std::visit([&](const auto& body) { return body.distance(p); }, shape);
+           return std::visit([&](const auto& body) { return body.distance(p) + 1e-6 * dx; }, shape);
          }) > 0;
 }
 
@@ -144,7 +144,7 @@ void add_rounded_walls(const scene::Scene& s, Warnings& list) {
   const auto acts_at = [&](double x, int axis, double free) {
     const double from = s.domain.lower[axis], dx = s.fluid.cell_size;
     double face = std::round((x - from) / dx);
-    const auto is_wall = [&](double cell) { return free * (from - dx + (cell + 1.5) * dx - x) < 0; };
+    const auto is_wall = [&](double cell) { return free * (from - dx + (cell + 1.5) * dx - x) < -1e-6 * dx; };
     const auto beside = [&] { return free > 0 ? face : face - 1; };  // the free cell at the face
     if (is_wall(beside())) face += free;
     if (!is_wall(beside() - free)) face -= free;
@@ -181,6 +181,23 @@ void add_rounded_walls(const scene::Scene& s, Warnings& list) {
         fmt::format("{} more faces of walls act on the liquid elsewhere than where they stand", found - most_told));
 }
 
+/// Boxes let into a plane: what rolls over both touches both.
+void add_flush_boxes(const scene::Scene& s, Warnings& list) {
+  constexpr double level = 1e-6;  // m
+  for (const scene::WallSettings& box : s.walls)
+    for (const scene::WallSettings& plane : s.walls) {
+      if (box.shape != scene::WallShape::box || plane.shape != scene::WallShape::plane) continue;
+      const Vec3 normal = plane.normal.normalized();
+      const int axis = static_cast<int>(
+          std::max_element(&normal[0], &normal[0] + 3, [](double a, double b) { return std::abs(a) < std::abs(b); }) -
+          &normal[0]);
+      const double face = normal[axis] > 0 ? box.upper[axis] : box.lower[axis];
+      if (std::abs(normal[axis]) > 1 - 1e-9 && std::abs(face - plane.point[axis]) < level)
+        list.push_back(fmt::format("{} ends in the plane of {}: particles there touch both, and each bears half",
+                                   name_of(s, box), name_of(s, plane)));
+    }
+}
+
 void add_late_gates(const scene::Scene& s, Warnings& list) {
   for (const scene::WallSettings& w : s.walls)
     if (w.opens_at > 0 && w.opens_at >= s.run.duration)
@@ -206,6 +223,7 @@ void warn_of_places(const scene::Scene& scene, bool has_fluid, Warnings& list) {
   add_places(scene, list);
   add_heightmaps(scene, list);
   add_lost_walls(scene, list);
+  if (scene.has_solids()) add_flush_boxes(scene, list);
   add_late_gates(scene, list);
   add_far_places(scene, list);
   if (has_fluid) add_thin_walls(scene, list);

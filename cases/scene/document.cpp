@@ -107,7 +107,8 @@ toml::table read_with_bases(const fs::path& file, int depth, std::vector<InputMi
   if (depth == deepest)
     fail(at.file, at.line, at.column, fmt::format("scene.base: expected a chain of at most {}", deepest));
   if (std::error_code none; !fs::is_regular_file(next, none))
-    fail(at.file, at.line, at.column, fmt::format("scene.base is \"{}\", expected a scene file", next.string()));
+    fail(at.file, at.line, at.column,
+         fmt::format("scene.base is \"{}\", which is no file: expected a scene file", next.string()));
   toml::table base = read_with_bases(next, depth + 1, mistakes);
   if (toml::table* identity = base["scene"].as_table()) identity->erase("base"), identity->erase("changes");
   merge(root, std::move(base));

@@ -158,7 +158,8 @@ void describe(V& v, FluidRegion& s) {
             [&] { v.value("radius_m", s.radius, required(positive()), "Radius."); });
   only_with(v, "shape", s.shape, {RegionShape::mesh},
             [&] { describe_file(v, s.file, "File beside the scene: a closed surface (.stl, .ply or .obj)."); });
-  v.value("velocity_m_s", s.velocity, {}, "Velocity at the start.");
+  v.value("velocity_m_s", s.velocity, {},
+          "Velocity at the start; with averaged grains that of liquid and grains together.");
 }
 
 template <class V>
@@ -401,10 +402,9 @@ void describe(V& v, BarrierBonds& s) {
           "Stiffness of the two or three stages of the energy dissipators in the cables; empty = no dissipators.");
   v.value("dissipator_force_limit_N", s.dissipator_force_limit, {.range = positive(), .max_count = 2},
           "Force at which each stage but the last ends, rising.");
-  v.value(
-      "dissipator_places", s.dissipator_places, {.range = between(0, 1)},
-      "Where along each cable the dissipators are, as fractions of its length: the nearest bonds. A bottom cable that "
-      "is fixed or held along the bed has none.");
+  v.value("dissipator_places", s.dissipator_places, {.range = between(0, 1)},
+          "Where along each cable the dissipators are, as fractions of its length: the nearest bonds, each one of its "
+          "own. A bottom cable that is fixed or held along the bed has none.");
   v.value(
       "plastic_unloading", s.plastic_unloading, {},
       "Dissipators unload with the stiffness of the first stage instead of back along the curve, and are slack from "
@@ -428,8 +428,9 @@ void describe(V& v, barrier::RetainingCable& s) {
           "Number of the post, 0 the first along the width; -1 = every post.");
   v.value("anchor_offset_m", s.anchor, required(),
           "From the foot of the post, on the line of the net's lower edge, to the anchor.");
-  v.value("dissipator_places", s.dissipators_at, {.range = between(0, 1)},
-          "Where along the cable dissipators are, as fractions of its length from the anchor.");
+  v.value(
+      "dissipator_places", s.dissipators_at, {.range = between(0, 1)},
+      "Where along the cable dissipators are, as fractions of its length from the anchor, each on a bond of its own.");
 }
 
 template <class V>
@@ -490,7 +491,7 @@ void describe(V& v, Coupling& s) {
     only_with(v, "grains", s.grains, {GrainFluid::averaged}, [&] {
       v.value("averaging_length_m", s.averaging_length, {positive()},
               "Over which flow and grains are averaged, no less than a cell: two diameters or more. What divides each "
-              "length of the domain and is no shorter is taken.");
+              "length of the domain and is no shorter is taken, or that length.");
       v.value("bed_drag", s.bed_drag, {}, "Drag law of grains among others.");
       v.value(
           "beads_as_grains", s.beads_as_grains, {},

@@ -46,11 +46,17 @@ int run(const Arguments& a) {
   std::string refusals;
   for (const Problem& p : problems) {
     if (cases::interrupted()) break;
-    results.push_back(run_problem(p, fixed_work()));
-    if (!a.common.quiet) fmt::print("{}", result_text(results.back()));
-    std::fflush(stdout);
+    if (!a.common.quiet) fmt::print("{}", heading_text(p));
+    results.emplace_back();
+    run_problem(p, fixed_work(), [&](const ProblemResult& so_far) {
+      if (!a.common.quiet) fmt::print("{}", trial_text(so_far.trials.back(), so_far.work));
+      std::fflush(stdout);
+      results.back() = so_far;
+      write_results(results, sitting, folder);
+      return !cases::interrupted();
+    });
+    if (!a.common.quiet) fmt::print("{}", front_text(results.back()));
     refusals += refusals_text(results.back());
-    write_results(results, sitting, folder);
   }
   if (!a.common.quiet) fmt::print("report: {}\n", (folder / "report.html").string());
   cases::tell(refusals);

@@ -32,7 +32,7 @@ std::string one_line(std::string text) {
 
 }  // namespace
 
-ProblemResult run_problem(const Problem& problem, double work) {
+ProblemResult run_problem(const Problem& problem, double work, const std::function<bool(const ProblemResult&)>& go_on) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   ProblemResult result{problem, work, {}};
   for (const Trial& trial : problem.trials) {
@@ -46,6 +46,7 @@ ProblemResult run_problem(const Problem& problem, double work) {
       t.failure = e.what();
     }
     result.trials.push_back(t);
+    if (!go_on(result)) break;
   }
   return result;
 }
@@ -69,19 +70,22 @@ double defaults_beaten_by(const ProblemResult& result) {
   return beaten_by(result.measurements(), static_cast<std::size_t>(found - result.trials.begin()));
 }
 
-std::string result_text(const ProblemResult& result) {
-  const std::vector<Measurement> all = result.measurements();
-  const std::vector<std::size_t> front = pareto_front(all);
-  std::string text = fmt::format("{}: {}, against {} values\n  defaults: {}\n", result.problem.name,
-                                 result.problem.error, result.problem.against, result.problem.defaults);
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const TrialResult& t = result.trials[k];
-    const bool on_front = std::find(front.begin(), front.end(), k) != front.end();
-    text += fmt::format("  {} {:<52} error {:>9.3g}  {:>8.2f} s  {:>8.2f} of the fixed work{}\n", on_front ? "*" : " ",
-                        t.name, t.found.error, t.found.seconds, t.found.seconds / result.work,
-                        t.failure.empty() ? "" : "  stopped: " + t.failure);
-  }
-  return text;
+std::string heading_text(const Problem& problem) {
+  return fmt::format("{}: {}, against {} values\n  defaults: {}\n", problem.name, problem.error, problem.against,
+                     problem.defaults);
+}
+
+std::string trial_text(const TrialResult& trial, double work) {
+  return fmt::format("  {:<52} error {:>9.3g}  {:>8.2f} s  {:>8.2f} of the fixed work{}\n", trial.name,
+                     trial.found.error, trial.found.seconds, trial.found.seconds / work,
+                     trial.failure.empty() ? "" : "  stopped: " + trial.failure);
+}
+
+std::string front_text(const ProblemResult& result) {
+  std::string names;
+  for (const std::size_t k : pareto_front(result.measurements()))
+    names += (names.empty() ? "" : "; ") + result.trials[k].name;
+  return fmt::format("  on the Pareto front: {}\n", names.empty() ? "none" : names);
 }
 
 std::string refusals_text(const ProblemResult& result) {

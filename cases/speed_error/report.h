@@ -1,6 +1,7 @@
 #pragma once
 // The table, the charts and the page of a speed-error study.
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,11 @@ struct ProblemResult {
   [[nodiscard]] std::vector<Measurement> measurements() const;
 };
 
-/// Runs all trials of a problem.
-ProblemResult run_problem(const Problem& problem, double work);
+/// Runs the trials of a problem in turn; after each, `go_on` is asked with what there is so far, and ends it there with
+/// false.
+ProblemResult run_problem(
+    const Problem& problem, double work,
+    const std::function<bool(const ProblemResult&)>& go_on = [](const auto&) { return true; });
 
 /// Wall time of the fixed piece of work, s: 200 steps of 64^3 cells of plain liquid. The shortest of three.
 double fixed_work();
@@ -33,8 +37,10 @@ double fixed_work();
 /// By how much another trial beats the defaults (see beaten_by); at most 1 on the Pareto front.
 double defaults_beaten_by(const ProblemResult& result);
 
-/// Lines for the terminal.
-std::string result_text(const ProblemResult& result);
+/// Lines for the terminal: what a problem asks, what a trial found, which trials are on the front.
+std::string heading_text(const Problem& problem);
+std::string trial_text(const TrialResult& trial, double work);
+std::string front_text(const ProblemResult& result);
 
 /// A line for each trial whose scene was refused: which, and what was wrong. Empty where all ran.
 std::string refusals_text(const ProblemResult& result);

@@ -1,4 +1,5 @@
 #include "cases/validate/reference_table.h"
+#include "cases/files/case_file.h"
 
 #include <fmt/format.h>
 
@@ -121,15 +122,8 @@ const std::string& ReferenceTable::text(const std::string& column) const {
   return only_line(column).fields[column_of(column)].text;
 }
 
-std::filesystem::path case_file(const std::string& path) {
-  std::error_code none;
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", none);
-  const std::filesystem::path installed = program.parent_path() / LAHAR_DATA_FROM_BIN / "cases";
-  return (std::filesystem::is_directory(installed, none) ? installed : LAHAR_CASES_FOLDER) / path;
-}
-
 ReferenceTable reference(const std::string& file) {
-  return ReferenceTable::read(case_file("validate/reference") / file);
+  return ReferenceTable::read(cases::case_file("validate/reference") / file);
 }
 
 }  // namespace lahar::validate

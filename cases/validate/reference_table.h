@@ -52,10 +52,6 @@ class ReferenceTable {
   std::vector<Line> lines_;
 };
 
-/// A file of cases/, such as "debris_flow/scene.toml": of an installed program beside it, else in the source folder
-/// that it was built from.
-std::filesystem::path case_file(const std::string& path);
-
 /// A table of cases/validate/reference.
 ReferenceTable reference(const std::string& file);
 

@@ -62,9 +62,8 @@ void AveragedExchange<Real>::write_block(lbm::Fluid<Real>& fluid, const GrainMap
 }
 
 template <class Real>
-ExchangedMomentum AveragedExchange<Real>::give_impulses(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map,
-                                                        const DisplacedVolume<Real>& displaced,
-                                                        dem::Particles& particles, SolidFields<Real>& fields) {
+void AveragedExchange<Real>::look(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map,
+                                  const DisplacedVolume<Real>& displaced, const dem::Particles& particles) {
   grains_.clear();
   find_wet_grains(fluid, map, displaced, particles);
   if (options_.beads_as_grains) find_wet_beads(fluid, particles);
@@ -79,6 +78,13 @@ ExchangedMomentum AveragedExchange<Real>::give_impulses(lbm::Fluid<Real>& fluid,
   choose_nodes(fluid);
   average_fluid(fluid);
   average_grains(fluid, particles);
+}
+
+template <class Real>
+ExchangedMomentum AveragedExchange<Real>::give_impulses(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map,
+                                                        const DisplacedVolume<Real>& displaced,
+                                                        dem::Particles& particles, SolidFields<Real>& fields) {
+  look(fluid, map, displaced, particles);
   const double stretch = fluid.plan_time_step() / fluid.units().time_step;
   parallel_for(0, grains_.size(), 64, [&](std::size_t k) { act_on(fluid, stretch, grains_[k], particles); });
   ExchangedMomentum sum;

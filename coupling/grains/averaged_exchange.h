@@ -42,6 +42,8 @@ class AveragedExchange final : public GrainExchange<Real> {
   [[nodiscard]] Vec3 flow_in_cells(const GrainMap<Real>& map, const DisplacedVolume<Real>& displaced,
                                    const dem::Particles& particles) const override;
   void write_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const override;
+  void look(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, const DisplacedVolume<Real>& displaced,
+            const dem::Particles& particles) override;
   ExchangedMomentum give_impulses(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map,
                                   const DisplacedVolume<Real>& displaced, dem::Particles& particles,
                                   SolidFields<Real>& fields) override;

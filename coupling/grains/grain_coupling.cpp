@@ -15,6 +15,7 @@ template <class Real>
 void GrainCoupling<Real>::embed(lbm::Fluid<Real>& fluid, const dem::Particles& particles, SolidFields<Real>& fields) {
   require(map_.grains().empty(), "GrainCoupling::embed: grains are mapped already");
   write(fluid, particles, fields);
+  exchange_->look(fluid, map_, displaced_, particles);
 }
 
 template <class Real>

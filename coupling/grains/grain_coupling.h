@@ -27,7 +27,7 @@ class GrainCoupling {
   }
 
   /// Velocity (lu) of the liquid at a place (cells from the corner of cell (0, 0, 0)) where `sampled` was found in the
-  /// cells, after give_impulses.
+  /// cells, after embed or give_impulses.
   [[nodiscard]] Vec3 liquid_velocity(const Vec3& place, const Vec3& sampled) const {
     return exchange_->liquid_velocity(place, sampled);
   }

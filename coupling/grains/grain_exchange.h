@@ -54,6 +54,10 @@ class GrainExchange {
   /// the ledger of the liquid rests on it. In parallel over blocks.
   virtual void write_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block) const = 0;
 
+  /// Gets to know what liquid_velocity asks for, where give_impulses has not been: after grains are embedded.
+  virtual void look(const lbm::Fluid<Real>& /*fluid*/, const GrainMap<Real>& /*map*/,
+                    const DisplacedVolume<Real>& /*displaced*/, const dem::Particles& /*particles*/) {}
+
   /// Puts forces onto grains (external_force, SI) and the opposite impulses into cells (FluidGrid::require_impulse) of
   /// blocks that it reaches (SolidFields::reach).
   virtual ExchangedMomentum give_impulses(lbm::Fluid<Real>& /*fluid*/, const GrainMap<Real>& /*map*/,
@@ -63,7 +67,7 @@ class GrainExchange {
   }
 
   /// Velocity (lu) of the liquid between the grains at a place (cells from the corner of cell (0, 0, 0)), after
-  /// give_impulses; `sampled`: of the cells there, which may be that of liquid and grains together.
+  /// look or give_impulses; `sampled`: of the cells there, which may be that of liquid and grains together.
   [[nodiscard]] virtual Vec3 liquid_velocity(const Vec3& /*place*/, const Vec3& sampled) const { return sampled; }
 
   /// m/s of a lattice unit when liquid_velocity last got to know the grains' velocities; 0 where it knows none. The

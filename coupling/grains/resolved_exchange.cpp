@@ -273,12 +273,14 @@ Vec3 ResolvedExchange<Real>::finish(const lbm::Fluid<Real>& fluid, const GrainMa
                jolted = interior_mass_in_jolts(interior, sum.held, own, viscosity);
   const double soft = slips && sum.brought > 0 ? 1 - std::min(1.0, sum.entrained / sum.brought) : 0;
   const double spared = jolted + (interior - jolted) * std::max(state.calm, soft);
-  Vec3 force = sum.force + spared * units.acceleration_to_lu(1.0) * acceleration - wet_volume * gravity;
+  // The cells took all of the change in this step, however long the one was that it came in; 1 while the step stays.
+  const double as_it_changed = time_step_ / units.time_step;
+  Vec3 force = sum.force + spared * units.acceleration_to_lu(1.0) * as_it_changed * acceleration - wet_volume * gravity;
   const double share = sum.interior > 0 ? spared / sum.interior : 1;
   force += share * slip_change + (1 - share) * (sum.slip - sum.kept);
   const double spun =
       state.calm_spin * std::min({sum.interior_inertia, sum.entrained_inertia, particles.inertia[i] / to_kg_m2});
-  Vec3 torque = sum.torque + spun * units.time_step * units.time_step * spin_up;
+  Vec3 torque = sum.torque + spun * units.time_step * units.time_step * as_it_changed * spin_up;
   force *= units.force_to_si(1.0), torque *= units.torque_to_si(1.0);
   under_relax(state.felt_force, force, relaxation_factor(particles.mass[i], to_kg * sum.entrained), sum.entrained > 0);
   // About any axis the entrained liquid has at most 3/2 of the mean over axes.

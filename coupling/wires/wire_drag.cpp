@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
 #include "core/parallel.h"
+#include "core/sphere.h"
 #include "coupling/rows.h"
 #include "coupling/transfer_vectors.h"
 #include "coupling/wires/drag_law.h"
@@ -137,11 +137,14 @@ void WireDrag<Real>::follow_breakage(const dem::Bonds& bonds) {
 template <class Real>
 void WireDrag<Real>::leave_out(const dem::Bonds& bonds, const std::vector<std::uint8_t>& is_mapped) {
   for (Bead& bead : beads_) bead.length = 0;
-  for (const std::uint32_t k : wire_bonds_) {
-    if (!is_mapped.empty() && is_mapped[k]) continue;
-    for (const dem::ParticleId id : {bonds.id_i[k], bonds.id_j[k]})
-      beads_[static_cast<std::size_t>(place_[id])].length += bonds.rest_length[k] / 2;
-  }
+  std::vector<double> mapped(beads_.size(), 0.0);  // m, of the wire of a bead
+  for (const std::uint32_t k : wire_bonds_)
+    for (const dem::ParticleId id : {bonds.id_i[k], bonds.id_j[k]}) {
+      const auto at = static_cast<std::size_t>(place_[id]);
+      (!is_mapped.empty() && is_mapped[k] ? mapped[at] : beads_[at].length) += bonds.rest_length[k] / 2;
+    }
+  for (std::size_t b = 0; b < beads_.size(); ++b)
+    if (Bead& bead = beads_[b]; bead.length > 0) bead.lifted = bead.length / (bead.length + mapped[b]);
   since_look_ = kCrowdingEvery;  // other neighbours
 }
 
@@ -397,9 +400,9 @@ void WireDrag<Real>::choose_given(const lbm::Fluid<Real>& fluid, double time_ste
     bead.dragged = false, bead.impulse = Vec3::Zero();
     return;
   }
-  const double d = bead.diameter, rho = fluid.options().density;
   bead.share = wet_share(fluid, bead);
-  bead.buoyancy = -bead.share * rho * std::numbers::pi / 4 * d * d * bead.length * fluid.options().gravity;
+  bead.buoyancy =
+      -bead.share * bead.lifted * fluid.options().density * sphere_volume(bead.diameter / 2) * fluid.options().gravity;
   // Forces act over the coming step, and the fluid stretches what cells get to it; impulses are what they are. The
   // velocities that wires sample are those of the step that has ended.
   bead.change = units.force_to_lu(1.0) / units.time_step * bead.impulse;

@@ -4,8 +4,9 @@
 //
 // Drag follows the beads in their own steps (dem/liquid_drag.h): `apply` says before the step of the fluid what it is,
 // `collect` takes up afterwards what it gave, and the cells get that at the next `apply`. Of the liquid around a bead
-// each wire that is spread over the same cells moves its share. (Immersed boundaries are blind to such wires: as tau ->
-// 1/2 the weighting of Noble & Torczynski lets the water through, B = eps overdrags.)
+// each wire that is spread over the same cells moves its share. A bead weighs as a sphere and is lifted as one,
+// whatever piece of wire it stands for. (Immersed boundaries are blind to such wires: as tau -> 1/2 the weighting of
+// Noble & Torczynski lets the water through, B = eps overdrags.)
 #include <optional>
 #include <vector>
 
@@ -58,6 +59,7 @@ class WireDrag {
     dem::ParticleId id;
     dem::ParticleId before, after;  ///< neighbours along the wire; itself where there is none
     double diameter, length;        ///< m, of wire that the bead stands for
+    double lifted = 1;              ///< share of its sphere: the rest is of pieces that are mapped
     Crowding crowding = {};         ///< the screen that it is part of
     // From step to step:
     bool dragged = false;              ///< in the last step

@@ -61,13 +61,13 @@ void WireMap<Real>::map(lbm::Fluid<Real>& fluid, const dem::Particles& particles
 template <class Real>
 void WireMap<Real>::remember(const lbm::Fluid<Real>& fluid, const dem::Particles& particles) {
   states_.resize(particles.size());
+  time_step_ = fluid.units().time_step;
   parallel_for(0, wires_.beads().size(), 256, [&](std::size_t b) {
     const dem::ParticleId id = wires_.beads()[b];
     const dem::ParticleIndex i = particles.index(id);
     State& s = states_[id];
-    const double dt = fluid.units().time_step;
-    s.acceleration = s.known ? Vec3((particles.velocity[i] - s.velocity) / dt) : Vec3(Vec3::Zero());
-    s.spin_up = s.known ? Vec3((particles.angular_velocity[i] - s.spin) / dt) : Vec3(Vec3::Zero());
+    s.acceleration = s.known ? Vec3((particles.velocity[i] - s.velocity) / time_step_) : Vec3(Vec3::Zero());
+    s.spin_up = s.known ? Vec3((particles.angular_velocity[i] - s.spin) / time_step_) : Vec3(Vec3::Zero());
     s.velocity = particles.velocity[i], s.spin = particles.angular_velocity[i];
     s.known = true;
   });

@@ -135,6 +135,7 @@ class WireMap {
 
   ResolvedWires wires_;
   double radius_shift_;
+  double time_step_ = 0;  // s, that the solids advanced before the last mapping
   std::vector<WireEnd> ends_;
   std::vector<GridCylinder<Real>> pieces_, former_pieces_;
   std::vector<std::uint8_t> same_;  // per piece: as in the former mapping

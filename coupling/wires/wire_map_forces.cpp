@@ -107,14 +107,17 @@ void WireMap<Real>::add_loads(const lbm::Fluid<Real>& fluid, std::size_t index) 
   const Surroundings<Real> around{*block.body, wet ? &*wet : nullptr,
                                   fluid.options().gravity * units.acceleration_to_lu(1.0)};
   const bool by_distance = lbm::by_wall_distance(fluid.options().weighting);
+  // The cells took all of the beads' change in this step, however long the one was that it came in.
+  const double as_it_changed = time_step_ / units.time_step;  // 1 while the step stays
+  const double change_lu = units.acceleration_to_lu(1.0) * as_it_changed;
+  const double spin_lu = units.time_step * units.time_step * as_it_changed;
   for (const std::uint32_t k : pairs) {
     const std::size_t piece = pairs_[k].piece;
     GridMotion<Real> rises[2];
     for (int e = 0; e < 2; ++e) {
       const State& s = states_[wires_.beads()[wires_.bead_of(piece, e)]];
-      const double spin_lu = units.time_step * units.time_step;
       for (int a = 0; a < 3; ++a) {
-        rises[e].velocity[a] = static_cast<Real>(units.acceleration_to_lu(1.0) * s.acceleration[a]);
+        rises[e].velocity[a] = static_cast<Real>(change_lu * s.acceleration[a]);
         rises[e].spin[a] = static_cast<Real>(spin_lu * s.spin_up[a]);
       }
     }

@@ -6,6 +6,7 @@
 
 #include "core/check.h"
 #include "core/parallel.h"
+#include "dem/contact/wall_contacts.h"
 
 namespace lahar::dem {
 
@@ -110,8 +111,9 @@ ContactTally ContactDetection::rebuild(const Particles& particles, const Walls& 
   ContactTally lost = refresh(particles, share);
   std::swap(walls_, previous_walls_);
   list_walls(particles, walls, share);
-  lost += carry_histories(previous_walls_, walls_, particles.numbering, std::less<>{},
-                          [&](std::size_t i, std::uint32_t) { return particles.radius[i]; });
+  lost += carry_histories(
+      previous_walls_, walls_, particles.numbering, std::less<>{},
+      [&](std::size_t i, std::uint32_t w) { return effective_radius_on(walls.all()[w].shape, particles.radius[i]); });
   return lost;
 }
 

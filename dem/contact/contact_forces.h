@@ -32,8 +32,11 @@ class ContactForces {
   [[nodiscard]] bool rolls() const { return materials_.rolls(); }
   /// What contacts lost and what rolling holds. What springs hold is worked out when asked for (contact_energy.h).
   [[nodiscard]] const ContactEnergy& energy() const { return energy_; }
-  /// Springs of contacts that left the lists while they touched: what they held is lost.
-  void book_lost(const ContactTally& held) { energy_.friction += held.friction, energy_.rolling += held.rolling; }
+  /// Springs of contacts that left the lists while they touched: what they held is lost, and held no longer.
+  void book_lost(const ContactTally& held) {
+    energy_.friction += held.friction, energy_.rolling += held.rolling;
+    energy_.elastic_rolling -= held.rolling;
+  }
   /// See WallContacts.
   [[nodiscard]] Vec3 force_on_wall(const Particles& particles, const ContactDetection& contacts,
                                    std::uint32_t wall) const {

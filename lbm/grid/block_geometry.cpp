@@ -101,7 +101,7 @@ LinkWalls walls_of_links(const Domain& domain, int cell, const Vec3i& place, con
         types[static_cast<std::size_t>(100 * (p[0] + 1 + c[0]) + 10 * (p[1] + 1 + c[1]) + p[2] + 1 + c[2])] ==
         CellType::wall;
     const Vec3i way(c[0], c[1], c[2]), beyond = image_of(domain, place + way);
-    links.wall_of[i] = solid ? domain.walls().nearest(domain.centre(beyond)).wall : -1;
+    links.wall_of[i] = solid ? domain.wall_of(domain.centre(beyond)) : -1;
     links.stands_at[i] = beyond - way;
   }
   give_corner_links(domain, place, links.wall_of);

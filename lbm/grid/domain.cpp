@@ -78,10 +78,31 @@ double Domain::wall_share(const Vec3& from, const Vec3& into) const {
   return std::clamp(t, 1e-6, 1.0);
 }
 
+namespace {
+
+/// Whether there is wall on all sides of a point: it lies on the seam of walls that touch. The ways are uneven, so that
+/// none of them runs along a seam.
+bool is_in_seam(const Walls& walls, const Vec3& p, double cell_size) {
+  for (int k = 0; k < 8; ++k) {
+    const Vec3 way((k & 1) ? 1 : -1, (k & 2) ? 0.6 : -0.6, (k & 4) ? 0.3 : -0.3);
+    if (!(walls.nearest(p + 1e-3 * cell_size * way).distance < -1e-6 * cell_size)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
 CellType Domain::classify(const Vec3i& cell) const {
   const Vec3 p = centre(cell);
-  for (std::size_t w = 0; w < spec_.walls.all().size(); ++w)
-    if (spec_.walls.distance(w, p) < 0) return CellType::wall;
+  // A cell whose centre lies on a wall is liquid, however its distance is rounded, but where walls touch.
+  const double on_wall = 1e-6 * spec_.cell_size;
+  bool touches = false;
+  for (std::size_t w = 0; w < spec_.walls.all().size(); ++w) {
+    const double distance = spec_.walls.distance(w, p);
+    if (distance < -on_wall) return CellType::wall;
+    touches = touches || distance <= 1e-4 * spec_.cell_size;  // sampled surfaces are lifted by some 1e-5
+  }
+  if (touches && is_in_seam(spec_.walls, p, spec_.cell_size)) return CellType::wall;
   return outside_open_face(cell) ? CellType::sink : CellType::gas;
 }
 

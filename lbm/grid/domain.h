@@ -63,6 +63,9 @@ class Domain {
   void transfer(Archive& archive) { spec_.walls.transfer(archive); }
   /// gas (free), wall, or sink.
   [[nodiscard]] CellType classify(const Vec3i& cell) const;
+  /// Index of the wall that a point in walls is of: the deepest, of those in one place the first. How distances are
+  /// rounded, or sampled, decides nothing: a wall that ends at a face of the domain goes before the face.
+  [[nodiscard]] int wall_of(const Vec3& p) const { return spec_.walls.nearest(p, 1e-3 * spec_.cell_size).wall; }
   /// Signed distance of the nearest wall, m; of a point beyond a periodic face that of its image inside.
   [[nodiscard]] double wall_distance(const Vec3& p) const;
 

@@ -12,7 +12,7 @@ bool is_wall(const Domain& domain, const Vec3i& cell) { return domain.classify(c
 
 /// Of a wall cell inside the domain: the wall that it is of.
 std::size_t wall_in(const Domain& domain, const Vec3i& cell) {
-  return static_cast<std::size_t>(domain.walls().nearest(domain.centre(cell)).wall);
+  return static_cast<std::size_t>(domain.wall_of(domain.centre(cell)));
 }
 
 bool slips(const Domain& domain, std::size_t wall) { return domain.walls().all()[wall].slip != WallSlip::no_slip; }

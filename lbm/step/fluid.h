@@ -35,8 +35,8 @@ class Fluid {
  public:
   explicit Fluid(FluidOptions options);
 
-  /// Fills boxes with liquid under the pressure of its own depth along z; call before the first step. Boxes that stand
-  /// on each other or overlap are one body of liquid. Cells in walls stay dry.
+  /// Fills boxes with liquid, under the pressure of its own depth along z where walls bear it (fluid_filling.h); call
+  /// before the first step. Boxes that stand on each other or overlap are one body of liquid. Cells in walls stay dry.
   void fill(const std::vector<LiquidRegion>& regions);
   /// Fills every free cell of the domain and initializes it from a function of the cell centre that gives velocity
   /// (lu) and rho - 1: for flows without a surface.

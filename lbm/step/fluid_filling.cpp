@@ -1,4 +1,6 @@
 // How liquid gets into the fluid before the first step.
+#include "lbm/step/fluid_filling.h"
+
 #include <algorithm>
 #include <array>
 #include <set>
@@ -108,7 +110,61 @@ double body_fraction(const Vec3& centre, double dx, const Shape& body) {
   return fraction;
 }
 
+constexpr double kNegligible = 1e-6;  // fraction of a cell
+
+/// Of a cell, the part that a region fills; of a box, without what the boxes before it fill.
+double fraction_in(const Vec3& centre, double dx, std::span<const LiquidRegion> before, const LiquidRegion& region) {
+  return region.body ? body_fraction(centre, dx, *region.body) : fraction_in_box(centre, dx, before, region);
+}
+
+/// Whether a region fills a cell right above a wall, of a box of cells.
+bool stands_on_wall_in(const Domain& domain, const LiquidRegion& region, const Vec3i& low, const Vec3i& high) {
+  const double reach = 0.5 * (high - low).cast<double>().norm() + 1.5;  // cells: from the middle to those below
+  if (domain.wall_distance(0.5 * (domain.centre(low) + domain.centre(high))) > reach * domain.cell_size()) return false;
+  for (int z = low.z(); z <= high.z(); ++z)
+    for (int y = low.y(); y <= high.y(); ++y)
+      for (int x = low.x(); x <= high.x(); ++x) {
+        const Vec3i cell(x, y, z);
+        if (domain.classify(cell - Vec3i::UnitZ()) == CellType::wall && domain.classify(cell) == CellType::gas &&
+            fraction_in(domain.centre(cell), domain.cell_size(), {}, region) >= kNegligible)
+          return true;
+      }
+  return false;
+}
+
+bool stands_on_wall(const Domain& domain, const LiquidRegion& region) {
+  const Vec3i first = domain.cell_at(region.lower), last = domain.cell_at(region.upper);
+  constexpr int many = 16;
+  for (int z = first.z(); z <= last.z(); z += many)
+    for (int y = first.y(); y <= last.y(); y += many)
+      for (int x = first.x(); x <= last.x(); x += many) {
+        const Vec3i low(x, y, z);
+        if (stands_on_wall_in(domain, region, low, last.cwiseMin(low + Vec3i::Constant(many - 1)))) return true;
+      }
+  return false;
+}
+
+/// Whether the boxes around two regions share space, or a face.
+bool touch(const LiquidRegion& a, const LiquidRegion& b, double cell_size) {
+  return (a.lower.cwiseMax(b.lower) - a.upper.cwiseMin(b.upper)).maxCoeff() <= 1e-6 * cell_size;
+}
+
 }  // namespace
+
+std::vector<bool> borne_regions(const Domain& domain, const std::vector<LiquidRegion>& regions) {
+  std::vector<bool> borne(regions.size(), false);
+  if (domain.period().z() > 0) return borne;
+  std::vector<std::size_t> found;  // those whose neighbours have still to be looked at
+  for (std::size_t k = 0; k < regions.size(); ++k)
+    if (stands_on_wall(domain, regions[k])) borne[k] = true, found.push_back(k);
+  while (!found.empty()) {
+    const LiquidRegion& region = regions[found.back()];
+    found.pop_back();
+    for (std::size_t k = 0; k < regions.size(); ++k)
+      if (!borne[k] && touch(region, regions[k], domain.cell_size())) borne[k] = true, found.push_back(k);
+  }
+  return borne;
+}
 
 /// The blocks of a box of block coordinates.
 template <class Real>
@@ -136,7 +192,9 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
   std::vector<BlockIndex> touched;
   std::vector<CellPlace> wet;
   std::vector<const LiquidRegion*> regions_of_wet;
+  const std::vector<bool> borne = borne_regions(level_.grid.domain(), regions);
   const auto density_at = [&](CellPlace place, const LiquidRegion& region) {
+    if (!borne[static_cast<std::size_t>(&region - regions.data())]) return 0.0;
     const Vec3 p = level_.grid.centre(place.block, place.cell);
     return resting_density(p.z(), top_over(p, region, regions, dx), options_.gravity.z(), level_.units);
   };
@@ -155,9 +213,8 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
           for (int n = 0; n < kBlockCells; ++n) {
             Block<Real>& block = level_.grid.block(b);
             CellType& type = block.type[static_cast<std::size_t>(n)];
-            const double fraction = region.body ? body_fraction(level_.grid.centre(b, n), dx, *region.body)
-                                                : fraction_in_box(level_.grid.centre(b, n), dx, before, region);
-            if (type == CellType::wall || type == CellType::sink || fraction < 1e-6) continue;
+            const double fraction = fraction_in(level_.grid.centre(b, n), dx, before, region);
+            if (type == CellType::wall || type == CellType::sink || fraction < kNegligible) continue;
             SurfaceFields<Real>& surface = level_.grid.require_surface(b);
             if (type == CellType::gas) wet.push_back({b, n}), regions_of_wet.push_back(&region);
             type = CellType::interface;

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "barrier/anchors.h"
 #include "barrier/dissipator.h"
@@ -53,6 +55,22 @@ TEST(Cable, PlacesAnchorsAndDissipatorsByFractionOfLength) {
   }
   for (std::size_t b = 0; b < bonds.size(); ++b)
     EXPECT_EQ(bonds.sort[b], b + 1 == bonds.size() ? sorts.dissipator : sorts.wire) << b;
+}
+
+/// A cable of 30 beads has 29 bonds: 0.001 of them is the first one, 0.02 the second.
+TEST(Cable, RefusesDissipatorsThatFallOnOneBond) {
+  const auto brakes = [](const std::vector<double>& places) {
+    dem::Particles particles;
+    dem::Bonds bonds;
+    const CableSorts sorts{bonds.add_sort(wire_bond(1e9, 0.003)), bonds.add_sort(dissipator_bond(1e9, 1e8, 10, 0.003))};
+    const Wire cable = add_cable(cable_line({.start = {0, 0, 0}, .end = {0.295, 0, 0}}, 0.01),
+                                 {.fixed_at = {0, 0, 1}, .fixed_all = false, .dissipators_at = places}, {0.01, 7800, 0},
+                                 sorts, 3, particles, bonds);
+    EXPECT_EQ(cable.beads, 30U);
+    return std::ranges::count(bonds.sort, sorts.dissipator);
+  };
+  EXPECT_EQ(brakes({0, 0.02, 1}), 3);
+  EXPECT_THROW((void)brakes({0, 0.001, 1}), InputError);
 }
 
 TEST(Cable, HeldAcrossItSlidesAlongItself) {

@@ -25,16 +25,18 @@ SpansSpec spans_with(const std::vector<RetainingCable>& cables) {
   return s;
 }
 
-std::string refusal(const std::vector<RetainingCable>& cables) {
+std::string refusal_of(const SpansSpec& spec) {
   dem::Particles particles;
   dem::Bonds bonds;
   try {
-    build_spans(spans_with(cables), particles, bonds);
+    build_spans(spec, particles, bonds);
   } catch (const InputError& e) {
     return e.what();
   }
   return "";
 }
+
+std::string refusal(const std::vector<RetainingCable>& cables) { return refusal_of(spans_with(cables)); }
 
 TEST(Retaining, StandsAtItsPostOrAtEvery) {
   for (const std::int64_t post : {-1, 1}) {
@@ -82,6 +84,11 @@ TEST(Retaining, RefusesWhatCannotStand) {
   EXPECT_EQ(refusal({{.post = -1, .anchor = {-0.15, 0, 0}}}), "");
   EXPECT_TRUE(contains(refusal({{.post = -1, .anchor = {-0.01, 0, 0}}}), "lies at its post"));
   EXPECT_TRUE(contains(refusal({{.post = -1, .anchor = {0, 0.12, 0}}}), "runs through the net"));
+  // A thin post: its cable's last bead, 3.1 + 0.55 x 6.1 mm from the axis, would be 16 mm beyond an anchor at 6.25 mm.
+  SpansSpec steep = spans_with({{.post = -1, .anchor = {-0.00625, 0, 0.1}}});
+  steep.post_height = 0.6, steep.post_diameter = 0.0062;
+  EXPECT_TRUE(contains(refusal_of(steep), "no cable fits")) << refusal_of(steep);
+  EXPECT_TRUE(contains(refusal({{.post = 1, .anchor = {-0.15, 0, 0}, .dissipators_at = {0, 0.001}}}), "fall on one"));
   EXPECT_TRUE(contains(refusal({{.post = 3, .anchor = {-0.15, 0, 0}}}), "post 3"));
   // Two to one place run into each other; from one head to two places they part.
   const RetainingCable one{.post = 1, .anchor = {-0.15, 0, 0}}, beside{.post = 1, .anchor = {-0.15, 0.1, 0}};

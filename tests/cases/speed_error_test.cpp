@@ -95,6 +95,27 @@ TEST(SpeedError, FilesHoldEveryTrial) {
   EXPECT_TRUE(std::filesystem::exists(files / "notes.svg"));
 }
 
+/// A long problem is told trial by trial, and what was done stays where it is ended.
+TEST(SpeedError, TellsOfEachTrialAndEndsBetweenThem) {
+  Problem p{"made_up", "distance", "exact", "none", {}};
+  int runs = 0;
+  for (const char* cells : {"2", "4", "8"})
+    p.trials.push_back({{{"cells", cells}}, [&] {
+                          ++runs;
+                          return Measurement{0.1 / runs, 1.0 * runs};
+                        }});
+  std::string told;
+  const ProblemResult result = run_problem(p, 0.5, [&](const ProblemResult& so_far) {
+    told += so_far.trials.back().name + ". ";
+    return so_far.trials.size() < 2;
+  });
+  EXPECT_EQ(told, "cells 2. cells 4. ");
+  EXPECT_EQ(runs, 2);
+  EXPECT_EQ(result.trials.size(), 2u);
+  EXPECT_NE(trial_text(result.trials[1], 0.5).find("4.00 of the fixed work"), std::string::npos);
+  EXPECT_EQ(front_text(result), "  on the Pareto front: cells 2; cells 4\n");
+}
+
 /// A scene that is refused says nothing of the knob, numbers that go wrong do.
 TEST(SpeedError, NamesTrialsWhoseSceneIsRefused) {
   Problem p{"made_up", "distance", "exact", "none", {}};

@@ -72,6 +72,23 @@ TEST(Watchdog, stops_a_run_whose_contact_is_too_deep) {
   EXPECT_NE(f.cause().find("overlap with grain 1"), std::string::npos) << f.cause();
 }
 
+/// A torn bond goes on measuring how far its ends are apart.
+TEST(Watchdog, names_the_bond_that_is_drawn_out_farthest_of_those_that_are_whole) {
+  Particles p = row_of(4);
+  Bonds bonds;
+  BondSort sort;
+  sort.axial.stiffness = {1e9, 1e9, 1e9};
+  sort.bond_radius = 0.01;
+  bonds.add_sort(sort);
+  bonds.add({0, 1, 0}, p), bonds.add({1, 2, 0}, p), bonds.add({2, 3, 0}, p);
+  bonds.intact[0] = 0;
+  bonds.elongation = {7, 0.01, 0.02};
+  EXPECT_NO_THROW(check_bonds(bonds, p, 1e-9, 42));
+  const auto f = failure_of([&] { check_bonds(bonds, p, 1, 42); });
+  EXPECT_EQ(f.where(), "grain 2 at (0.2, 0, 0.5)");
+  EXPECT_NE(f.cause().find("by 0.02 m here"), std::string::npos) << f.cause();
+}
+
 TEST(Watchdog, stops_a_run_before_lists_are_built_of_nonsense) {
   Solids solids(row_of(3), {}, testing::one_material(1e7, 0.2, 0, 1), {}, testing::options(1e-5));
   solids.step();

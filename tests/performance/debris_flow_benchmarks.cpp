@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cases/assembly/load.h"
+#include "cases/files/case_file.h"
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/output_folder.h"
@@ -34,7 +35,7 @@ struct State {
 const std::vector<State> kStates{{"packed", 0.05}, {"in_flight", 0.5}, {"at_net", 1.25}};
 constexpr double kSlice = 0.05;  ///< s
 
-const fs::path kScene = fs::path(LAHAR_CASES_FOLDER) / "debris_flow" / "scene.toml";
+const fs::path kScene = cases::case_file("debris_flow/scene.toml");
 
 std::string assignment(const char* key, double value) { return fmt::format("run.{}={}", key, value); }
 

@@ -19,6 +19,13 @@ expect_contains() { case "$1" in *"$2"*) ;; *) fail "expected '$2' in: $1" ;; es
 # expect_lacks TEXT PART
 expect_lacks() { case "$1" in *"$2"*) fail "did not expect '$2' in: $1" ;; esac; }
 
+# needs PROGRAM: without it the test is skipped.
+needs() {
+  command -v "$1" >/dev/null && return
+  echo "skipped: there is no $1"
+  exit 77
+}
+
 # Runs a command; sets `output` (both streams) and `status`.
 capture() {
   status=0

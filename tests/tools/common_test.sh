@@ -15,6 +15,15 @@ dpkg-query() {
 expect_equal 'the missing package' "$(missing_packages)" libeigen3-dev
 expect_equal 'the missing optional package' "$(missing_packages optional)" browser
 
+# Who may not install is told what to install, be it needed or optional.
+id() { echo 1000; }
+command() { [ "$2" != sudo ]; }
+capture install_packages
+expect_contains "$output" 'apt-get install -y --no-install-recommends libeigen3-dev'
+capture install_optional_packages
+expect_contains "$output" 'apt-get install -y --no-install-recommends browser'
+unset -f id command
+
 calls="$scratch/calls"
 as_root() { printf '%s\n' "$*" >>"$calls"; }
 install_packages >"$scratch/log"

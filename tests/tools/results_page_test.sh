@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # shellcheck source=tests/tools/assert.sh
 . "$(dirname "${BASH_SOURCE[0]}")/assert.sh" "$1"
+needs python3
 
 page() { capture "$root/tools/results_page" --root "$scratch/tree" "$@"; }
 text() { cat "$scratch/tree/docs/results.md"; }

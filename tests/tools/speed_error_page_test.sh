@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # shellcheck source=tests/tools/assert.sh
 . "$(dirname "${BASH_SOURCE[0]}")/assert.sh" "$1"
+needs python3
 
 clear_tree
 plant study.csv '# a machine, 2 of its threads used, commit abc, 2020-02-29, full form

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # shellcheck source=tests/tools/assert.sh
 . "$(dirname "${BASH_SOURCE[0]}")/assert.sh" "$1"
+needs python3
 
 clear_tree
 mkdir -p "$scratch/tree/tools"
@@ -62,6 +63,11 @@ capture "$page"
 expect_contains "$output" '## Over the flows'
 expect_contains "$output" '![flows_zeta_lower](images/study/flows_zeta_lower.png)'
 expect_lacks "$output" 'flows_e_b'
+expect_lacks "$output" '## Pictures of'
+plant docs/images/study/forces_000009.png ''
+capture "$page"
+expect_contains "$output" '![1.8 s](images/study/forces_000009.png)'
+expect_lacks "$output" 'forces_000020'
 expect_contains "$output" '| The paper | matched, resolved, coarse, 3 flows, 2 programs | matched, averaged, coarse, 4 flows, 1 programs |'
 expect_contains "$output" '| eta rises (4.4) | 1.00, yes | -0.33, no |'
 expect_contains "$output" '| zeta falls (4.4) | - | -0.33, mostly (3 flows) |'

@@ -10,8 +10,8 @@
 #include "barrier/response.h"
 #include "cases/assembly/load.h"
 #include "cases/assembly/simulation.h"
+#include "cases/files/case_file.h"
 #include "cases/speed_error/reference_run.h"
-#include "cases/validate/reference_table.h"
 #include "core/parallel.h"
 
 namespace lahar::validate {
@@ -52,7 +52,7 @@ StripFigures run_strip(const std::vector<std::string>& overrides, double until) 
       limit.emplace(std::stoi(o.substr(kThreads.size())));
     else
       all.push_back(o);
-  const scene::Scene scene = scene::load(case_file("debris_flow/strip.toml"), all);
+  const scene::Scene scene = scene::load(cases::case_file("debris_flow/strip.toml"), all);
   const auto simulation = cases::build_simulation(scene);
   const Centres start = centres_of(*simulation, scene.fluid.density);
   StripFigures found;

@@ -21,9 +21,11 @@ lbm::FluidOptions lattice_box(const Vec3i& cells, double viscosity) {
 
 double lowest_order(std::span<const int> cells, std::span<const double> errors) {
   double lowest = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 1; k < errors.size(); ++k)
-    lowest =
-        std::min(lowest, std::log(errors[k - 1] / errors[k]) / std::log(static_cast<double>(cells[k]) / cells[k - 1]));
+  for (std::size_t k = 1; k < errors.size(); ++k) {
+    const double order = std::log(errors[k - 1] / errors[k]) / std::log(static_cast<double>(cells[k]) / cells[k - 1]);
+    if (std::isnan(order)) return order;
+    lowest = std::min(lowest, order);
+  }
   return lowest;
 }
 

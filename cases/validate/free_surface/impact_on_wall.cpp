@@ -7,6 +7,7 @@
 
 #include "cases/assembly/load.h"
 #include "cases/assembly/simulation.h"
+#include "cases/files/case_file.h"
 #include "cases/observers/flow.h"
 #include "cases/observers/fluid_samples.h"
 #include "cases/pictures/chart.h"
@@ -92,7 +93,7 @@ std::vector<Row> run(const Context& context) {
                                  context.quick ? "fluid.cell_size_m=0.02" : "fluid.cell_size_m=0.01"};
     for (const char* wall : {"bed", "near_side", "far_side"})
       set.push_back(std::string("wall[") + wall + "].slip=" + slip);
-    const Impact impact = run_onto_wall(scene::load(case_file("dam_break_lobovsky/scene.toml"), set));
+    const Impact impact = run_onto_wall(scene::load(cases::case_file("dam_break_lobovsky/scene.toml"), set));
     const Pulse pulse = pulse_of(impact, duration);
     const std::string what = slip[0] == 'n' ? "walls that hold the water: " : "walls that slip: ";
     rows.push_back(relative_row(what + "front, dZ/dT", front_slope(impact), known("front slope dZ/dT"),

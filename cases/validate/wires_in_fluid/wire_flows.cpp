@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/sphere.h"
 #include "coupling/coupled_step.h"
 
 namespace lahar::validate {
@@ -51,17 +52,14 @@ lbm::FluidOptions stream_options(const WireStream& s) {
   return o;
 }
 
-/// Volume of the wires, cells.
+/// Volume of the beads, cells: by it the drag law lifts them.
 double volume_of(const dem::Solids& solids) {
   double volume = 0;
-  for (std::size_t k = 0; k < solids.bonds().size(); ++k) {
-    const double r = solids.particles().radius[solids.bonds().i[k]];
-    volume += std::numbers::pi * r * r * solids.bonds().rest_length[k];
-  }
+  for (const double radius : solids.particles().radius) volume += sphere_volume(radius);
   return volume;
 }
 
-/// The same of mapped wires, as they are mapped.
+/// That of mapped wires, as they are mapped.
 template <class Real>
 double mapped_volume(lbm::Fluid<Real>& fluid) {
   double volume = 0;

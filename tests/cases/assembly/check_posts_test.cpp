@@ -48,7 +48,8 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"barrier.net.width_m=0.225"}, "barrier.net: ", "would do"},
         Rejection{{"barrier.posts.retaining[0].dissipator_places=[1.5]"},
                   "barrier.posts.retaining[0].dissipator_places",
-                  "from 0 to 1"}));
+                  "from 0 to 1"},
+        Rejection{{"barrier.posts.retaining[0].dissipator_places=[0, 0.001]"}, "barrier.posts: ", "farther apart"}));
 
 class MeshMistake : public testing::TestWithParam<Rejection> {};
 

@@ -67,6 +67,21 @@ TEST(Estimates, CompressionAtTheStart) {
   EXPECT_EQ(start_compression(weightless), 0);
 }
 
+/// Liquid that walls do not bear falls freely: above the floor, or where z is periodic.
+TEST(Estimates, NoCompressionInFreeFall) {
+  const scene::Scene dam = load(case_file("dam_break/scene.toml"), {"fluid.max_speed_m_s=1"});
+  scene::Scene raised = dam;
+  raised.fluid.regions[0].lower.z() = 0.1;
+  EXPECT_EQ(start_compression(raised), 0);
+  raised.fluid.regions.push_back(dam.fluid.regions[0]);
+  raised.fluid.regions[1].upper.z() = 0.1;  // a box under it
+  EXPECT_EQ(start_compression(raised), start_compression(dam));
+  scene::Scene endless = dam;
+  endless.domain.open_faces.clear();
+  endless.domain.periodic_axes = {scene::Axis::z};
+  EXPECT_EQ(start_compression(endless), 0);
+}
+
 TEST(Estimates, CountsOfThePaper) {
   const scene::Scene debris = scene::debris_flow();
   EXPECT_EQ(net_columns(debris.barrier.net), 30);

@@ -140,6 +140,16 @@ TEST(LoadShapes, AChangedFileIsLookedForBesideTheScene) {
   EXPECT_EQ(mistakes_in(scene).size(), 0U) << testing::PrintToString(mistakes_in(scene));
 }
 
+/// Of ground of ten kilometres what lies in the domain is sampled, and takes the memory of that.
+TEST(LoadShapes, AMeshMayBeMuchLargerThanTheDomain) {
+  const ScratchFolder scratch;
+  scratch.write("block.stl", stl_text(box_mesh(Vec3(-5e6, -5e6, -2e3), Vec3(5e6, 5e6, 50))));
+  const auto scene = scratch.write("scene.toml", tank + region + block);
+  ASSERT_EQ(mistakes_in(scene), std::vector<std::string>{});
+  const Walls walls = make_walls(load(scene));
+  for (const double z : {0.03, 0.06, 0.11}) EXPECT_NEAR(walls.distance(0, Vec3(0.4, 0.2, z)), z - 0.05, 1e-4) << z;
+}
+
 /// Told where the key stands that moved it away, with both extents.
 TEST(LoadShapes, AMeshOutsideTheDomainSaysWhereItLies) {
   const ScratchFolder scratch;

@@ -1,6 +1,7 @@
 // The page of a study.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -49,6 +50,24 @@ TEST(Report, NoLineJoinsFlowsOfTwoPrograms) {
   EXPECT_TRUE(std::isnan(ours()[2]));
   for (CaseResult& c : results) c.commit = "aaa";
   EXPECT_EQ(ours(), (std::vector<double>{50, 50, 50, 50}));
+}
+
+/// Further seeds share a name: twenty of them leave room for the figure.
+TEST(Report, FurtherSeedsAreNamedOnce) {
+  std::vector<CaseResult> results;
+  for (int seed = 1; seed <= 20; ++seed) {
+    results.push_back(made_up(4.1, 50, 10));
+    results.back().study_case.seed = seed;
+  }
+  for (const Figure& f : figures_of(results))
+    if (f.file == "flows_e_in") {
+      EXPECT_EQ(f.chart.series.size(), 21u);  // theirs, too
+      EXPECT_EQ(
+          std::count_if(f.chart.series.begin(), f.chart.series.end(), [](const auto& s) { return !s.name.empty(); }),
+          3);
+      return;
+    }
+  FAIL() << "no figure of the energy that arrives";
 }
 
 /// The largest of all its flows is no point of one of them.

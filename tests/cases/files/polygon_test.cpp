@@ -78,6 +78,29 @@ TEST(Polygon, ASpiralIsCovered) {
 }
 
 /// A hole whose outline is tied to the outer one by a slit.
+/// A plate of 10 m with seven slots of 1 cm, whose round ends have edges of a millimetre, from whichever corner on:
+/// what lies on an edge is judged by that edge, not by the longest.
+TEST(Polygon, AFaceOfLongAndShortEdgesIsCovered) {
+  std::vector<Vec3> outline{{0, 0, 0}};
+  constexpr double r = 0.005, deep = 0.1;
+  for (int slot = 0; slot < 7; ++slot) {
+    const double x = 1 + slot;
+    outline.emplace_back(x - r, 0, 0);
+    for (int k = 0; k <= 12; ++k) {
+      const double a = M_PI * (1 - k / 12.0);
+      outline.emplace_back(x + r * std::cos(a), deep + r * std::sin(a), 0);
+    }
+    outline.emplace_back(x + r, 0, 0);
+  }
+  outline.insert(outline.end(), {{10, 0, 0}, {10, 0.2, 0}, {0, 0.2, 0}});
+  const double round = 6 * r * r * std::sin(M_PI / 12), area = 10 * 0.2 - 7 * (2 * r * deep + round);
+  for (std::size_t first = 0; first < outline.size(); ++first) {
+    TriangleMesh mesh;
+    for (std::size_t k = 0; k < outline.size(); ++k) mesh.points.push_back(outline[(first + k) % outline.size()]);
+    expect_cover(mesh, area);
+  }
+}
+
 TEST(Polygon, AFaceWithAHoleIsCovered) {
   TriangleMesh mesh;
   mesh.points = {{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0}, {1, 1, 0}, {1, 2, 0}, {2, 2, 0}, {2, 1, 0}};

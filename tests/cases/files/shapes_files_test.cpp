@@ -30,6 +30,10 @@ TEST(MeshFile, EveryFormatGivesTheBox) {
   expect_box(read_closed_mesh(scratch.write("text.ply", ply_text(box))));
   expect_box(read_closed_mesh(scratch.write("little.ply", ply_bytes(box, false))));
   expect_box(read_closed_mesh(scratch.write("big.ply", ply_bytes(box, true))));
+  const std::string mark = "\xEF\xBB\xBF";  // before texts in UTF-8
+  expect_box(read_closed_mesh(scratch.write("marked.stl", mark + stl_text(box))));
+  expect_box(read_closed_mesh(scratch.write("marked.obj", mark + obj_text(box))));
+  expect_box(read_closed_mesh(scratch.write("marked.ply", mark + ply_text(box))));
   TriangleMesh inwards = box;
   flip(inwards);
   expect_box(read_closed_mesh(scratch.write("inwards.stl", stl_text(inwards))));

@@ -48,6 +48,19 @@ TEST_F(FlowEnergyOfHeap, OnASlopeWithHeapsOfTwoSpeedsAndAGrain) {
   EXPECT_NEAR(metrics.at("froude_mean_speed"), (mean + half_step * s) / wave, 0.01);
 }
 
+/// What passes the outflow section takes its energy out: the liquid's, and that of a ball that flies over it.
+TEST_F(FlowEnergyOfHeap, WhatPassesTakesItsEnergyOut) {
+  first_row({"measure.section_x_m=0.2", "materials={rock = {youngs_modulus_Pa = 1e7, poisson_ratio = 0.3}}",
+             "contact=[{materials = [\"rock\", \"rock\"], friction = 0.5, restitution = 0.3}]",
+             "grains.sphere=[{position_m = [0.29, 0.08, 0.42], velocity_m_s = [2, 0, 0], diameter_m = 0.1, "
+             "density_kg_m3 = 2500, material = \"rock\"}]"});
+  const Metrics metrics = take_row(20);
+  const double mass = 2500 * M_PI / 6 * 1e-3, ball = mass * (0.5 * 2 * 2 + 9.81 * (0.42 - 0.05)) / 1000;
+  EXPECT_GT(metrics.at("e_out_liquid_kinetic_kJ"), 0);
+  EXPECT_NEAR(metrics.at("e_out_kJ") - metrics.at("e_out_liquid_kinetic_kJ") - metrics.at("e_out_liquid_potential_kJ"),
+              ball, 1e-3 * ball);
+}
+
 TEST_F(FlowEnergyOfHeap, IsFarFromASectionFurtherDown) {
   const Metrics metrics = first_row({"measure.section_x_m=0.8"});
   EXPECT_FALSE(metrics.contains("e_in_kJ"));

@@ -50,6 +50,43 @@ TEST(FluidSamples, DepthAtTheEndOfNoWholeCells) {
   }
 }
 
+/// A floor of a box that ends at periodic faces goes on beyond them.
+TEST(FluidSamples, OverAFloorThatEndsAtPeriodicFaces) {
+  const scene::Scene scene = scene::load_text(R"([scene]
+name = "endless"
+[run]
+duration_s = 0.1
+precision = "double"
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [0.16, 0.16, 0.32]
+open_faces = ["z+"]
+periodic_axes = ["x", "y"]
+[fluid]
+enabled = true
+cell_size_m = 0.02
+[[fluid.region]]
+lower_m = [0, 0, 0]
+upper_m = [0.16, 0.16, 0.2]
+[[wall]]
+name = "floor"
+shape = "box"
+lower_m = [0, 0, 0]
+upper_m = [0.16, 0.16, 0.055]
+)");
+  lbm::Fluid<double> fluid(fluid_options(scene));
+  const auto view = view_of(fluid);
+  fluid.fill(liquid_regions(scene));
+  const double pressure = pressure_at(*view, Vec3(0.08, 0.08, 0.055));
+  EXPECT_NEAR(pressure, 9810 * 0.13, 0.01 * 9810 * 0.13);  // of the lowest cells
+  EXPECT_NEAR(depth_over(*view, Vec3(0.08, 0.08, 0), 0.32), 0.14, 1e-9);
+  for (const double x : {0.0, 0.001, 0.08, 0.159, 0.16})
+    for (const double y : {0.001, 0.16}) {
+      EXPECT_NEAR(pressure_at(*view, Vec3(x, y, 0.055)) / pressure, 1, 1e-9) << x << " " << y;
+      EXPECT_NEAR(depth_over(*view, Vec3(x, y, 0), 0.32), 0.14, 1e-9) << x << " " << y;
+    }
+}
+
 /// A drop in the air is no depth; a bubble of one cell does not end the water.
 TEST(FluidSamples, DepthWithoutDrops) {
   const scene::Scene scene = scene::load_text(tank_with_ball);

@@ -290,6 +290,26 @@ normal = [-1, 0, 0]
   EXPECT_GT(largest, 0.9 * M_PI * radius * radius);
 }
 
+/// A ball that falls as it flies: where it passes, it has lost in height what it has won in speed.
+TEST(Sections, GrainsCarryTheirHeight) {
+  Sampled run(scene::load_text(scene::small_scene + R"(velocity_m_s = [2, 0, 0]
+[measure]
+section_x_m = 0.7
+outflow_distance_m = 0.1
+energy_datum_z_m = 0.2
+[[section]]
+name = "door"
+point_m = [0.7, 0.5, 0.5]
+normal = [1, 0, 0]
+)"));
+  const auto& p = run.solids().particles();
+  const double start = p.position.z[0];
+  run.take_rows_until(0.2, 0.01);
+  const double mass = 2500 * M_PI / 6 * 0.1 * 0.1 * 0.1, energy = mass * (0.5 * 4 + 9.81 * (start - 0.2));
+  EXPECT_NEAR(run.metrics().at("door_grains_energy_kJ"), energy / 1000, 1e-3 * energy / 1000);
+  EXPECT_NEAR(sum_over_time(run.rows(), "door_grains_power_W"), energy, 1e-3 * energy);
+}
+
 TEST(Sections, DiscsEndAtTheEdgesOfTheRectangle) {
   constexpr double r = 0.05, disc = std::numbers::pi * r * r, far = 1e9;
   EXPECT_NEAR(disc_in_rectangle(r, {-far, far}, {-far, far}), disc, 1e-15);

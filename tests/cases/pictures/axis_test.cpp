@@ -74,6 +74,17 @@ TEST(Axis, GivenEndsAreKept) {
   expect_values(ticks.major, {0.2, 0.4, 0.6, 0.8});
 }
 
+TEST(Axis, NumbersThatDifferByRoundingsAreOne) {
+  for (const double value : {0.3, -4e5}) {
+    DataRange data(AxisScale::linear);
+    data.include(value), data.include(std::nextafter(value, 1e9));
+    const AxisTicks ticks = ticks_of({}, data, 6);
+    EXPECT_LT(ticks.major.size() + ticks.minor.size(), 100U);
+    EXPECT_LT(ticks.low, value);
+    EXPECT_GT(ticks.high, value);
+  }
+}
+
 TEST(Axis, ConstantsNothingAndNonsenseGetARange) {
   for (const AxisScale scale : {AxisScale::linear, AxisScale::logarithmic}) {
     const AxisTicks constant = ticks_of({.scale = scale}, range(7, 7, scale), 5);

@@ -47,6 +47,20 @@ TEST(Backdrop, SolidsAreHitWhereTheyAre) {
   EXPECT_FALSE(backdrop.blocked({Vec3f(0, 1.9F, 0.25F), Vec3f::UnitX()}));
 }
 
+/// Ground that goes on beyond the view is cut off there: the cut looks outwards, wherever the nearest surface is.
+TEST(Backdrop, CutSolidsShowTheirCut) {
+  Walls walls;
+  walls.add({"ground", SolidBox{Vec3(-1, -1, -2), Vec3(5, 3, 0.5)}});
+  const Backdrop backdrop(walls, kBox, Vec3(2, -5, 3));
+  for (const float z : {0.1F, 0.4F}) {  // nearer to the top than to the sides
+    const BackdropHit cut = backdrop.nearest({Vec3f(2, -5, z), Vec3f::UnitY()}, kNoHit);
+    EXPECT_EQ(cut.wall, 0);
+    EXPECT_NEAR(cut.distance, 5, 1e-3);
+    EXPECT_TRUE(cut.normal.isApprox(-Vec3f::UnitY(), 1e-3F)) << cut.normal.transpose();
+  }
+  EXPECT_TRUE(backdrop.nearest({Vec3f(2, 1, 3), -Vec3f::UnitZ()}, kNoHit).normal.isApprox(Vec3f::UnitZ(), 1e-3F));
+}
+
 TEST(Backdrop, GridLinesCoverTheirShareOfTheWall) {
   for (const float footprint : {0.002F, 0.05F}) {  // pixels finer and coarser than the lines
     double sum = 0;

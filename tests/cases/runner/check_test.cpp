@@ -218,6 +218,8 @@ TEST(Check, SaysWhatTheAveragingLengthBecomes) {
   EXPECT_TRUE(warns(check_scene(debris), "along y the domain is divided into lengths of 0.6 m"));
   debris.coupling.averaging_length = 0.6;
   EXPECT_FALSE(warns(check_scene(debris), "along y the domain is divided into lengths"));
+  debris.coupling.averaging_length = 2;
+  EXPECT_TRUE(warns(check_scene(debris), "is 2, more than the domain along y: 1.8 m is taken"));
   debris.coupling.averaging_length = 6;
   const CheckReport report = check_scene(debris);
   EXPECT_FALSE(warns(report, "is divided into lengths"));

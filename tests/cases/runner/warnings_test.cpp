@@ -2,6 +2,10 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+#include <vector>
+
+#include "cases/assembly/build.h"
 #include "tests/cases/runner/warns.h"
 #include "tests/cases/scene/scene_files.h"
 
@@ -312,6 +316,45 @@ normal = )" + std::string(normal)));
   EXPECT_TRUE(warns(half_way("[0, 0, 1]"), "z = 0.8125 m acts on the liquid at 0.75 m"));
 }
 
+/// Faces that pass through centres of cells, where the distance is rounded to either side of 0: told is what the run
+/// does.
+TEST(Warnings, BoxesThroughCentresOfCells) {
+  for (const auto& [from, to] : {std::pair(0.015, 0.055), std::pair(0.025, 0.065), std::pair(0.175, 0.215),
+                                 std::pair(0.205, 0.305), std::pair(0.215, 0.315)}) {
+    const scene::Scene s = scene::load_text(fmt::format(R"([scene]
+name = "through_centres"
+[run]
+duration_s = 0.1
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [0.4, 0.16, 0.3]
+[fluid]
+enabled = true
+cell_size_m = 0.01
+[[fluid.region]]
+lower_m = [0, 0, 0.2]
+upper_m = [0.4, 0.16, 0.25]
+[[wall]]
+name = "sill"
+shape = "box"
+lower_m = [{}, 0, 0]
+upper_m = [{}, 0.16, 0.1]
+)",
+                                                        from, to));
+    const CheckReport report = check_scene(s);
+    const lbm::Domain domain(fluid_options(s).domain);
+    std::vector<int> columns;
+    for (int x = domain.first().x(); x < domain.first().x() + domain.cells().x(); ++x)
+      if (domain.classify({x, 8, 6}) == lbm::CellType::wall) columns.push_back(x - domain.first().x());
+    ASSERT_FALSE(columns.empty()) << from;
+    const auto told = [&](double face, int cell) {
+      return warns(report, fmt::format("x = {:.6g} m acts on the liquid at {:.6g} m", face, 0.01 * cell));
+    };
+    EXPECT_TRUE(told(from, columns.front())) << testing::PrintToString(report.warnings);
+    EXPECT_TRUE(told(to, columns.back() + 1)) << testing::PrintToString(report.warnings);
+  }
+}
+
 TEST(Warnings, ManyWallsBetweenCellsAreCounted) {
   std::string walls = "wall=[";
   for (int k = 0; k < 40; ++k)
@@ -479,6 +522,18 @@ TEST(Warnings, WallsBesideTheDomain) {
   EXPECT_FALSE(warns(report("5.2"), "stands outside"));
 }
 
+/// A plate in the bed halves what particles do to either.
+TEST(Warnings, BoxesThatAreFlushWithAPlane) {
+  const auto report = [](const std::string& top) {
+    return check_scene(
+        load(case_file("debris_flow/scene.toml"), {"wall[4]={name='plate', shape='box', material='wall', "
+                                                   "lower_m=[5.2, 0.5, -0.1], upper_m=[5.3, 0.7, " +
+                                                   top + "]}"}));
+  };
+  EXPECT_TRUE(warns(report("0"), "\"plate\" ends in the plane of wall"));
+  EXPECT_FALSE(warns(report("0.01"), "ends in the plane"));
+}
+
 TEST(Warnings, ValuesInOtherUnits) {
   const auto report = [](const std::string& set) {
     return check_scene(load(case_file("debris_flow/scene.toml"), {set}));
@@ -486,6 +541,20 @@ TEST(Warnings, ValuesInOtherUnits) {
   EXPECT_TRUE(warns(report("contact[0].friction=30"), "it is a coefficient"));
   EXPECT_TRUE(warns(report("fluid.density_kg_m3=1.6"), "fluid.density_kg_m3 is 1.6"));
   EXPECT_TRUE(warns(report("barrier.anchors.cable_places=[]"), "no end of a cable but the bottom one is fixed"));
+}
+
+/// Beads weigh as spheres, two thirds of the cylinders that mapped wires displace: 1500 kg/m^3 bears them in water.
+TEST(Warnings, MappedWiresThatFloat) {
+  const auto warned = [](const std::string& density, const std::string& from_cells) {
+    return warns(
+        check_scene(load(case_file("tutorial/net.toml"),
+                         {"fluid.cell_size_m=0.003", "coupling.body_weighting=wall_distance",
+                          "coupling.resolve_wires_from_cells=" + from_cells, "barrier.net.density_kg_m3=" + density})),
+        "they float up");
+  };
+  EXPECT_TRUE(warned("1400", "2"));
+  EXPECT_FALSE(warned("1600", "2"));
+  EXPECT_FALSE(warned("1400", "3")) << "by the drag law";
 }
 
 }  // namespace

@@ -12,6 +12,15 @@
 namespace lahar::validate {
 namespace {
 
+/// A grid on which the numbers went wrong has no order.
+TEST(LowestOrder, OfNumbersThatWentWrongIsNone) {
+  const int cells[] = {8, 16, 32};
+  const double nan = std::nan("");
+  EXPECT_NEAR(lowest_order(cells, std::vector<double>{0.16, 0.04, 0.02}), 1, 1e-12);
+  EXPECT_FALSE(lowest_order(cells, std::vector<double>{nan, 0.04, 0.01}) >= 1.9);
+  EXPECT_FALSE(lowest_order(cells, std::vector<double>{0.16, 0.04, nan}) >= 1.9);
+}
+
 Entry entry(const std::string& name, std::vector<Row> rows) {
   return {name, {"here", {"a.csv", "b.csv"}}, [rows](const Context&) { return rows; }};
 }

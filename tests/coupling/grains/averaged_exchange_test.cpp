@@ -74,6 +74,17 @@ Vec3 liquid_velocity(CoupledStep<Real>& step) {
   return sum / (kBox * (1 - kSolid));
 }
 
+/// Before the first step, too, the liquid between grains is known: they rest, and all that moves is the liquid's.
+TEST(AveragedExchange, KnowsTheLiquidBeforeTheFirstStep) {
+  lbm::FluidOptions fluid = stream(16, 0.02, 1e-3);
+  CoupledStep<double> step(fluid, in_rows(Vec3::Zero()), averaged(0.08));
+  step.fill({{Vec3::Zero(), Vec3::Constant(0.32), Vec3(0.5, 0, 0)}});
+  Vec3 sum = Vec3::Zero();
+  double cells = 0;
+  step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) { sum += step.liquid_velocity(c), ++cells; });
+  EXPECT_NEAR(sum.x() / cells, 0.5 / (1 - kSolid), 0.01 * 0.5);
+}
+
 /// Momentum of liquid and grains, and both sides of the step's books; the weighting is of resolved bodies alone. The
 /// cells know the grains' velocity of the step before. The fluid's step is halved on the way.
 TEST(AveragedExchange, MomentumIsKept) {

@@ -58,9 +58,11 @@ TEST(GrainMap, VolumesDoNotDependOnWhichBlocksExist) {
   EXPECT_EQ(volume_below(5), volume_below(15));
 }
 
-/// Volume of the first grain in cells that are no wall, of a box of 16 cells with a wall, full but for a layer.
-double volume_outside_of_walls(double radius, const Vec3& place, const HalfSpace& wall) {
+/// Volume of the first grain in cells that are no wall, of a box of 16 cells with a wall, full but for a layer;
+/// `periodic`: along x.
+double volume_outside_of_walls(double radius, const Vec3& place, const Shape& wall, bool periodic = false) {
   lbm::FluidOptions options = tank(Vec3(16, 16, 16), 1, 1);
+  if (periodic) options.domain.faces[0] = options.domain.faces[1] = lbm::FaceKind::periodic;
   options.domain.walls.add({"wall", wall});
   lbm::Fluid<double> fluid(options);
   fluid.fill({{Vec3::Zero(), Vec3(16, 16, 14)}});
@@ -92,6 +94,26 @@ TEST(GrainMap, GrainsAtWallsKeepTheirVolume) {
         << r;
     EXPECT_NEAR(volume_outside_of_walls(r, Vec3(8.3, 7.9, 2), bed), volume(r) / 2, 1e-9) << r;  // half in the bed
   }
+}
+
+/// One that is sunk in several walls, too; a face of the domain in the plane of a wall is the same wall.
+TEST(GrainMap, GrainsSunkInSeveralWallsHaveWhatIsLeft) {
+  const auto volume = [](double r) { return 4.0 / 3 * std::numbers::pi * r * r * r; };
+  const HalfSpace bed{Vec3(0, 0, 2), Vec3::UnitZ()}, between{Vec3(0, 0, 2.7), Vec3::UnitZ()},
+      floor{Vec3::Zero(), Vec3::UnitZ()}, ceiling{Vec3(0, 0, 3), -Vec3::UnitZ()};
+  const SolidBox step{Vec3(8, -1, -1), Vec3(16, 17, 17)};
+  for (const double r : {0.25, 0.5, 1.0, 2.3}) {
+    EXPECT_NEAR(volume_outside_of_walls(r, Vec3(8.3, 0, 2), bed), volume(r) / 4, 1e-9) << r;  // an edge
+    EXPECT_NEAR(volume_outside_of_walls(r, Vec3(0, 0, 2), bed), volume(r) / 8, 1e-9) << r;    // a corner
+    EXPECT_NEAR(volume_outside_of_walls(r, Vec3(8.3, 7.9, 0), floor), volume(r) / 2, 1e-9) << r;
+    for (const double x : {8.0, 24.0})  // the image inside has the step's walls
+      EXPECT_NEAR(volume_outside_of_walls(r, Vec3(x, 8, 0), step, true), volume(r) / 4, 1e-9) << r << ' ' << x;
+  }
+  for (const double r : {1.0, 2.3})  // a corner between the lattice's
+    EXPECT_NEAR(volume_outside_of_walls(r, Vec3(0, 0, 2.7), between), volume(r) / 8, 1e-9) << r;
+  // A slot of two thirds of the diameter takes two caps off, 14.8 %.
+  const double in_slot = volume_outside_of_walls(2.25, Vec3(8.3, 7.9, 1.5), ceiling);
+  EXPECT_NEAR(in_slot / volume(2.25), 1 - 4.0 / 27, 0.01);
 }
 
 TEST_F(GrainMapTest, TellsWhatChanged) {

@@ -131,6 +131,39 @@ TEST(ResolvedExchange, SpinAndTorque) {
   }
 }
 
+/// The cells take all of a change of the grain's motion in one step, and that comes back, however long the step was in
+/// which it changed. (By `inertial` the slip of the liquid in its place comes back, too.)
+TEST(ResolvedExchange, InertiaComesBackWholeWhenTheStepChanges) {
+  for (const auto weighting : kWeightings)
+    for (const double time_step : {0.5, 1.2}) {  // after one of 1 s
+      HeldGrain held(weighted(stream(24, 1, 1), weighting), 1e9);
+      held.step();
+      const Vec3 faster(2e-3, 1e-3, -3e-3), spun(-1e-3, 2e-3, 3e-3);
+      held.particles.velocity.add(0, faster), held.particles.angular_velocity.add(0, spun);
+      held.fluid.set_time_step(time_step);
+      const Vec3 gave = held.step();
+      const auto& units = held.fluid.units();
+      ASSERT_EQ(units.time_step, time_step);
+      Vec3 moment = Vec3::Zero();
+      double in_place = 0, brought_along = 0, inertia_in_place = 0, inertia_brought_along = 0;
+      for_cells_of(held, [&](const Vec3& arm, const lbm::BodyFields<double>& f, int n) {
+        moment += arm.cross(Vec3(f.momentum_exchange_x[n], f.momentum_exchange_y[n], f.momentum_exchange_z[n]));
+        const double about_any_axis = 2.0 / 3 * arm.squaredNorm();
+        in_place += f.solid_fraction[n], inertia_in_place += about_any_axis * f.solid_fraction[n];
+        brought_along += f.coverage_weight[n], inertia_brought_along += about_any_axis * f.coverage_weight[n];
+      });
+      const double mass = units.mass(), dt = units.time_step;
+      const Vec3 change = mass * std::min(in_place, brought_along) * faster,
+                 turn = mass * std::min(inertia_in_place, inertia_brought_along) * spun;
+      const Vec3 impulse = dt * (held.particles.external_force[0] - units.force_to_si(1.0) * gave),
+                 angular = dt * (held.particles.external_torque[0] - units.torque_to_si(1.0) * moment);
+      if (weighting != lbm::BodyWeighting::inertial) {
+        EXPECT_LT((impulse - change).norm(), 1e-9 * change.norm());
+      }
+      EXPECT_LT((angular - turn).norm(), 1e-9 * turn.norm());
+    }
+}
+
 /// A sphere that turns slowly in liquid at rest: 8 pi mu R^3 w (Lamb 1932, art. 334), 2 % more among its images in
 /// the periodic box.
 TEST(ResolvedExchange, TorqueOnASphereThatTurnsSlowly) {

@@ -166,6 +166,58 @@ TEST(WireMap, LoadsAreAdjointToTheVelocity) {
   }
 }
 
+/// The cells take all of a change of the beads' motion in one step, and that comes back, however long the step was in
+/// which it changed.
+TEST(WireMap, InertiaComesBackWholeWhenTheStepChanges) {
+  for (const bool distance : {true, false})
+    for (const double time_step : {0.5, 1.2}) {  // after one of 1 s
+      const auto options = stream(32, 1, 1);
+      lbm::Fluid<double> fluid(distance ? by_distance(options) : options);
+      fill_all(fluid);
+      SolidFields<double> fields;
+      const Vec3 centre(16.2, 15.7, 16.4), faster(2e-3, 1e-3, -3e-3), spun(-1e-4, 2e-4, 3e-4);
+      Chains c;
+      c.add(circle(centre, Vec3(0.3, 0.5, 0.8).normalized(), 18, 9), 4, true, dem::ParticleState::free, 1e9);
+      WireMap<double> map(c.particles, c.bonds, {2}, 1);
+      const auto step = [&] {
+        c.particles.external_force.fill(Vec3::Zero()), c.particles.external_torque.fill(Vec3::Zero());
+        fields.open(fluid.grid());
+        map.update(fluid, c.particles, c.bonds, fields);
+        fields.close(fluid.grid());
+        fluid.step();
+        map.add_forces(fluid, c.particles);
+      };
+      step();
+      for (std::size_t i = 0; i < c.particles.size(); ++i) {  // as one rigid body
+        c.particles.velocity.add(i, faster + spun.cross(c.particles.position[i] - centre));
+        c.particles.angular_velocity.add(i, spun);
+      }
+      fluid.set_time_step(time_step);
+      step();
+      const auto& units = fluid.units();
+      ASSERT_EQ(units.time_step, time_step);
+      Vec3 impulse = Vec3::Zero(), moment = Vec3::Zero();
+      double scale = 0;
+      for_body_cells(fluid, [&](const Vec3& p, const lbm::BodyFields<double>& f, int n) {
+        if (f.exchange_weight[n] == 0) return;
+        const double spared = distance ? std::min(f.solid_fraction[n], f.coverage_weight[n]) : f.coverage_weight[n];
+        const Vec3 change = units.mass() * spared * (faster + spun.cross(p - centre));
+        const Vec3 given(f.momentum_exchange_x[n], f.momentum_exchange_y[n], f.momentum_exchange_z[n]);
+        const Vec3 all = change + units.mass() * units.velocity_to_si(1.0) * given;
+        impulse += all, moment += (p - centre).cross(all), scale += change.norm();
+      });
+      Vec3 got = Vec3::Zero(), turn = Vec3::Zero();
+      for (std::size_t i = 0; i < c.particles.size(); ++i) {
+        const Vec3 force = c.particles.external_force[i], torque = c.particles.external_torque[i];
+        got += units.time_step * force;
+        turn += units.time_step * ((c.particles.position[i] - centre).cross(force) + torque);
+      }
+      ASSERT_GT(scale, 0);
+      EXPECT_LT((got - impulse).norm(), 1e-9 * scale);
+      EXPECT_LT((turn - moment).norm(), 1e-9 * 9 * scale);
+    }
+}
+
 /// A block is written again where a piece in it moves, and what stands there is what a fresh mapping would write;
 /// grains share blocks with wires.
 TEST(WireMap, WritesOnlyWhatMoved) {

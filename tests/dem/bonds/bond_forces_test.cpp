@@ -421,10 +421,15 @@ TEST(BondForces, BrokenPlasticDissipatorBooksAllWorkAndNothingMore) {
   EXPECT_EQ(rig.forces.energy(rig.bonds).dissipated(), dissipated);
 }
 
-/// Rotates the second bead by small steps about `axis` until its bond breaks; gives the angle.
-double angle_at_break(const BondSort& sort, const Vec3& axis) {
+/// Moves the second bead by `shift`, then rotates it by small steps about `axis` until its bond breaks; gives the
+/// angle.
+double angle_at_break(const BondSort& sort, const Vec3& axis, const Vec3& shift = Vec3::Zero()) {
   Rig rig = chain(1, ParticleState::fixed, sort);
   rig.start();
+  rig.particles.position.add(1, shift);
+  rig.particles.velocity.set(1, shift);
+  rig.evaluate(1.0);
+  rig.particles.velocity.set(1, Vec3::Zero());
   const double step = 1e-6;
   rig.particles.angular_velocity.set(1, step * axis);
   double angle = 0;
@@ -445,6 +450,18 @@ TEST(BondForces, BendingAndTorsionBreakAtTheRim) {
   // |M_t| R / J = k_s theta R; bending also shears: |F_s| / A = k_s theta l / 2 = k_s theta R for touching beads
   EXPECT_NEAR(angle_at_break(sort, Vec3::UnitX()), 2e6 / (kStiffness * kRadius), 2e-6);
   EXPECT_NEAR(angle_at_break(sort, Vec3::UnitZ()), 2e6 / (kStiffness * kRadius), 2e-6);
+}
+
+/// Tension adds to what bending pulls at the rim, shear to what torsion does; compression relieves nothing (theory.md).
+TEST(BondForces, StressesAtTheRimAddUp) {
+  const double strength = 2e6, angle = strength / (kStiffness * kRadius), half = 0.5 * strength / kStiffness;
+  BondSort sort = wire();
+  sort.tensile_strength = strength;
+  EXPECT_NEAR(angle_at_break(sort, Vec3::UnitY(), Vec3(half, 0, 0)), angle / 2, 2e-6);
+  EXPECT_NEAR(angle_at_break(sort, Vec3::UnitY(), Vec3(-half, 0, 0)), angle, 2e-6);
+  sort.tensile_strength = std::numeric_limits<double>::infinity();
+  sort.shear_strength = strength;
+  EXPECT_NEAR(angle_at_break(sort, Vec3::UnitX(), Vec3(0, half, 0)), angle / 2, 2e-6);
 }
 
 /// A pair of free beads set swinging in one mode: ratio of the amplitudes of the motion one period apart.

@@ -235,7 +235,7 @@ TYPED_TEST(FreeFlight, ABarThatMovesAlongItselfKeepsItsShape) {
 /// A block flies at an angle to the lattice and falls, 21 cells far and at up to 0.13 lu.
 TYPED_TEST(FreeFlight, ABlockMovesAsASolidDoes) {
   FluidOptions o = this->in_gas({64, 40, 24});
-  o.gravity = Vec3(3e-4, 1.5e-4, 0);  // none along z: liquid filled in bears the pressure of its depth there
+  o.gravity = Vec3(3e-4, 1.5e-4, 0);
   Fluid<double> fluid(o);
   const Vec3 start(0.04, 0.02, 0.016);
   fluid.fill({{Vec3(8, 8, 6), Vec3(16, 16, 14), start}});
