@@ -153,7 +153,8 @@ BarrierResponse response(const Net& net, const dem::Particles& particles, const 
       add_bond(b, bonds, part(Component::mesh));
   for (const Post& post : net.posts) {
     add_bonds(post.wire, bonds, part(Component::posts));
-    for (const std::size_t b : post.joint) add_bond(b, bonds, part(Component::posts));
+    // What the links of a joint bear is the foot's load, by the way in which each happens to lie.
+    for (const std::size_t b : post.joint) part(Component::posts).energy += bond_energy(bonds, b);
     const Vec3 reaction = foot_reaction(post, particles);
     part(Component::posts).reaction -= reaction;
     part(Component::posts).anchor_force = std::max(part(Component::posts).anchor_force, reaction.norm());

@@ -226,7 +226,8 @@ std::optional<double> settling_speed(const scene::Scene& scene) {
                                   scene.gravity.vector().norm());
   };
   for (const scene::GrainSize& s : scene::grain_sizes(scene)) add(s.diameter, s.density, static_cast<double>(s.count));
-  for (const scene::GrainSphere& s : scene.grains.spheres) add(s.diameter, s.density, 1);
+  for (const scene::GrainSphere& s : scene.grains.spheres)
+    if (!s.fixed) add(s.diameter, s.density, 1);
   if (volume <= 0) return std::nullopt;
   return sum / volume;
 }

@@ -115,6 +115,11 @@ void warn_of_coupling(const scene::Scene& s, const SolidsFigures& f, Warnings& l
       *f.cells_per_wire < s.coupling.resolve_wires_from_cells.value_or(*f.cells_per_wire + 1))
     list.push_back(fmt::format(
         "wires are {:.1f} cells across and coupling.wire_drag is off: water does not feel the net", *f.cells_per_wire));
+  constexpr double thick = 8;  // docs/decisions/0037: 3 to 7 % too little from there on, 23 to 36 % with 16
+  if (f.cells_per_wire && s.coupling.wire_drag && !s.coupling.beads_as_grains && *f.cells_per_wire > thick &&
+      *f.cells_per_wire < s.coupling.resolve_wires_from_cells.value_or(*f.cells_per_wire + 1))
+    list.push_back(
+        fmt::format("wires are {:.1f} cells across: the drag law drags them too little from 8 on", *f.cells_per_wire));
   if (s.barrier.enabled && s.barrier.net.kind == scene::NetKind::hexagonal)
     list.push_back("water feels the cables of a hexagonal mesh, but not its wires");
   if (const double post = s.barrier.posts.diameter / s.fluid.cell_size;

@@ -23,6 +23,29 @@ struct Built {
   [[nodiscard]] BarrierResponse look() const { return response(net, particles, bonds, {0, 0, -10}); }
 };
 
+/// The links of a ball joint are no part of what posts bear, but hold energy as their bonds do.
+TEST(Response, JointsAreNoPartOfThePosts) {
+  dem::Particles particles;
+  dem::Bonds bonds;
+  PostSpec spec;
+  spec.foot = {0, 0, 0.03}, spec.head = {0, 0, 0.93};
+  spec.section = {
+      .youngs_modulus = 210e9, .area = 8.7e-4, .second_moment = 3.35e-7, .density = 7850, .damping_ratio = 0};
+  spec.diameter = 0.06, spec.foot_joint = FootJoint::hinged;
+  Net net;
+  net.posts.push_back(add_post(spec, particles, bonds));
+  net.beads = particles.size(), net.bonds = bonds.size();
+  note_beads_since(0, particles, net);
+  ASSERT_FALSE(net.posts[0].joint.empty());
+  for (const std::size_t b : net.posts[0].joint) bonds.axial_force[b] = 1272, bonds.elongation[b] = 1e-6;
+  bonds.axial_force[net.posts[0].wire.first_bond] = 14;
+  const BarrierResponse r = response(net, particles, bonds, {0, 0, -10});
+  EXPECT_EQ(r[Component::posts].max_tension, 14);
+  EXPECT_EQ(r[Component::posts].force_sum, 14);
+  EXPECT_EQ(r[Component::barrier].max_tension, 14);
+  EXPECT_GT(r[Component::posts].energy.elastic(), 0);
+}
+
 TEST(Response, NetAtRestCarriesNothing) {
   const BarrierResponse r = Built{}.look();
   for (const Component c : all_components) {

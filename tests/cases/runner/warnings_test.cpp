@@ -544,6 +544,29 @@ TEST(Warnings, ValuesInOtherUnits) {
 }
 
 /// Beads weigh as spheres, two thirds of the cylinders that mapped wires displace: 1500 kg/m^3 bears them in water.
+TEST(Warnings, WiresTooThickForTheDragLaw) {
+  const auto warned = [](const std::string& cell) {
+    return warns(check_scene(load(case_file("tutorial/net.toml"), {"fluid.cell_size_m=" + cell})),
+                 "the drag law drags them too little");
+  };
+  EXPECT_TRUE(warned("0.0007"));  // 8.7 cells
+  EXPECT_FALSE(warned("0.0008"));
+}
+
+/// Spheres that are held do not settle.
+TEST(Warnings, HeldSpheresHaveNoCellReynoldsNumber) {
+  const auto number = [](const char* fixed) {
+    return check_scene(load(case_file("debris_flow/scene.toml"),
+                            {"grains.packing=[]", "barrier.enabled=false", "measure.section_x_m=2",
+                             std::string("grains.sphere=[{position_m=[2, 0.9, 0.5], diameter_m=0.08, "
+                                         "density_kg_m3=2500, material='rock', fixed=") +
+                                 fixed + "}]"}))
+        .solids->cell_reynolds;
+  };
+  EXPECT_TRUE(number("false").has_value());
+  EXPECT_FALSE(number("true").has_value());
+}
+
 TEST(Warnings, MappedWiresThatFloat) {
   const auto warned = [](const std::string& density, const std::string& from_cells) {
     return warns(
