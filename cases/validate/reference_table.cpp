@@ -1,5 +1,4 @@
 #include "cases/validate/reference_table.h"
-#include "cases/files/case_file.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "cases/files/case_file.h"
 #include "core/check.h"
 
 namespace lahar::validate {

@@ -10,6 +10,7 @@
 //   (the fluid's step)
 //   gather_block   for every block with grains: what its cells do to each
 //   finish         for every grain: force and torque
+// and look once before the first step.
 // A new exchange is a class that overrides these, an entry in GrainExchangeChoice (coupling_options.h) and a line in
 // make_grain_exchange. Dispatch is by block or by grain; the loops over cells lie within.
 #include <memory>

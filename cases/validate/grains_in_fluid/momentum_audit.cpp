@@ -10,6 +10,7 @@
 #include "cases/validate/entry.h"
 #include "cases/validate/fluid/flows.h"
 #include "cases/validate/free_surface/surface_flows.h"
+#include "cases/validate/grains_in_fluid/stirred_box.h"
 #include "coupling/coupled_step.h"
 
 namespace lahar::validate {
@@ -116,27 +117,17 @@ Balance balance_of(const Variant& v, int steps) {
   if (v.lubrication) coupling.films = coupling::GrainFilms::lubrication;
   coupling::CoupledStep<Real> step(
       fluid, dem::Solids(std::move(particles), std::move(bonds), std::move(materials), Walls{}, options), coupling);
-  step.fluid()->fill_everything(
-      [](const Vec3& x) {
-        const double k = 2 * std::numbers::pi / kWidth;
-        return Vec3(0.05 + 0.02 * std::sin(k * x.y()), 0.02 * std::sin(k * x.z()), 0.02 * std::sin(k * x.x()));
-      },
-      no_pressure);
-  const auto momentum = [&] {
-    Vec3 sum = Vec3::Zero();
-    step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) { sum += (1 + 3 * c.pressure) * c.velocity; });
-    return Vec3(sum - step.owed_to_wires());
-  };
+  stir(step, kWidth);
   step.advance();
   const dem::Particles& p = step.solids()->particles();
-  Vec3 before = momentum(), of_bodies = momentum_of(p);
+  Vec3 before = momentum_of_cells(step), of_bodies = momentum_of(p);
   Vec3 missing = Vec3::Zero(), exchanged = Vec3::Zero();
   for (int s = 1; s < steps; ++s) {
     step.advance();
     Vec3 given = coupling::momentum_given_to_bodies(step.fluid()->grid());
     for (std::size_t i = 0; !v.mapped_wires && i < p.size(); ++i)
       if (p.kind[i] == dem::ParticleKind::bead) given += p.external_force[i];
-    const Vec3 now = momentum();
+    const Vec3 now = momentum_of_cells(step);
     missing += now - before + given;
     exchanged += given.cwiseAbs();
     before = now;

@@ -9,6 +9,7 @@
 
 #include "cases/validate/entry.h"
 #include "cases/validate/fluid/flows.h"
+#include "cases/validate/grains_in_fluid/stirred_box.h"
 #include "coupling/coupled_step.h"
 
 namespace lahar::validate {
@@ -75,26 +76,16 @@ Snapped snap(bool mapped, int left, int steps) {
   coupling.substeps = 10;
   if (mapped) coupling.mapped_wires = {.from_diameter = 2, .radius_shift = 0};
   coupling::CoupledStep<Real> step(fluid, spinning_ring(mapped ? 1.0 : 0.4, left), coupling);
-  step.fluid()->fill_everything(
-      [](const Vec3& x) {
-        const double k = 2 * std::numbers::pi / kWidth;
-        return Vec3(0.05 + 0.02 * std::sin(k * x.y()), 0.02 * std::sin(k * x.z()), 0.02 * std::sin(k * x.x()));
-      },
-      no_pressure);
-  const auto momentum = [&] {
-    Vec3 sum = Vec3::Zero();
-    step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) { sum += (1 + 3 * c.pressure) * c.velocity; });
-    return Vec3(sum - step.owed_to_wires());
-  };
+  stir(step, kWidth);
   step.advance();
   const dem::Particles& p = step.solids()->particles();
-  Vec3 before = momentum(), missing = Vec3::Zero(), exchanged = Vec3::Zero();
+  Vec3 before = momentum_of_cells(step), missing = Vec3::Zero(), exchanged = Vec3::Zero();
   Snapped found;
   for (int s = 1; s < steps; ++s) {
     step.advance();
     Vec3 given = coupling::momentum_given_to_bodies(step.fluid()->grid());
     for (std::size_t i = 0; !mapped && i < p.size(); ++i) given += p.external_force[i];
-    const Vec3 now = momentum();
+    const Vec3 now = momentum_of_cells(step);
     missing += now - before + given;
     exchanged += given.cwiseAbs();
     before = now;
