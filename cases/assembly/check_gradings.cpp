@@ -90,7 +90,7 @@ void check_sieved(const Packing& packing, const SievedGrains& g, const std::stri
   }
 }
 
-/// Diameters that fit into the box, and that water feels.
+/// Diameters that fit into the box, and that feel the water.
 void check_room(const Scene& scene, const Packing& packing, double smallest, const std::string& low_key, double largest,
                 const std::string& high_key, Findings& findings) {
   const double room = (packing.upper - packing.lower).minCoeff();
@@ -98,15 +98,19 @@ void check_room(const Scene& scene, const Packing& packing, double smallest, con
     findings.mistake(high_key, fmt::format("{} reaches up to {:g} m, expected at most the smallest extent of the box, "
                                            "{:g}",
                                            high_key, largest, room));
-  const bool resolved = scene.coupling.enabled && scene.fluid.enabled && scene.coupling.grains == GrainFluid::resolved;
-  if (resolved && smallest < scene.fluid.cell_size && findings.sound({low_key, "fluid", "coupling"}))
-    findings.mistake(low_key,
-                     fmt::format("{} goes down to {:g} m, expected at least a cell of the fluid, {:g}: smaller "
-                                 "grains do not feel the water",
-                                 low_key, smallest, scene.fluid.cell_size));
+  check_mapped_diameter(scene, smallest, low_key, "goes down to", findings);
 }
 
 }  // namespace
+
+void check_mapped_diameter(const Scene& scene, double diameter, const std::string& key, const std::string& is,
+                           Findings& findings) {
+  const bool resolved = scene.coupling.enabled && scene.fluid.enabled && scene.coupling.grains == GrainFluid::resolved;
+  if (resolved && diameter < scene.fluid.cell_size * (1 - 1e-9) && findings.sound({key, "fluid", "coupling"}))
+    findings.mistake(key, fmt::format("{} {} {:g} m, expected at least a cell of the fluid, {:g}: smaller grains do "
+                                      "not feel the water",
+                                      key, is, diameter, scene.fluid.cell_size));
+}
 
 void check_gradings(const Scene& scene, std::size_t i, Findings& findings) {
   const Packing& packing = scene.grains.packings[i];

@@ -58,7 +58,7 @@ WallPoint deepest_in_walls(const Walls& walls, const Packing& packing, double sm
                 deepest_at_centres(walls, packing.lower + rim, packing.upper - rim, smallest / 16));
 }
 
-void check_packing_content(const Packing& packing, const std::string& path, Findings& findings) {
+void check_packing_content(const Scene& scene, const Packing& packing, const std::string& path, Findings& findings) {
   const Vec3 extent = packing.upper - packing.lower;
   for (std::size_t k = 0; k < packing.sizes.size(); ++k) {
     const GrainSize& size = packing.sizes[k];
@@ -66,6 +66,7 @@ void check_packing_content(const Packing& packing, const std::string& path, Find
     if (size.diameter > extent.minCoeff())
       findings.mistake(key, fmt::format("{} is {:g}, expected at most the smallest extent of the box, {:g}", key,
                                         size.diameter, extent.minCoeff()));
+    check_mapped_diameter(scene, size.diameter, key, "is", findings);
   }
   constexpr double densest = 0.74;  // of equal spheres; mixtures settle far below
   const double volume = solid_volume(packing);
@@ -81,7 +82,7 @@ void check_packing(const Scene& scene, std::size_t i, Findings& findings) {
   if (packing.sizes.empty() && packing.log_normal.empty() && packing.sieved.empty())
     return findings.mistake(path, path + " has no grains, expected at least one [[grains.packing.sizes]]");
   check_gradings(scene, i, findings);
-  if (findings.sound({path})) check_packing_content(packing, path, findings);
+  if (findings.sound({path})) check_packing_content(scene, packing, path, findings);
   const double slack = 1e-6 * (packing.upper - packing.lower).norm();
   if (findings.sound({"domain"})) {
     bool outside = false;
@@ -115,6 +116,7 @@ void check_sphere(const Scene& scene, const Walls& walls, std::size_t i, Finding
     if (!scene.domain.contains(s.position))
       findings.mistake(path + ".position_m", path + ".position_m lies outside the domain, expected it inside [domain]");
   }
+  check_mapped_diameter(scene, s.diameter, path + ".diameter_m", "is", findings);
   if (s.fixed && (s.velocity.norm() > 0 || s.angular_velocity.norm() > 0))
     findings.mistake(path + ".fixed", path + ".fixed holds it in place, expected no velocity and no spin");
   if (s.velocity.norm() > kLargestSpeed)

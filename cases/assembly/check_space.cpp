@@ -256,7 +256,7 @@ void check_compression(const Scene& scene, Findings& findings) {
     findings.mistake(
         path, fmt::format("{} is {:g}: sound then runs at {:.3g} m/s, and the liquid, compressed by its own weight "
                           "(density exp(g h / c_s^2)), would start {:.3g} % too heavy, expected at most {:g} %; a drop "
-                          "to the lowest of the domain makes {:.3g} m/s",
+                          "to the lowest of the domain, a cell at least, makes {:.3g} m/s",
                           path, scene.fluid.max_speed, cases::sound_speed(scene), 100 * share, 100 * most,
                           cases::drop_speed(scene)));
 }

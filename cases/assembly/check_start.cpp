@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "cases/assembly/grain_extent.h"
 #include "cases/assembly/grain_sizes.h"
 #include "core/check.h"
+#include "dem/contact/contact_energy.h"
 
 namespace lahar::cases {
 
@@ -78,6 +80,30 @@ void require_clear_start(const scene::Scene& scene, const dem::Particles& p) {
                            "barrier.settle_time_s",
                            name(i)));
   }
+}
+
+std::string burst_at_start(const dem::Solids& solids) {
+  constexpr double bearable = 1;  // m/s: packings hold themselves to a third of it
+  dem::SolidsOptions options = solids.options();
+  options.time_step = 1e-15;  // s: contacts are found, nothing moves
+  dem::Solids held(solids.particles(), solids.bonds(), solids.materials(), solids.walls(), options);
+  held.step();
+  const dem::Particles& p = held.particles();
+  dem::ParticleIndex worst = 0;
+  double fastest = 0, energy = 0;
+  for (dem::ParticleIndex i = 0; i < p.size(); ++i) {
+    if (p.state[i] != dem::ParticleState::free) continue;
+    double w = held.wires() ? held.wires()->normal_energy_of(i, p) : 0;
+    for (const dem::ContactDetection* contacts : {&held.contacts(), &held.slow_contacts()})
+      w += normal_energy_of(i, p, held.materials(), held.walls(), *contacts, options.contact_law);
+    if (const double speed = std::sqrt(2 * w / p.mass[i]); speed > fastest) worst = i, fastest = speed, energy = w;
+  }
+  if (fastest <= bearable) return {};
+  const Vec3 x = p.position[worst];
+  return fmt::format(
+      "at the start a particle at ({:.4g}, {:.4g}, {:.4g}) m, {:.3g} m across, is pressed into others or "
+      "into a wall: the {:.3g} J of its contacts would throw it at up to {:.2g} m/s",
+      x.x(), x.y(), x.z(), 2 * p.radius[worst], energy, fastest);
 }
 
 }  // namespace lahar::cases

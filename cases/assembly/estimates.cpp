@@ -53,14 +53,15 @@ double inflow_speed(const scene::Inflow& inflow) {
 double drop_speed(const scene::Scene& scene) {
   const Vec3 up = -scene.gravity.vector();
   const double lowest = -highest(scene.domain.lower, scene.domain.upper, -up);
+  const double least = up.norm() * scene.fluid.cell_size;  // g h of a cell: thinner films wet the whole cell
   double fastest = 0;
   for (const scene::WallSettings& w : scene.walls) fastest = std::max(fastest, w.velocity.norm());
   for (const scene::FluidRegion& r : scene.fluid.regions) {
-    const double fall = std::max(0.0, highest(r.lower, r.upper, up) - lowest);  // g h
+    const double fall = std::max(least, highest(r.lower, r.upper, up) - lowest);  // g h
     fastest = std::max(fastest, std::sqrt(r.velocity.squaredNorm() + 2 * fall));
   }
   for (const scene::Inflow& i : scene.fluid.inflows) {
-    const double fall = std::max(0.0, highest(i.lower, i.upper, up) - lowest);
+    const double fall = std::max(least, highest(i.lower, i.upper, up) - lowest);
     fastest = std::max(fastest, std::hypot(inflow_speed(i), std::sqrt(2 * fall)));
   }
   return fastest;

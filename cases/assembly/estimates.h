@@ -16,7 +16,7 @@ double peak_discharge(const scene::Inflow& inflow);
 double inflow_speed(const scene::Inflow& inflow);
 
 /// m/s: what liquid reaches that falls without loss from the highest point of its regions and inflows to the lowest of
-/// the domain, sqrt(v0^2 + 2 g h); never less than the speed of a wall.
+/// the domain, a cell at least, sqrt(v0^2 + 2 g h); never less than the speed of a wall.
 double drop_speed(const scene::Scene& scene);
 /// m/s, of the fastest grain that falls without loss to the lowest of the domain; 0 without grains.
 double grain_drop_speed(const scene::Scene& scene);

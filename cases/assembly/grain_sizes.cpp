@@ -36,7 +36,7 @@ class Drawing {
  public:
   Drawing(const Scene& scene, std::size_t packing)
       : packing_(scene.grains.packings[packing]),
-        seed_(static_cast<std::uint64_t>(scene.run.seed) + kStride * packing) {}
+        seed_(static_cast<std::uint64_t>(scene.run.seed) + kStride * kMostTables * packing) {}
 
   template <class Grains>
   void add(const Grains& grains, std::vector<GrainSize>& sizes) {
@@ -47,7 +47,8 @@ class Drawing {
   }
 
  private:
-  static constexpr std::uint64_t kStride = 0x9E3779B97F4A7C15;  // 2^64 / golden ratio: no two sums meet
+  static constexpr std::uint64_t kStride = 0x9E3779B97F4A7C15;  // 2^64 / golden ratio: no two multiples meet
+  static constexpr std::uint64_t kMostTables = 1u << 20;        // of one packing
   const Packing& packing_;
   std::uint64_t seed_;
 };

@@ -13,6 +13,7 @@
 #include "cases/assembly/grain_sizes.h"
 #include "coupling/grains/averaging_grid.h"
 #include "lbm/free_surface/block_changes.h"
+#include "lbm/grid/domain.h"
 #include "lbm/grid/pool.h"
 
 namespace lahar::scene {
@@ -114,13 +115,14 @@ double averaging_nodes(const Scene& scene) {
   const double dx = scene.fluid.cell_size, length = std::max(scene.coupling.averaging_length, dx);
   double nodes = 1;
   for (const double extent : scene.domain.upper - scene.domain.lower)
-    nodes *= coupling::AveragingGrid::divisions(dx * std::ceil(extent / dx - 1e-9), length);
+    nodes *= coupling::AveragingGrid::divisions(dx * lbm::covering_cells(extent, dx), length);
   return nodes;
 }
 
 double bytes_of_domain(const Scene& scene) {
-  const Vec3 cells = ((scene.domain.upper - scene.domain.lower) / scene.fluid.cell_size).array().ceil();
-  return averaging_nodes(scene) * kBytesPerNode + cells.x() * cells.y() * sizeof(int);
+  const Vec3 extent = scene.domain.upper - scene.domain.lower;
+  const auto cells = [&](double e) { return lbm::covering_cells(e, scene.fluid.cell_size); };
+  return averaging_nodes(scene) * kBytesPerNode + cells(extent.x()) * cells(extent.y()) * sizeof(int);
 }
 
 double bytes_at_start(const Scene& scene, double blocks, double cells) {

@@ -40,15 +40,25 @@ std::vector<dem::ParticleSpec> packed(const scene::Scene& scene, std::size_t i) 
   }
 }
 
-/// Throws InputError, located at packing i, if a grain of it lies in one of packing k.
+/// The space that grains reach into.
+Eigen::AlignedBox3d reach_of(const std::vector<dem::ParticleSpec>& grains) {
+  Eigen::AlignedBox3d box;
+  for (const dem::ParticleSpec& g : grains) {
+    box.extend(g.position - Vec3::Constant(g.radius));
+    box.extend(g.position + Vec3::Constant(g.radius));
+  }
+  return box;
+}
+
+/// Throws InputError, located at packing i, if a grain of it lies in one of packing k. Their boxes may lie apart: a few
+/// grains stand out of the top of theirs.
 void check_apart(const scene::Scene& scene, std::size_t k, const std::vector<dem::ParticleSpec>& others, std::size_t i,
                  const std::vector<dem::ParticleSpec>& grains) {
-  const scene::Packing &one = scene.grains.packings[k], &two = scene.grains.packings[i];
-  const Vec3 lower = one.lower.cwiseMax(two.lower), upper = one.upper.cwiseMin(two.upper);  // the space that they share
-  if (!(lower.array() < upper.array()).all()) return;
+  const Eigen::AlignedBox3d shared = reach_of(others).intersection(reach_of(grains));
+  if (shared.isEmpty()) return;
   const auto reaches_in = [&](const dem::ParticleSpec& g) {
-    return (g.position.array() + g.radius > lower.array()).all() &&
-           (g.position.array() - g.radius < upper.array()).all();
+    return (g.position.array() + g.radius > shared.min().array()).all() &&
+           (g.position.array() - g.radius < shared.max().array()).all();
   };
   constexpr double bearable = 0.01;  // of a radius, as within a packing
   for (const dem::ParticleSpec& a : others) {
@@ -58,7 +68,7 @@ void check_apart(const scene::Scene& scene, std::size_t k, const std::vector<dem
           a.radius + b.radius - (a.position - b.position).norm() > bearable * std::min(a.radius, b.radius))
         refuse_packing(scene, i,
                        fmt::format("a grain at ({:.3g}, {:.3g}, {:.3g}) m lies in one of grains.packing[{}], expected "
-                                   "boxes that share no space",
+                                   "boxes that share no space, with room for grains that stand out of a box's top",
                                    b.position.x(), b.position.y(), b.position.z(), k));
   }
 }

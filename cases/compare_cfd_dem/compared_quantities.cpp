@@ -121,6 +121,14 @@ double front_froude(const CaseRun& c) {
   return front_speed(c) / std::sqrt(kGravity * c.metric("depth_at_inflow_m") * kCos35);
 }
 
+/// kJ, what a column has grown by from the first row to the last.
+Ours growth_of(const char* column) {
+  return [column](const CaseRun& c) {
+    const auto* values = c.series.find(column);
+    return values && !values->values.empty() ? (values->values.back() - values->values.front()) / 1000 : kNone;
+  };
+}
+
 /// Mean of a column over the last `seconds` of the run.
 double final_mean(const CaseRun& c, const char* column, double seconds) {
   const auto* values = c.series.find(column);
@@ -279,6 +287,11 @@ std::vector<Compared> make_quantities() {
   add("e_d", "kJ", "energy that is dissipated or passed on, E_in - E_out", e_d, of_table(&Flow::e_d), "Table 5");
   add("e_d_lower", "kJ", "the same about the bed 1.30 m downstream", e_d_lower, of_table(&Flow::e_d), "Table 5");
   add("e_b", "kJ", "energy that the barrier holds at the end", e_b, of_table(&Flow::e_b), "Table 5");
+  add("e_b_axial", "kJ", "of it elastic energy of bonds, axial", growth_of("barrier_axial_J"), not_given, "");
+  add("e_b_shear", "kJ", "of it elastic energy of bonds, shear", growth_of("barrier_shear_J"), not_given, "");
+  add("e_b_bending", "kJ", "of it elastic energy of bonds, bending", growth_of("barrier_bending_J"), not_given, "");
+  add("e_b_torsion", "kJ", "of it elastic energy of bonds, torsion", growth_of("barrier_torsion_J"), not_given, "");
+  add("e_b_potential", "kJ", "of it potential energy", growth_of("barrier_potential_J"), not_given, "");
   add(
       "eta", "1", "E_d / E_in", [](const CaseRun& c) { return e_d(c) / e_in(c); }, of_table(&Flow::eta), "Table 5");
   add(
@@ -333,6 +346,10 @@ std::vector<Compared> make_quantities() {
   add("upper_cable_end", "kN", "largest force at an end of the upper cable", metric("peak_upper_cable_end_kN"),
       not_given, "");
   add("lower_cable_end", "kN", "largest force at an end of the lower cable", metric("peak_lower_cable_end_kN"),
+      not_given, "");
+  add("left_cable_end", "kN", "largest force at an end of the left cable", metric("peak_left_cable_end_kN"), not_given,
+      "");
+  add("right_cable_end", "kN", "largest force at an end of the right cable", metric("peak_right_cable_end_kN"),
       not_given, "");
   add(
       "barrier_sum_at_rest", "kN", "sum of bond forces in the barrier, mean of the last half second",

@@ -4,17 +4,20 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cases/assembly/load.h"
 #include "cases/compare_cfd_dem/jobs.h"
 #include "cases/compare_cfd_dem/record.h"
 #include "cases/compare_cfd_dem/report.h"
 #include "cases/compare_cfd_dem/trends.h"
 #include "cases/files/output_file.h"
 #include "cases/files/text_file.h"
+#include "cases/runner/check.h"
 #include "cases/runner/interrupt.h"
 #include "cases/runner/machine.h"
 #include "cases/runner/messages.h"
 #include "cases/runner/options.h"
 #include "cases/runner/output_folder.h"
+#include "cases/runner/progress.h"
 
 namespace lahar::study {
 namespace {
@@ -23,7 +26,7 @@ struct Arguments {
   Selection selection;
   std::string records;
   int at_once = 1;
-  bool list = false, report_only = false;
+  bool list = false, estimate = false, report_only = false;
   cases::CommonOptions common;
 };
 
@@ -36,6 +39,8 @@ std::string program_of(const std::filesystem::path& folder) {
   return result.commit.empty() ? "an unknown commit" : "commit " + result.commit;
 }
 
+constexpr const char* kToDo = "to do";
+
 std::string standing_text(const StudyCase& c, const std::filesystem::path& folder) {
   try {
     const Standing s = standing_of(c, folder);
@@ -43,15 +48,35 @@ std::string standing_text(const StudyCase& c, const std::filesystem::path& folde
            : s == Standing::begun   ? "begun"
            : s == Standing::foreign ? "in its folder is something else"
            : s == Standing::refused ? "in its folder is a scene that this program refuses"
-                                    : "to do";
+                                    : kToDo;
   } catch (const cases::FileError& error) {
     return error.what();
   }
 }
 
+/// Threads of each of the runs at once.
+int threads_of_a_run(const Arguments& a) { return std::max(1, cases::threads_or_all(a.common.threads) / a.at_once); }
+
+/// What `lahar check` says that a case will take.
+std::string estimate_text(const StudyCase& c, int threads) {
+  try {
+    const cases::CheckReport report = cases::check_scene(scene::load(c.scene_file(), c.changes()), threads);
+    const double bytes = report.fluid ? report.fluid->expected_bytes : 0;
+    return fmt::format("about {}, memory of the fluid up to about {:.3g} GB", cases::time_text(report.run_time),
+                       bytes * 1e-9);
+  } catch (const InputError& error) {  // more than this machine's memory, say
+    return error.mistakes().front().message;
+  }
+}
+
 void list(const std::vector<StudyCase>& study_cases, const Arguments& a) {
-  for (const StudyCase& c : study_cases)
-    fmt::print("{}: {}\n", c.name(), standing_text(c, std::filesystem::path(a.common.out) / c.name()));
+  const int threads = threads_of_a_run(a);
+  for (const StudyCase& c : study_cases) {
+    const std::string standing = standing_text(c, std::filesystem::path(a.common.out) / c.name());
+    const bool estimated = a.estimate && standing == kToDo;
+    fmt::print("{}: {}{}\n", c.name(), standing, estimated ? ", " + estimate_text(c, threads) : "");
+    std::fflush(stdout);
+  }
 }
 
 /// Whether a case that nobody asked for is done, with these values, or has files that its reader will complain of. Its
@@ -107,6 +132,8 @@ void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   const std::filesystem::path records = a.records;
   cases::replace_text_file(records / kComparisonTable, comparison_csv(results));
   cases::replace_text_file(records / "trends.csv", trends_csv(trends(results)));
+  cases::replace_text_file(records / "nearness.csv", nearness_csv(nearness(results)));
+  cases::replace_text_file(records / "checks.csv", checks_csv(results));
 }
 
 int run(const Arguments& a) {
@@ -116,7 +143,7 @@ int run(const Arguments& a) {
         "--records with --set or --precision: records are of the study's own values, expected one of the two");
   check_changes(study_cases);
   require_study_folder(a.common.out, "--out");
-  if (a.list) return list(study_cases, a), cases::exit_done;
+  if (a.list || a.estimate) return list(study_cases, a), cases::exit_done;
   if (!a.records.empty()) require_study_folder(a.records, "--records");
   if (a.report_only && a.records.empty() && !std::filesystem::exists(a.common.out))
     throw InputError(std::vector<InputMistake>{
@@ -125,8 +152,7 @@ int run(const Arguments& a) {
   if (!a.records.empty()) cases::create_folder(a.records, "--records");
   int code = cases::exit_done;
   if (!a.report_only) {
-    const int threads = std::max(1, cases::threads_or_all(a.common.threads) / a.at_once);
-    const JobOptions options{own_folder() / "lahar", a.common.out, a.at_once, threads};
+    const JobOptions options{own_folder() / "lahar", a.common.out, a.at_once, threads_of_a_run(a)};
     for (const StudyCase& c : study_cases) (void)command_of(c, options.lahar, options.folder / c.name(), 1);
     cases::watch_for_interrupt();
     const auto tell = [&](const std::string& line) {
@@ -178,6 +204,8 @@ int main(int argc, char** argv) {
                  "is in the report too");
   app.add_option("--at-once", a.at_once, "Runs at once, which share the threads")->check(CLI::Range(1, 64));
   app.add_flag("--list", a.list, "Say of each case whether it is done, and run nothing");
+  app.add_flag("--estimate", a.estimate,
+               "As --list, and for each case that is to do what lahar check says that it will take: a second a case");
   app.add_flag("--report", a.report_only, "Only write the report, of all cases in the folder that are done");
   cases::add_common_options(app, a.common,
                             {.out = "Folder of the study (default results/compare_cfd_dem)", .overwrite = false});

@@ -25,8 +25,8 @@ struct Sitting {
   std::vector<std::string> missing;  ///< names of cases that were asked for and have no result
 };
 
-/// Writes comparison.csv, the figures as .png, .svg and .pdf, and report.html, which holds figures and pictures and
-/// needs no other file. Throws cases::FileError.
+/// Writes comparison.csv, the figures as .png, .svg and .pdf, and report.html, which holds a summary of all that
+/// follows in it, tables, figures and pictures and needs no other file. Throws cases::FileError.
 void write_report(const std::vector<CaseResult>& results, const Sitting& sitting, const std::filesystem::path& folder);
 
 }  // namespace lahar::study

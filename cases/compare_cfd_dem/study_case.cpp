@@ -29,9 +29,16 @@ const std::vector<Choice>& presets() {
        "cells of 2 cm, an adaptive step, beads of three times the inertia and the same weight, rock of a twentieth of "
        "the stiffness, whose contacts take longer steps than beads do",
        {"fluid.cell_size_m=0.02", "fluid.adaptive_time_step=true", "materials.rock.youngs_modulus_Pa=3.5e9",
-        "barrier.net.bead_mass_scale=3", "solids.two_rates=true"}},
-      {"standard", "cells of 1 cm, nothing softened"},
-      {"fine", "cells of 5 mm, nothing softened", {"fluid.cell_size_m=0.005"}}};
+        "barrier.net.bead_mass_scale=3", "solids.two_rates=true"},
+       "",
+       true},
+      {"standard", "cells of 1 cm, nothing softened", {}, "", true},
+      {"fine", "cells of 5 mm, nothing softened", {"fluid.cell_size_m=0.005"}, "", true},
+      {"paper_cells",
+       "cells of 15 cm, as in Table 4, wider than the grains: for averaged couplings alone; otherwise as coarse",
+       {"fluid.cell_size_m=0.15", "fluid.adaptive_time_step=true", "materials.rock.youngs_modulus_Pa=3.5e9",
+        "barrier.net.bead_mass_scale=3", "solids.two_rates=true"},
+       "averaged"}};
   return all;
 }
 
@@ -67,7 +74,10 @@ const std::vector<Choice>& variants() {
       {"short_averages",
        "averages over 0.08 m, the diameter of the large grains",
        {"coupling.averaging_length_m=0.08"},
-       "averaged"},
+       "averaged",
+       false,
+       "",
+       "paper_cells"},
       {"half_speed", "half the time step of the fluid", {"fluid.lattice_velocity=0.05"}, "", true},
       {"stiff_rock", "rock as stiff as Table 4 says", {"materials.rock.youngs_modulus_Pa=70e9"}, "", true, "coarse"},
       {"light_beads", "beads without added inertia", {"barrier.net.bead_mass_scale=1"}, "", true, "coarse"},
@@ -95,7 +105,9 @@ std::string StudyCase::name() const {
 
 std::filesystem::path StudyCase::scene_file() const { return cases::case_file("compare_cfd_dem/" + sweep + ".toml"); }
 
-bool counts_in_spread(const StudyCase& c) { return find(variants(), c.variant).same_flow; }
+bool counts_in_spread(const StudyCase& c) {
+  return find(presets(), c.preset).same_flow && find(variants(), c.variant).same_flow;
+}
 
 std::vector<std::string> StudyCase::changes() const {
   constexpr double channel_below_net = 1.5;  // m
@@ -126,7 +138,8 @@ std::optional<StudyCase> case_named(const std::string& name, const std::vector<s
   };
   if (!is_in(sweeps(), c.sweep) || !is_in(presets(), c.preset) || !is_in(couplings(), c.coupling) ||
       !is_in(variants(), c.variant) || std::sscanf(parts[1].c_str(), "L%lf", &c.release) != 1 ||
-      std::sscanf(parts[4].c_str(), "seed%d", &c.seed) != 1)
+      std::sscanf(parts[4].c_str(), "seed%d", &c.seed) != 1 ||
+      !find(presets(), c.preset).says_something(c.preset, c.coupling))
     return std::nullopt;
   return c.name() == name ? std::optional(c) : std::nullopt;
 }
@@ -178,6 +191,28 @@ std::vector<double> chosen_releases(const std::vector<double>& asked) {
   return asked.empty() ? release_distances() : asked;
 }
 
+/// Each preset and each coupling that is asked for by name has to have the other.
+void check_presets(const std::vector<std::string>& preset_names, const std::vector<std::string>& asked_couplings) {
+  const auto can_be = [](const std::string& preset, const std::string& coupling) {
+    return find(presets(), preset).says_something(preset, coupling);
+  };
+  const auto has_coupling = [&](const std::string& p) {
+    return std::any_of(asked_couplings.begin(), asked_couplings.end(), [&](const auto& c) { return can_be(p, c); });
+  };
+  const auto has_preset = [&](const std::string& c) {
+    return std::any_of(preset_names.begin(), preset_names.end(), [&](const auto& p) { return can_be(p, c); });
+  };
+  for (const auto& preset : preset_names)
+    for (const auto& coupling : asked_couplings) {
+      if (can_be(preset, coupling) || (has_coupling(preset) && has_preset(coupling))) continue;
+      throw InputError(std::vector<InputMistake>{
+          {"command line", 1, 1,
+           fmt::format("--preset {} with --coupling {}: its cells are wider than the grains, which cannot be resolved "
+                       "by them, expected a coupling that begins with {}",
+                       preset, coupling, find(presets(), preset).coupling)}});
+    }
+}
+
 }  // namespace
 
 std::vector<StudyCase> cases_of(const Selection& s) {
@@ -185,6 +220,7 @@ std::vector<StudyCase> cases_of(const Selection& s) {
   const auto preset_names = chosen("--preset", presets(), s.presets, {"coarse"});
   const auto coupling_names = chosen("--coupling", couplings(), s.couplings, {"resolved", "averaged"});
   const auto variant_names = chosen("--variant", variants(), s.variants, {"study"});
+  check_presets(preset_names, s.couplings);
   const std::vector<double> releases = chosen_releases(s.releases);
   const std::vector<int> seeds = s.seeds.empty() ? std::vector<int>{1} : s.seeds;
   for (const int seed : seeds)
@@ -202,21 +238,41 @@ std::vector<StudyCase> cases_of(const Selection& s) {
         for (const auto& sweep : sweep_names)
           for (const double release : releases)
             for (const auto& coupling : coupling_names)
-              if (find(variants(), variant).says_something(preset, coupling))
+              if (find(presets(), preset).says_something(preset, coupling) &&
+                  find(variants(), variant).says_something(preset, coupling))
                 add({sweep, preset, coupling, variant, release, seed, s.further});
   for (const auto& variant : variant_names)
     if (std::none_of(all.begin(), all.end(), [&](const StudyCase& c) { return c.variant == variant; })) {
       const Choice& choice = find(variants(), variant);
-      const std::string where = choice.coupling.empty()
-                                    ? ""
-                                    : fmt::format(" --coupling {}, expected one that begins with {}",
-                                                  fmt::join(coupling_names, ", "), choice.coupling);
-      const std::string when = choice.preset.empty() ? ""
-                                                     : fmt::format(" --preset {}, expected {}",
-                                                                   fmt::join(preset_names, ", "), choice.preset);
+      const auto none_is = [](const std::vector<std::string>& names, const auto& fits) {
+        return std::none_of(names.begin(), names.end(), fits);
+      };
+      std::string with;
+      if (none_is(coupling_names, [&](const auto& name) { return name.starts_with(choice.coupling); }))
+        with += fmt::format(" --coupling {}, expected one that begins with {}", fmt::join(coupling_names, ", "),
+                            choice.coupling);
+      if (!choice.preset.empty() && none_is(preset_names, [&](const auto& name) { return name == choice.preset; }))
+        with += fmt::format(" --preset {}, expected {}", fmt::join(preset_names, ", "), choice.preset);
+      if (with.empty()) with = fmt::format(" --preset {}, expected another", fmt::join(preset_names, ", "));
       throw InputError(std::vector<InputMistake>{
-          {"command line", 1, 1, fmt::format("--variant {}: says nothing with{}{}", variant, where, when)}});
+          {"command line", 1, 1, fmt::format("--variant {}: says nothing with{}", variant, with)}});
     }
+  return all;
+}
+
+std::vector<StudyCase> planned_cases() {
+  std::vector<StudyCase> all;
+  for (const Selection& part :
+       {Selection{}, Selection{.presets = {"standard"}, .couplings = {"resolved"}, .releases = {1.85, 4.10, 8.60}},
+        Selection{.presets = {"standard"}, .couplings = {"averaged"}, .releases = {4.10}},
+        Selection{.variants = {"half_speed", "stiff_rock"}, .releases = {4.10}},
+        Selection{.releases = {4.10}, .seeds = {2}},
+        Selection{.presets = {"fine"}, .couplings = {"resolved"}, .releases = {4.10}},
+        Selection{.sweeps = {"as_printed"},
+        .couplings = {"resolved"},
+        .variants = {"cable_fixed", "cable_at_ends"},
+        .releases = {4.10}}})
+    for (StudyCase& c : cases_of(part)) all.push_back(std::move(c));
   return all;
 }
 

@@ -12,18 +12,19 @@ namespace lahar::study {
 struct Choice {
   std::string name, meaning;
   std::vector<std::string> changes{};
-  std::string coupling{};  ///< how the names of the couplings begin in which it says something; empty: in all
-  bool same_flow = false;  ///< of a variant: the same flow by other numerics, so that it counts in the spread
-  std::string preset{};    ///< the one in which it says something; empty: in all
+  std::string coupling{};   ///< how the names of the couplings begin in which it says something; empty: in all
+  bool same_flow = false;   ///< of presets and variants: it is other numerics alone and counts in the spread
+  std::string preset{};     ///< of a variant: the one in which it says something; empty: in all
+  std::string no_preset{};  ///< of a variant: the one that it cannot be in; empty: none
 
   [[nodiscard]] bool says_something(const std::string& a_preset, const std::string& a_coupling) const {
-    return a_coupling.starts_with(coupling) && (preset.empty() || a_preset == preset);
+    return a_coupling.starts_with(coupling) && (preset.empty() || a_preset == preset) && a_preset != no_preset;
   }
 };
 
 /// The scene files as_printed.toml and matched.toml.
 const std::vector<Choice>& sweeps();
-/// Cell size and stiffness.
+/// Cell size and stiffness. Cells of the paper's size are wider than grains: averaged couplings alone have them.
 const std::vector<Choice>& presets();
 /// How fluid and grains act on each other.
 const std::vector<Choice>& couplings();
@@ -54,7 +55,7 @@ std::optional<StudyCase> case_named(const std::string& name, const std::vector<s
 void check_changes(const std::vector<StudyCase>& study_cases);
 
 /// Whether the case is one of the study's own flows, perhaps by other numerics: not a net, a law or averages read
-/// otherwise.
+/// otherwise, nor cells as wide as the paper's, which stand for its method.
 bool counts_in_spread(const StudyCase& c);
 
 /// The order of tables: by flow, then preset, coupling, variant, seed, each as in its list.
@@ -69,8 +70,14 @@ struct Selection {
 };
 
 /// All combinations: by default both sweeps of ten distances, coarse, resolved and averaged, seed 1, the study's
-/// reading. Variants that say nothing in a coupling or preset are left out there. Throws InputError for a name that is
-/// none, with those that there are, and for variants that say nothing in any of those asked for.
+/// reading. Variants that say nothing in a coupling or preset are left out there, as are couplings that a preset cannot
+/// have. Throws InputError for a name that is none, with those that there are, for variants that say nothing in any of
+/// those asked for, and for presets and couplings that are asked for and have no case.
 std::vector<StudyCase> cases_of(const Selection& selection);
+
+/// What the whole study holds. Coarse: both sweeps, resolved and averaged. `standard`: 1.85, 4.10 and 8.60 m resolved,
+/// 4.10 m averaged. At 4.10 m, for the spread: second seeds, half the time step, rock of full stiffness, `fine` cells;
+/// and the two other ways to hold the lower cable.
+std::vector<StudyCase> planned_cases();
 
 }  // namespace lahar::study

@@ -64,8 +64,11 @@ struct Statement {
 
 constexpr Statement kStatements[] = {
     {"retained mass falls with the Froude number (4.2)", "retained_mass", Says::falls},
+    {"the share of the large grains that is retained falls (4.2)", "retained_large", Says::falls},
+    {"the share of the small grains that is retained falls (4.2)", "retained_small", Says::falls},
     {"the peak in the lower cable falls (4.3)", "lower_cable_sum", Says::falls},
     {"the peak in the whole barrier rises (4.3)", "barrier_sum", Says::rises},
+    {"the peak in the whole barrier rises (4.3), read as the largest mean over 0.2 s", "barrier_sum_mean", Says::rises},
     {"E_b rises (Table 5)", "e_b", Says::rises},
     {"eta rises (4.4), about the bed at the net", "eta", Says::rises},
     {"eta rises (4.4), about the bed 1.30 m downstream", "eta_lower", Says::rises},

@@ -21,8 +21,8 @@ FlowEnergy::FlowEnergy(const Observed& run, const ObserverList& before)
   if (grains_)
     result(
         "e_out_kJ", "kJ",
-        "energy of liquid and grains that has passed `measure.outflow_distance_m` beyond the measured section; absent "
-        "without a fluid, or without grains and barrier, or where its liquid's energy is",
+        "energy of liquid and grains that has passed `measure.outflow_distance_m` beyond the measured section, and of "
+        "grains that are gone; absent without a fluid, or without grains and barrier, or where its liquid's energy is",
         [this] { return (outflow_.energy().sum() + grains_->energy_out()) / 1000; })
         .unknown_at_times();
 }

@@ -12,9 +12,9 @@ Grains::Grains(const Observed& run) : Observer(run), way_(run.simulation.solids(
   column("grains_passed_kg", "kg", "mass of grains that came past the outflow section, or are gone",
          [this] { return passed_; });
   if (run.section) {
-    result("e_out_grains_kinetic_kJ", "kJ", "kinetic energy of grains that passed the outflow section",
+    result("e_out_grains_kinetic_kJ", "kJ", "kinetic energy of grains that passed the outflow section, or are gone",
            [this] { return kinetic_out_ / 1000; });
-    result("e_out_grains_potential_kJ", "kJ", "potential energy of grains that passed the outflow section",
+    result("e_out_grains_potential_kJ", "kJ", "potential energy of grains that passed the outflow section, or are gone",
            [this] { return (energy_out_ - kinetic_out_) / 1000; });
     event("particle_arrival_s", "s", "first row with `grains_front_x_m` at the measured section or beyond",
           [this] { return front_ >= *run_.section ? run_.simulation.time() : kUnknown; });

@@ -13,7 +13,8 @@ namespace lahar::cases {
 Retention::Retention(const Observed& run) : Observer(run) {
   result("retained_mass_ratio", "1",
          "share by mass of the grains that are held at the end: upstream of `measure.section_x_m` (by default the "
-         "net's plane, if there is a fluid), or of the net's foremost bead along its normal (posts, what hangs on them "
+         "net's plane or the rigid barrier's upstream face, if there is a fluid), or of the net's foremost bead along "
+         "its normal (posts, what hangs on them "
          "and torn wires aside) "
          "where it has bulged beyond it",
          [this] { return now().mass; })

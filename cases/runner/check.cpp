@@ -11,6 +11,7 @@
 #include "cases/runner/warnings.h"
 #include "core/units.h"
 #include "coupling/grains/averaging_grid.h"
+#include "lbm/grid/domain.h"
 
 namespace lahar::cases {
 namespace {
@@ -85,8 +86,9 @@ void set_flow_law_numbers(const scene::Scene& scene, FluidFigures& f) {
 FluidFigures fluid_figures(const scene::Scene& scene) {
   FluidFigures f;
   const double dx = scene.fluid.cell_size;
-  const auto cells = ((scene.domain.upper - scene.domain.lower) / dx).array();
-  f.domain_cells = cells.unaryExpr([](double n) { return std::ceil(n - 1e-9); }).prod();
+  const Vec3 extent = scene.domain.upper - scene.domain.lower;
+  const Vec3 cells = extent.unaryExpr([&](double e) { return lbm::covering_cells(e, dx); });
+  f.domain_cells = cells.prod();
   f.liquid_cells = scene::liquid_cells(scene);
   f.inflow_cells = scene::inflow_cells(scene, scene.run.duration);
   f.mean_cells = std::min(f.domain_cells, f.liquid_cells + mean_inflow_cells(scene));
@@ -112,7 +114,7 @@ Vec3 averaging_lengths(const scene::Scene& scene) {
   const double dx = scene.fluid.cell_size;
   const Vec3 extent = scene.domain.upper - scene.domain.lower;
   return extent.unaryExpr([&](double e) {
-    const double whole_cells = dx * std::ceil(e / dx - 1e-9);
+    const double whole_cells = dx * lbm::covering_cells(e, dx);
     return whole_cells / coupling::AveragingGrid::divisions(whole_cells, scene.coupling.averaging_length);
   });
 }

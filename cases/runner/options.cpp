@@ -50,7 +50,7 @@ void add_common_options(CLI::App& app, CommonOptions& o, const Taken& taken) {
     app.add_option("--precision", o.precision, "Number format of the fluid")
         ->check(CLI::IsMember(scene::words<scene::Precision>()))
         ->type_name("float|double");
-  app.add_flag("--quiet", o.quiet, "Print nothing but mistakes");
+  app.add_flag("--quiet", o.quiet, "Print nothing but mistakes and warnings of the run");
   if (taken.overwrite) app.add_flag("--overwrite", o.overwrite, "Replace a former run in the output folder");
 }
 

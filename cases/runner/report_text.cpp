@@ -68,8 +68,9 @@ std::string solids_text(const scene::Scene& scene, const SolidsFigures& s) {
   const auto limit = [&](const char* name, double seconds) {
     if (std::isfinite(seconds)) t += line(name, fmt::format("{:.3g} s", seconds));
   };
-  limit("Rayleigh time, grains", s.limits.grain_rayleigh);
-  limit("Rayleigh time, beads", s.limits.bead_rayleigh);
+  const bool linear = std::holds_alternative<dem::LinearSpringDashpot>(scene.solids.contact_law);
+  limit(linear ? "limit of the linear law, grains" : "Rayleigh time, grains", s.limits.grain_rayleigh);
+  limit(linear ? "limit of the linear law, beads" : "Rayleigh time, beads", s.limits.bead_rayleigh);
   limit(scene.barrier.net.kind == scene::NetKind::rings ? "bond limit, rings" : "bond limit, mesh", s.limits.ring_bond);
   limit("bond limit, cables", s.limits.cable_bond);
   limit("bond limit, posts", s.limits.post_bond);

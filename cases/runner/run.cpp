@@ -10,6 +10,7 @@
 #include <set>
 
 #include "cases/assembly/build.h"
+#include "cases/assembly/check_start.h"
 #include "cases/assembly/packings.h"
 #include "cases/assembly/simulation.h"
 #include "cases/files/output_file.h"
@@ -123,7 +124,7 @@ class SceneRun {
     if (from)
       load(*from);
     else if (const dem::Solids* solids = simulation_->solids())
-      for (const std::string& missed : missed_heights(scene, solids->particles())) monitor.warn(missed);
+      warn_of_start(*solids);
     series_.emplace(open_series(options.out / "series.h5", from, monitor));
     observers_->declare(*series_);
     const dem::Solids* solids = simulation_->solids();
@@ -167,6 +168,11 @@ class SceneRun {
 
  private:
   [[nodiscard]] double time() const { return simulation_->time(); }
+
+  void warn_of_start(const dem::Solids& solids) {
+    for (const std::string& missed : missed_heights(scene_, solids.particles())) monitor_.warn(missed);
+    if (const std::string burst = burst_at_start(solids); !burst.empty()) monitor_.warn(burst);
+  }
 
   void sample() {
     const ScopedTimer timer(timers_.section("measurements"));

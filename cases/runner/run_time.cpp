@@ -30,15 +30,39 @@ constexpr double of_grain_contacts = 0.7;
 // (packing_time).
 constexpr double seconds_per_packed_grain = 2e-4, seconds_per_grain_and_radius = 6.5e-5;
 constexpr double seconds_per_picture = 1.2;  // of 1280 x 720
+// Of a row of the series: a wet cell, a grain, a bead with its bonds; of a frame: a wet cell, a particle; of a
+// checkpoint: a wet cell. Probes and sections cost less than runs differ by, and are not counted.
+constexpr double seconds_per_row_cell = 120e-9, seconds_per_row_grain = 60e-9, seconds_per_row_bead = 900e-9;
+constexpr double seconds_per_frame_cell = 200e-9, seconds_per_frame_particle = 1.3e-6;
+constexpr double seconds_per_checkpoint_cell = 450e-9;
 
-/// One at the start, one at the end and one in each interval, but no more than one a step.
-double pictures(const scene::Run& run, const CheckReport& report) {
-  if (run.image_interval <= 0) return 0;
-  const double steps = report.fluid ? report.fluid->steps : report.solids ? report.solids->steps : 0;
-  return 1 + std::min(steps, std::ceil(run.duration / run.image_interval - 1e-9));
+double steps_of(const CheckReport& report) {
+  return report.fluid ? report.fluid->steps : report.solids ? report.solids->steps : 0;
+}
+
+/// How often what is due at an interval is done after the start, the end included: no more than once a step.
+double times(double interval, const scene::Run& run, const CheckReport& report) {
+  return std::min(steps_of(report), std::ceil(run.duration / interval - 1e-9));
 }
 
 double of_precision(const scene::Run& run) { return run.precision == scene::Precision::float64 ? of_double : 1; }
+
+/// Rows, frames, pictures and checkpoints; the checkpoints of an interval of wall time are few.
+double output_time(const scene::Scene& scene, const CheckReport& report) {
+  const scene::Run& run = scene.run;
+  const double cells = report.fluid ? of_precision(run) * report.fluid->mean_cells : 0;
+  const double grains = report.solids ? static_cast<double>(report.solids->grains) : 0;
+  const double beads = report.solids ? static_cast<double>(report.solids->beads) : 0;
+  const double row = seconds_per_row_cell * cells + seconds_per_row_grain * grains + seconds_per_row_bead * beads;
+  const double frame = seconds_per_frame_cell * cells + seconds_per_frame_particle * (grains + beads);
+  const double rows = run.series_interval > 0 ? times(run.series_interval, run, report) : steps_of(report);
+  double seconds = row * (1 + rows);
+  if (run.output_interval > 0) seconds += frame * (1 + times(run.output_interval, run, report));
+  if (run.image_interval > 0) seconds += seconds_per_picture * (1 + times(run.image_interval, run, report));
+  if (run.checkpoint_interval > 0)
+    seconds += seconds_per_checkpoint_cell * cells * times(run.checkpoint_interval, run, report);
+  return seconds;
+}
 
 double fluid_step(const scene::Scene& scene, const CheckReport& report) {
   const FluidFigures& fluid = *report.fluid;
@@ -97,7 +121,7 @@ double coupling_step(const scene::Scene& scene, const CheckReport& report, doubl
 }  // namespace
 
 double run_time(const scene::Scene& scene, const CheckReport& report) {
-  double seconds = seconds_per_picture * pictures(scene.run, report);
+  double seconds = output_time(scene, report);
   if (report.fluid) seconds += report.fluid->steps * fluid_step(scene, report);
   if (!report.solids) return seconds;
   const SolidsFigures& solids = *report.solids;

@@ -37,11 +37,11 @@ void add_fast_grains(const scene::Scene& s, Warnings& list) {
         fastest, paced));
 }
 
-/// Resolved grains of few cells that liquid at rest throws about (docs/decisions/0098).
+/// Resolved grains of few cells that liquid at rest throws about (docs/decisions/0098, 0110).
 void add_restless_grains(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
   if (s.coupling.grains != scene::GrainFluid::resolved || !f.cells_per_smallest_grain || !f.lightest_grain) return;
   const double cells = *f.cells_per_smallest_grain, density = *f.lightest_grain;
-  const double calm = density < 1 ? 2.5 : density < 1.5 ? 2 : 1.5;  // cells
+  const double calm = density < 1.1 ? 3 : density < 1.6 ? 2.5 : 1.5;  // cells
   if (lbm::by_wall_distance(s.coupling.body_weighting) && cells < calm)
     list.push_back(
         fmt::format("the smallest grain is {:.1f} cells across: below {:g}, with {:.2g} of the liquid's density, "

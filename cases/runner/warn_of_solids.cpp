@@ -177,6 +177,19 @@ void add_safeties(const scene::Scene& s, Warnings& list) {
     list.emplace_back("solids.contact_safety changes nothing with solids.time_step_s");
 }
 
+/// Steps at which a bounce makes or loses energy; those of grains among themselves may be longer (two_rates).
+void add_lossy_contacts(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
+  constexpr double accurate = 0.3;  // of the limit: an elastic ball that bounces errs by 2 % there
+  const double share = std::max(f.time_step / std::min(f.limits.grain_rayleigh, f.limits.bead_rayleigh),
+                                static_cast<double>(f.long_step) * f.time_step / f.limits.grain_rayleigh);
+  if (share <= accurate * (1 + 1e-9)) return;
+  const bool linear = std::holds_alternative<dem::LinearSpringDashpot>(s.solids.contact_law);
+  list.push_back(
+      fmt::format("particles step by {:.2g} of the {} (solids.contact_safety); above {:g} the ledger of energy of an "
+                  "elastic ball that bounces errs by more than 2 %",
+                  share, linear ? "limit of the linear law" : "Rayleigh time", accurate));
+}
+
 }  // namespace
 
 void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& list) {
@@ -187,6 +200,7 @@ void warn_of_solids(const scene::Scene& s, const SolidsFigures& f, Warnings& lis
                                s.solids.time_step, critical));
   else if (s.solids.time_step > 0)
     add_step_of_barrier(s, f.time_step, list);
+  if (s.solids.time_step <= critical) add_lossy_contacts(s, f, list);
   if (s.solids.contact_modulus_scale < 1 && std::holds_alternative<dem::LinearSpringDashpot>(s.solids.contact_law))
     list.emplace_back("solids.contact_modulus_scale changes nothing with contact_law = \"linear\"");
   else if (s.solids.contact_modulus_scale < 1)

@@ -202,7 +202,7 @@ void describe(V& v, Fluid& s) {
         "Largest expected speed in cells per time step; it sets the time step. Compressibility errors grow with its "
         "square.");
     v.value("max_speed_m_s", s.max_speed, {non_negative()},
-            "Largest expected speed; 0 = from the drop height, sqrt(v0^2 + 2 g h).");
+            "Largest expected speed; 0 = from the drop height, a cell at least, sqrt(v0^2 + 2 g h).");
     v.value("adaptive_time_step", s.adaptive_time_step, {},
             "Whether the time step follows the liquid, so that its largest speed stays about lattice_velocity: shorter "
             "at once where it is too fast, longer when it has been calm. The largest expected speed then sets the "
@@ -244,7 +244,8 @@ void describe(V& v, Solids& s) {
       "Time step of the particles; 0 = the smaller of the two limits below. Shortened so that a whole number fits into "
       "a fluid step.");
   v.value("contact_safety", s.contact_safety, {above_up_to(0, 1)},
-          "Share of the smallest Rayleigh time of a particle (linear law: of the shortest contact) that is used.");
+          "Share of the smallest Rayleigh time of a particle (linear law: of 0.35 times the shortest contact) that is "
+          "used. Up to 0.3 the energy of an elastic ball that bounces is known to 2 %.");
   v.value("bond_safety", s.bond_safety, {above_up_to(0, 1)}, "Share of the smallest limit of a bond that is used.");
   v.value(
       "two_rates", s.two_rates, {},

@@ -39,7 +39,7 @@ struct HertzMindlin {
 
     const V shear = 8 * s.effective_shear_modulus * contact_radius;
     const V shear_damper = damper * root(shear * s.tangential_mass);
-    add_tangential_spring<V>(s, shear, within_step(s, shear_damper, normal_damper, dt), dt, history, f);
+    add_tangential_spring<V>(s, shear, within_step(s, shear_damper, f.damping, dt), dt, history, f);
     return f;
   }
 };

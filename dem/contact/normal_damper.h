@@ -22,10 +22,15 @@ namespace lahar::dem {
 /// grows nor swings, whatever the dampers, and a lone contact is solved as before. The work of a contact may then be
 /// negative while it takes up what the others left; their sum is not.
 ///
+/// What the rule takes of the closing speed v in a step is 2 c h/m / (1 + c h/m): from c h/m = 1 on it would turn it
+/// round. Dampers are as strong as that at most: such a kick takes all of it.
+///
 /// Without a step (dt = 0: the forces of a state before it moves) the damper's force stays as it was.
 template <class V>
-[[gnu::always_inline]] inline void set_normal_force(const ContactStateOf<V>& s, const V& elastic, const V& damping,
+[[gnu::always_inline]] inline void set_normal_force(const ContactStateOf<V>& s, const V& elastic, const V& damper,
                                                     double dt, ContactHistoryOf<V>& history, ContactForceOf<V>& f) {
+  const V damping =
+      dt > 0 ? V(select(s.effective_mass > 0, min(damper, V(s.effective_mass * (2 / dt))), damper)) : damper;
   if (!(dt > 0)) {
     f.normal = max(elastic + history.damping_force, V{});
     f.damping = damping;

@@ -90,7 +90,8 @@ std::optional<Real> height(const View<Real>& v, int column, int up) {
   last = v.raw(column);
   for (int k = 1; k <= kReach; ++k) {
     const Real here = v.raw(column - k * up);
-    if (here >= 0) last = here;
+    if (here < 0 && last <= Real(0.001)) return std::nullopt;  // a dry column on a wall: a contact line
+    last = here >= 0 ? here : Real(1);                         // liquid that stands on a wall
     sum += last;
   }
   if (last < Real(0.999)) return std::nullopt;

@@ -7,13 +7,14 @@
 
 namespace lahar::lbm {
 
+double covering_cells(double length, double cell_size) { return std::ceil(length / cell_size - 1e-6); }
+
 Domain::Domain(DomainSpec spec) : spec_(std::move(spec)) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto low = static_cast<std::size_t>(2 * axis), high = low + 1;
     const bool periodic = spec_.faces[low] == FaceKind::periodic;
     require(periodic == (spec_.faces[high] == FaceKind::periodic), "Domain: an axis is periodic on one side only");
-    const double exact = (spec_.upper[axis] - spec_.lower[axis]) / spec_.cell_size;
-    cells_[axis] = static_cast<int>(std::ceil(exact - 1e-6));
+    cells_[axis] = static_cast<int>(covering_cells(spec_.upper[axis] - spec_.lower[axis], spec_.cell_size));
     first_[axis] = periodic ? 0 : 1;
     origin_[axis] = spec_.lower[axis] - first_[axis] * spec_.cell_size;
     if (!periodic) continue;

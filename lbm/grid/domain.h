@@ -29,6 +29,9 @@ struct DomainSpec {
   WallPlacement placement = WallPlacement::half_way;
 };
 
+/// Cells that cover a length (both in m), but for 1e-6 of a cell: a whole number, as the domain is cut.
+double covering_cells(double length, double cell_size);
+
 class Domain {
  public:
   /// Throws std::logic_error if a periodic axis is not a multiple of 8 cells, or periodic on one side only.

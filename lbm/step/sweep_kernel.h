@@ -69,17 +69,29 @@ class BlockKernel {
     for (int pair = 0; pair < D3Q19::pairs; ++pair) home[pair] = block.f(p.parity.home(D3Q19::forward(pair)));
     const AwayPopulations<Real> away(around, p.parity, nowhere);
     const auto uniform = make_uniform<V, Viscosity<V>>(p);
-    alignas(64) Real wet[kMixed ? kBlockCells : 1];
-    if constexpr (kMixed)
-      for (int n = 0; n < kBlockCells; ++n)
-        wet[n] = is_wet(block.type[static_cast<std::size_t>(n)]) ? Real(1) : Real(0);
+    CellTypes types;
+    if constexpr (kMixed) types.set(block);
     Watch watch;
     for (int n = 0; n < kBlockCells; n += width)
-      if (!kMixed || rows >> (n / kBlockWidth) & 1) collide_cells<Operator>(block, home, away, wet, n, uniform, watch);
+      if (!kMixed || rows >> (n / kBlockWidth) & 1)
+        collide_cells<Operator>(block, home, away, types, n, uniform, watch);
     return watch.note(block);
   }
 
  private:
+  /// 1 or 0 for each cell of a block that is not liquid throughout.
+  struct CellTypes {
+    alignas(64) Real wet[kMixed ? kBlockCells : 1];
+    alignas(64) Real liquid[kMixed && kBody ? kBlockCells : 1];
+
+    void set(const Block<Real>& block) {
+      for (std::size_t n = 0; n < kBlockCells; ++n) {
+        wet[n] = is_wet(block.type[n]) ? Real(1) : Real(0);
+        if constexpr (kBody) liquid[n] = block.type[n] == CellType::liquid ? Real(1) : Real(0);
+      }
+    }
+  };
+
   /// What the collisions of a block see.
   struct Watch {
     V fastest{0};
@@ -113,7 +125,7 @@ class BlockKernel {
 
   template <class Operator, class Uniforms>
   [[gnu::always_inline]] static void collide_cells(Block<Real>& block, Real* const (&home)[D3Q19::pairs],
-                                                   const AwayPopulations<Real>& away, const Real* wet, int n,
+                                                   const AwayPopulations<Real>& away, const CellTypes& types, int n,
                                                    const Uniforms& uniform, Watch& watch) {
     V f[D3Q19::q];
     f[0] = load_aligned<V>(block.f(0) + n);
@@ -124,7 +136,7 @@ class BlockKernel {
     });
     const auto dry = [&] {
       if constexpr (kMixed)
-        return load_aligned<V>(wet + n) == V(0);
+        return load_aligned<V>(types.wet + n) == V(0);
       else
         return V::mask_type::all(false);
     }();
@@ -138,7 +150,7 @@ class BlockKernel {
         if constexpr (Operator::bounds_stress) force.largest_rate = load_aligned<V>(block.surface->largest_rate + n);
       }
     if constexpr (Operator::bounds_stress) limit_stress(watch, f, uniform.stress_limit, m, force);
-    add_forcing(block, n, uniform, m, force);
+    add_forcing(block, types, n, uniform, m, force);
     if constexpr (kBody && kMixed) {
       force.coverage_weight = select(dry, V(0), force.coverage_weight);
       for (V& change : force.impulse) change = select(dry, V(0), change);
@@ -177,19 +189,22 @@ class BlockKernel {
   }
 
   /// Gravity acts on all that the populations stand for, liquid and displaced liquid; the bodies' buoyancy is the
-  /// weight of the latter (coupling/grains/resolved_exchange.h).
+  /// weight of the latter (coupling/grains/resolved_exchange.h). Liquid leaves a collision by half a step of gravity
+  /// faster than it is (0110); bounce-back at the wall's velocity knows that by itself.
   template <class Uniforms>
-  [[gnu::always_inline]] static void add_forcing(const Block<Real>& block, int n, const Uniforms& uniform,
-                                                 const Moments<V>& m, CellForcing<V>& force) {
+  [[gnu::always_inline]] static void add_forcing(const Block<Real>& block, const CellTypes& types, int n,
+                                                 const Uniforms& uniform, const Moments<V>& m, CellForcing<V>& force) {
     if constexpr (kBody) {
+      V ahead(uniform.at_wall_velocity ? Real(0) : Real(0.5));  // of a step
+      if constexpr (kMixed) ahead *= load_aligned<V>(types.liquid + n);
       const BodyFields<Real>& body = *block.body;
       const V tiny(Real(1e-12));
       const V sum = load_aligned<V>(body.exchange_weight + n);
       const V inverse = V(1) / max(sum, tiny);
       force.near_body = select(sum > V(0), V(1), force.near_body);
-      force.solid_velocity[0] = load_aligned<V>(body.weighted_velocity_x + n) * inverse;
-      force.solid_velocity[1] = load_aligned<V>(body.weighted_velocity_y + n) * inverse;
-      force.solid_velocity[2] = load_aligned<V>(body.weighted_velocity_z + n) * inverse;
+      force.solid_velocity[0] = load_aligned<V>(body.weighted_velocity_x + n) * inverse + ahead * uniform.gravity[0];
+      force.solid_velocity[1] = load_aligned<V>(body.weighted_velocity_y + n) * inverse + ahead * uniform.gravity[1];
+      force.solid_velocity[2] = load_aligned<V>(body.weighted_velocity_z + n) * inverse + ahead * uniform.gravity[2];
       V square(0);
       for (int a = 0; a < 3; ++a) {
         const V slip = m.u[a] + uniform.gravity[a] - force.solid_velocity[a];
@@ -210,8 +225,8 @@ class BlockKernel {
     for (int a = 0; a < 3; ++a) force.acceleration[a] = uniform.gravity[a];
   }
 
-  /// Momentum that the fluid gives to the bodies of the cell, B rho (u + a - u_s), and the velocity after collision but
-  /// for half a step of gravity.
+  /// Momentum that the fluid gives to the bodies of the cell, B rho (u + a - u_s), in liquid with u_s + a/2, and the
+  /// velocity after collision but for half a step of gravity.
   /// Bounce-back at the wall's velocity gives B rho (2 (u - u_s) + a).
   template <class Uniforms>
   [[gnu::always_inline]] static void record_exchange(Block<Real>& block, int n, const Moments<V>& m,

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <tuple>
@@ -264,6 +265,55 @@ TEST_F(Cli, AnInterruptedRunGoesOn) {
   EXPECT_NE(rest.out.find("results are in out"), std::string::npos) << rest.out;
   EXPECT_NEAR(summary()["simulated_seconds"].get<double>(), until + 0.1, 1e-3);
   EXPECT_GT(summary()["wall_seconds"].get<double>(), wall);
+}
+
+/// While grains are packed, or the net comes to rest: the former run is there still, aside or in its place.
+TEST_F(Cli, ASignalWhileARunIsPreparedEndsItAndLosesNothing) {
+  const std::string options = "run --threads 1 --quiet --overwrite --out out ";
+  const auto scene = [](const char* name) {
+    return fmt::format("'{}' --set run.duration_s=0.01", case_file(name).string());
+  };
+  ASSERT_EQ(run(options + scene("bouncing_sphere/scene.toml")).code, 0);
+  const std::string former = file_text(folder_.path() / "out/series.h5");
+  ASSERT_NE(former, "");
+  const auto kept = [&] {
+    const auto aside = folder_.path() / "out/.former_run/series.h5";
+    return file_text(std::filesystem::exists(aside) ? aside : folder_.path() / "out/series.h5");
+  };
+  for (const std::string& preparing :
+       {scene("graded_gravel/scene.toml") + " --set 'grains.packing[0].target_height_m=0.34'",
+        scene("hanging_net/scene.toml") + " --set barrier.settle_time_s=1000"})
+    for (const char* after : {"0.05", "1"}) {
+      const Outcome o = run(options + preparing, std::string("timeout --preserve-status -k 20 -s TERM ") + after + " ");
+      constexpr int not_yet_listening = 128 + SIGTERM;  // as the program is loaded
+      EXPECT_TRUE(o.code == 130 || (o.code == not_yet_listening && after == std::string("0.05")))
+          << preparing << " after " << after << " s: " << o.code << " " << o.err;
+      EXPECT_EQ(o.err.starts_with("interrupted before the run began\n"), o.code == 130) << o.err;
+      EXPECT_EQ(kept(), former) << preparing << " after " << after << " s";
+    }
+}
+
+/// A thousand spans; a net of 1e5 rings: within seconds of CPU.
+TEST_F(Cli, WhatLargeBarriersTakeIsSaidAtOnce) {
+  const std::string spans = "two_spans/scene.toml' --set barrier.posts.spans=1000 --set 'domain.upper_m=[0.3,300,0.4]'";
+  const std::string rings =
+      "hanging_net/scene.toml' --set barrier.net.width_m=60 --set barrier.net.height_m=6 "
+      "--set 'domain.lower_m=[-1,-1,-1]' --set 'domain.upper_m=[1,61,8]'";
+  for (const std::string& scene : {spans, rings}) {
+    const Outcome o = run("check '" + case_file("").string() + scene, "ulimit -t 5; ");
+    EXPECT_EQ(o.code, 0) << scene << ": " << o.err;
+    EXPECT_NE(o.out.find("run time, a rough estimate"), std::string::npos) << o.out;
+  }
+}
+
+/// The scenes whose features tools/pay_for_use measures are taken as they are.
+TEST_F(Cli, ScenesOfPayForUseAreSound) {
+  if (std::system("python3 --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "there is no python3";
+  const ScratchFolder streams;
+  const Outcome o =
+      start("", source_folder() / "tools/pay_for_use", "--check --lahar '" LAHAR_EXECUTABLE "'", folder_, streams);
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find("are sound"), std::string::npos) << o.out;
 }
 
 TEST_F(Cli, ResumeRefusesWhatItCannotDo) {

@@ -1,12 +1,14 @@
 #include "cases/hard_cases/hard_cases.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <set>
 
 #include "cases/validate/reference_table.h"
+#include "tests/cases/scene/scene_files.h"
 #include "tests/cases/validate/known_misses.h"
 
 namespace lahar::validate {
@@ -45,6 +47,15 @@ TEST(HardCases, AreChosenByTheirIds) {
   EXPECT_EQ(chosen[1].id, "L5");
   EXPECT_EQ(select_hard_cases({}).size(), hard_cases().size());
   EXPECT_THROW(select_hard_cases({"H21"}), std::invalid_argument);
+}
+
+/// tools/results_page reads the cases from the source: none may escape it.
+TEST(HardCases, StandOnTheResultsPageWithTheirEntries) {
+  const std::string page = scene::file_text(scene::source_folder() / "docs/results.md");
+  for (const HardCase& c : hard_cases()) {
+    const std::string row = fmt::format("\n| {} | {} | `{}` | ", c.id, c.question, fmt::join(c.entries, "`, `"));
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+  }
 }
 
 std::vector<std::string> all_ids() {

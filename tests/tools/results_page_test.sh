@@ -57,6 +57,36 @@ before="$(text)"
 page
 expect_equal 'page written again' "$(text)" "$before"
 
+# Hard cases: which entries reach all their rows, and what lies farthest from its bar. The list has all its cases.
+plant cases/validate/reference/hard_cases.csv $'# note\nid,case,pass\nH1,"A splash, wet",none lost\nH2,Snow,none'
+plant cases/hard_cases/hard_cases.cpp '{{"H1", {"fluid.first", "fluid.second"}}, {"H2", {"fluid.first"}}}
+  {{"L1",
+    "Oil, here",
+    "it floats",
+    {"fluid.first", "barrier.post"}}}'
+page
+expect_equal 'status with hard cases' "$status" 0
+# shellcheck disable=SC2016
+expect_contains "$(text)" \
+  '| H1 | A splash, wet | `fluid.first`, `fluid.second` | 2 of 3 | 12 | **no** | `fluid.second` stopped: went wrong |'
+# shellcheck disable=SC2016
+expect_contains "$(text)" '| H2 | Snow | `fluid.first` | 1 of 1 | 9 | yes |  |'
+# shellcheck disable=SC2016
+expect_contains "$(text)" '| L1 | Oil, here | `fluid.first`, `barrier.post` | 1 of 1 | 9 | **no** | not all were run |'
+expect_contains "$(text)" '1 of 2 of the list, 0 of 1 of those found here'
+plant shorter.json "$(results bbb "{\"name\": \"fluid.second\", \"pass\": false, \"seconds\": 3, \"source\": \"a book\",
+  \"rows\": [$(row depth 1.2 0.2 0.1 false), $(row width 1.9 0.9 0.5 false)]}")"
+page "$scratch/tree/shorter.json"
+# shellcheck disable=SC2016
+expect_contains "$(text)" '| 1 of 3 | 12 | **no** | depth: 1.2, error 0.2, bar 0.1 |'
+plant cases/hard_cases/hard_cases.cpp '{{"H1", {"fluid.first"}}}'
+page
+expect_equal 'status of a case that has no entries' "$status" 1
+expect_contains "$output" 'no entries for H2'
+rm -r "$scratch/tree/cases/hard_cases"
+page "$scratch/tree/both.json"
+expect_equal 'page without hard cases' "$(text)" "$before"
+
 # What does not belong there is refused, and the store stays as it was.
 plant quick.json "$(results ddd '' | sed 's/"quick": false/"quick": true/')"
 page "$scratch/tree/quick.json"

@@ -1,5 +1,5 @@
 // Water runs down a slope of 35 degrees that is level in the lattice, or stands in it as a staircase: it must arrive at
-// the same time.
+// the same time, within 2 % (the case asks for 5 %).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,7 +67,7 @@ std::vector<Row> compare(int finer) {
   const Arrival steps = arrival_on_slope<Real>(true, finer), level = arrival_on_slope<Real>(false, finer);
   const std::string block = fmt::format("block {} cells high: ", 12 * finer);
   return {relative_row(block + "steps to 5 heights down a slope, lattice tilted against gravity tilted", steps.steps,
-                       level.steps, 0.05 / finer),
+                       level.steps, 0.02),
           relative_row(block + "kinetic energy of potential energy lost, the same", steps.energy, level.energy, 0.02)};
 }
 

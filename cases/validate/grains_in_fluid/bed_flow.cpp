@@ -17,7 +17,8 @@ Bed make_bed(double fraction, int cells_per_diameter, int diameters) {
   const double volume = fraction * bed.box * bed.box * bed.box;
   const auto count = std::lround(6 * volume / (pi * std::pow(cells_per_diameter, 3)));
   bed.diameter = std::cbrt(6 * volume / (pi * static_cast<double>(count)));
-  bed.centres = hard_spheres(static_cast<std::size_t>(count), bed.box, bed.diameter, 1);
+  const auto place = fraction > 0.6 ? jammed_spheres : hard_spheres;
+  bed.centres = place(static_cast<std::size_t>(count), bed.box, bed.diameter, 1);
   return bed;
 }
 

@@ -13,7 +13,8 @@ struct Bed {
   std::vector<Vec3> centres{};  ///< cells
 };
 
-/// A random pack in a box of so many diameters: the same pack on any cells.
+/// A random pack in a box of so many diameters: the same pack on any cells. Above a volume fraction of 0.6 a jammed
+/// one.
 Bed make_bed(double fraction, int cells_per_diameter, int diameters);
 
 /// Collision and eddies of debris flow scenes.

@@ -11,8 +11,8 @@ constexpr int kSweeps = 3000;
 
 class HardSpheres {
  public:
-  /// Random places, pushed apart until none overlap.
-  HardSpheres(std::size_t count, double box, double diameter, unsigned seed);
+  /// Random places, pushed apart to `apart` diameters until none overlap by more than `allowed` of a diameter.
+  HardSpheres(std::size_t count, double box, double diameter, unsigned seed, double apart, double allowed);
   /// Moves each as often as `sweeps`.
   void shake(int sweeps);
   [[nodiscard]] std::vector<Vec3> centres() const;
@@ -27,7 +27,7 @@ class HardSpheres {
   std::vector<Vec3> at_;
 };
 
-HardSpheres::HardSpheres(std::size_t count, double box, double diameter, unsigned seed)
+HardSpheres::HardSpheres(std::size_t count, double box, double diameter, unsigned seed, double apart, double allowed)
     : box_(box), diameter_(diameter), random_(seed), at_(count) {
   for (Vec3& p : at_)
     for (int a = 0; a < 3; ++a) p[a] = box * uniform();
@@ -36,12 +36,12 @@ HardSpheres::HardSpheres(std::size_t count, double box, double diameter, unsigne
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = i + 1; j < count; ++j) {
         const Vec3 d = nearest(at_[j] - at_[i]);
-        const double gap = d.norm() - 1.01 * diameter;
+        const double gap = d.norm() - apart * diameter;
         if (gap >= 0) continue;
         worst = std::max(worst, diameter - d.norm());
         at_[j] -= 0.5 * gap * d.normalized(), at_[i] += 0.5 * gap * d.normalized();
       }
-    if (worst <= 0) break;
+    if (worst <= allowed * diameter) break;
   }
 }
 
@@ -75,9 +75,13 @@ std::vector<Vec3> HardSpheres::centres() const {
 }  // namespace
 
 std::vector<Vec3> hard_spheres(std::size_t count, double box, double diameter, unsigned seed) {
-  HardSpheres spheres(count, box, diameter, seed);
+  HardSpheres spheres(count, box, diameter, seed, 1.01, 0);
   spheres.shake(kSweeps);
   return spheres.centres();
+}
+
+std::vector<Vec3> jammed_spheres(std::size_t count, double box, double diameter, unsigned seed) {
+  return HardSpheres(count, box, diameter, seed, 1, kJammedOverlap).centres();
 }
 
 }  // namespace lahar::validate

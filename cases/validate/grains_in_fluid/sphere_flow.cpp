@@ -116,7 +116,7 @@ Vec3 SphereFlow<Real>::mean_velocity() {
   double cells = 0;
   const lbm::Fluid<Real>& fluid = *step_.fluid();
   fluid.for_each_wet_cell([&](const lbm::WetCell& c) { sum += c.velocity, cells += 1; });
-  return sum / cells + 0.5 * fluid.options().gravity;
+  return sum / cells;
 }
 
 template class SphereFlow<float>;

@@ -43,7 +43,7 @@ class SphereFlow {
   void move_spheres(const Vec3& velocity);
   /// Force of the fluid on all spheres in the last step, with their buoyancy, lu.
   [[nodiscard]] Vec3 force();
-  /// Momentum of all cells over their number: the superficial velocity once the flow is steady.
+  /// Velocity between collisions over all cells: the superficial one once the flow is steady.
   [[nodiscard]] Vec3 mean_velocity();
   /// Without a fringe, whose momentum it does not know of.
   [[nodiscard]] const coupling::MomentumAudit& audit() const { return step_.audit(); }

@@ -38,7 +38,8 @@ double drag_in(const Mud& mud, int diameter, const Immersion& how) {
                         kLimitViscosity * kViscosity};
   const Vec3i cells = diameter * Vec3i(kLong, kWide, kWide);
   const Vec3 centre(0.5 * kLong * d + 0.3, 0.5 * kWide * d + 0.21, 0.5 * kWide * d + 0.37);
-  SphereFlow<double> flow(cells, consistency, Vec3::Zero(), immersion, {centre}, d / 2, speed * Vec3::UnitX());
+  const double of_flow = consistency * std::pow(rate, mud.exponent - 1);  // by which scenes are to let bodies weigh
+  SphereFlow<double> flow(cells, of_flow, Vec3::Zero(), immersion, {centre}, d / 2, speed * Vec3::UnitX());
   flow.set_fringe({0, kSlab, speed, kHeld});
   const int every = static_cast<int>(d * d / kViscosity);
   double force = 0, former = 0;

@@ -81,7 +81,8 @@ std::vector<Row> run(const Context& context) {
         rows.push_back(at_most_row("nearest to the floor, diameters, " + of, found.nearest, 0.01));
       }
     };
-    for (const double stokes : {10.0, 24.0, 50.0, 100.0, 640.0}) {
+    // Asked for; four fifths of them are reached.
+    for (const double stokes : {10.0, 24.0, 50.0, 100.0, 640.0, 1250.0}) {
       if (context.quick && stokes != 50) continue;
       ask(stokes, 8);
       if (!context.quick && stokes < 30) ask(stokes, 16);

@@ -69,6 +69,10 @@ TEST(Gradings, AreFixedBySeedAndDifferBetweenTables) {
   twice.grains.packings.push_back(one.grains.packings[0]);
   EXPECT_NE(grain_sizes(twice, 0), grain_sizes(twice, 1));
   EXPECT_EQ(grain_sizes(twice, 0), grain_sizes(one, 0));
+  Packing& first = twice.grains.packings[0];  // its second table against the first one of the second packing
+  first.sieved.push_back(first.sieved[0]);
+  const std::vector<GrainSize> both = grain_sizes(twice, 0), next = grain_sizes(twice, 1);
+  EXPECT_NE(std::vector<GrainSize>(both.begin() + std::ssize(grain_sizes(one, 0)), both.end()), next);
 }
 
 /// A check asks a dozen times for the grains of a packing: they are drawn once.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cases/assembly/build.h"
+#include "cases/assembly/check_start.h"
 #include "core/check.h"
 #include "tests/cases/scene/scene_files.h"
 
@@ -65,6 +66,46 @@ position_m = [0.1, 0.5, )") + z + "]\n");
         << e.what();
     EXPECT_GT(e.mistakes().front().line, 1) << "the place of the sphere";
   }
+}
+
+/// A large grain stands out of the top of its box, into the small ones of the box above, with which it shares no space.
+TEST(Packings, GrainsThatStandOutIntoThePackingAboveAreRefused) {
+  const std::string sizes = R"(
+[[grains.packing.sizes]]
+diameter_m = 0.008
+count = 600
+density_kg_m3 = 2500.0
+material = "rock"
+)";
+  const auto stacked = [&](const std::string& middle, const std::string& second) {
+    return scene::load_text(std::string(scene::small_scene) +
+                                "\n[[grains.packing]]\nlower_m = [0.0, 0.0, 0.0]\nupper_m = [0.1, 0.1, " + middle +
+                                "]\n" + sizes +
+                                "[[grains.packing.sizes]]\ndiameter_m = 0.03\ncount = 3\ndensity_kg_m3 = 2500.0\n"
+                                "material = \"rock\"\n[[grains.packing]]\nlower_m = [0.0, 0.0, " +
+                                second + "]\nupper_m = [0.1, 0.1, 0.3]\n" + sizes,
+                            {"run.seed=2"});
+  };
+  EXPECT_NO_THROW(build_solids(stacked("0.043", "0.063")));
+  try {
+    build_solids(stacked("0.043", "0.043"));
+    FAIL() << "a grain begins inside another";
+  } catch (const InputError& e) {
+    EXPECT_NE(std::string(e.what()).find("lies in one of grains.packing[0]"), std::string::npos) << e.what();
+  }
+}
+
+/// A steel sphere 5 % of its radius deep in the floor: W = 8/15 E* sqrt(R) overlap^2.5 throws it at 46 m/s.
+TEST(Packings, ABurstAtTheStartIsTold) {
+  const auto told = [](const char* z) {
+    const scene::Scene scene =
+        scene::load(scene::case_file("bouncing_sphere/scene.toml"),
+                    {std::string("grains.sphere[0].position_m=[0, 0, ") + z + "]", "solids.contact_modulus_scale=1"});
+    return burst_at_start(build_solids(scene).solids);
+  };
+  EXPECT_NE(told("0.0475").find("would throw it at up to 46 m/s"), std::string::npos) << told("0.0475");
+  EXPECT_EQ(told("0.05"), "");
+  EXPECT_EQ(told("0.55"), "");
 }
 
 /// A packing settles in its own box. `check` looks where centres of grains may be, ever closer beside walls.

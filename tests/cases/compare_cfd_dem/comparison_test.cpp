@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "cases/assembly/load.h"
 #include "cases/compare_cfd_dem/published_flows.h"
@@ -150,7 +152,7 @@ TEST(Comparison, HoldsTheirsAndOurs) {
   std::size_t agree = 0;
   const std::vector<Trend> found = trends(results);
   for (const Trend& t : found) agree += t.agrees == Agreement::yes;
-  EXPECT_EQ(found.size(), 13u);
+  EXPECT_EQ(found.size(), 16u);
   EXPECT_EQ(agree, 3u);  // retained mass and zeta fall, eta rises; of forces and of what passed nothing is known
   EXPECT_NE(
       trends_csv(found).find("\"eta rises (4.4), about the bed at the net\",matched,resolved,coarse,3,1,1.00,yes\n"),
@@ -173,6 +175,122 @@ TEST(Comparison, TrendsThatTurnAgreeMostly) {
   EXPECT_EQ(agreement({1, 1, 3}), std::pair(Agreement::mostly, 2.0 / 3));
   EXPECT_EQ(agreement({2, 1, 3}), std::pair(Agreement::no, 1.0 / 3));  // as every third order of three flows
   EXPECT_EQ(agreement({1, 1, 1}), std::pair(Agreement::no, 0.0));
+}
+
+/// Retained shares of both sizes fall in the paper; the peak of the whole barrier has two readings.
+TEST(Comparison, TrendsOfBothSizesAndOfBothPeaks) {
+  std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10), made_up(8.6, 100, 10)};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto x = static_cast<double>(k);
+    results[k].values["retained_large"] = 0.999 - 0.01 * x, results[k].values["retained_small"] = 0.6 + 0.1 * x;
+    results[k].values["barrier_sum"] = 5 - x, results[k].values["barrier_sum_mean"] = 4 + x;
+  }
+  const auto agreement = [&](const char* part) {
+    for (const Trend& t : trends(results))
+      if (t.statement.find(part) != std::string::npos) return t.agrees;
+    return Agreement::unknown;
+  };
+  EXPECT_EQ(agreement("large grains that is retained falls"), Agreement::yes);
+  EXPECT_EQ(agreement("small grains that is retained falls"), Agreement::no);
+  EXPECT_EQ(agreement("whole barrier rises (4.3)"), Agreement::no);
+  EXPECT_EQ(agreement("largest mean over 0.2 s"), Agreement::yes);
+}
+
+/// The parts of what the barrier holds, from the first row to the last, add up to all of it.
+TEST(Comparison, PartsOfTheBarriersEnergy) {
+  CaseRun run;
+  run.study_case = {"matched", "coarse", "resolved", "study", 4.1, 1};
+  run.metrics = {{"barrier_energy_start_J", 14}, {"barrier_energy_end_J", 105}, {"peak_right_cable_end_kN", 4.5}};
+  run.series.time_s = {0, 1, 2};
+  run.series.columns = {{"barrier_axial_J", "J", "", {10, 200, 80}},
+                        {"barrier_shear_J", "J", "", {1, 2, 4}},
+                        {"barrier_bending_J", "J", "", {2, 9, 16}},
+                        {"barrier_torsion_J", "J", "", {3, 3, 3}},
+                        {"barrier_potential_J", "J", "", {-2, 0, 2}}};
+  const CaseResult result = result_of(run);
+  EXPECT_NEAR(result.value("e_b_axial"), 0.070, 1e-12);
+  EXPECT_NEAR(result.value("e_b_potential"), 0.004, 1e-12);
+  EXPECT_NEAR(result.value("e_b_axial") + result.value("e_b_shear") + result.value("e_b_bending") +
+                  result.value("e_b_torsion") + result.value("e_b_potential"),
+              result.value("e_b"), 1e-12);
+  EXPECT_EQ(result.value("right_cable_end"), 4.5);
+  EXPECT_TRUE(std::isnan(result.value("left_cable_end")));
+}
+
+/// By the bars of the study, which are stricter than the run's; what a run does not check has not passed.
+TEST(Comparison, JudgesByTheBarsOfTheStudy) {
+  const auto judged = [](const std::string& summary) {
+    CaseResult c;
+    take_summary(c, summary, "summary.json");
+    std::map<std::string, Outcome> outcomes;
+    for (const CaseCheck& check : c.checks) outcomes[check.name] = check.outcome;
+    return outcomes;
+  };
+  const auto good = judged(R"({"wall_seconds": 1, "checks": [
+      {"name": "liquid_mass_ledger", "value": 9e-6, "tolerance": 1e-4, "pass": true},
+      {"name": "solids_energy_ledger", "value": 0.015, "tolerance": 0.02, "pass": true},
+      {"name": "momentum_audit", "value": 1e-7, "tolerance": 1e-6, "pass": true},
+      {"name": "ring_links_changed", "value": 0, "tolerance": 0, "pass": true}],
+      "metrics": {"solids_energy_gap_max_J": 499, "e_in_kJ": 50}})");
+  EXPECT_EQ(good.size(), 5u);
+  for (const auto& [name, outcome] : good) EXPECT_EQ(outcome, Outcome::passed) << name;
+  const auto bad = judged(R"({"wall_seconds": 1, "checks": [
+      {"name": "liquid_mass_ledger", "value": -2e-5, "tolerance": 1e-4, "pass": true},
+      {"name": "momentum_audit", "value": null, "tolerance": 1e-6, "pass": false},
+      {"name": "ring_links_changed", "value": 1, "tolerance": 0, "pass": false},
+      {"name": "another", "value": 1, "tolerance": 2, "pass": true}],
+      "metrics": {"solids_energy_gap_max_J": 501, "e_in_kJ": 50}})");
+  EXPECT_EQ(bad.at("liquid_mass_ledger"), Outcome::failed) << "enough for the run, not for the study";
+  EXPECT_EQ(bad.at("momentum_audit"), Outcome::failed);
+  EXPECT_EQ(bad.at("ring_links_changed"), Outcome::failed);
+  EXPECT_EQ(bad.at("solids_energy_of_e_in"), Outcome::failed);
+  EXPECT_EQ(bad.at("solids_energy_ledger"), Outcome::absent);
+  EXPECT_EQ(bad.at("another"), Outcome::passed);
+  for (const auto& [name, outcome] : judged(R"({"wall_seconds": 1, "checks": []})"))
+    EXPECT_EQ(outcome, Outcome::absent) << name;
+  CaseResult c = made_up(4.1, 50, 10);
+  take_summary(c, R"({"wall_seconds": 1, "checks": [], "metrics": {"solids_energy_gap_max_J": 250, "e_in_kJ": 50}})",
+               "summary.json");
+  const std::string csv = checks_csv({c});
+  EXPECT_NE(csv.find("matched-L4.10-coarse-resolved-seed1,solids_energy_of_e_in,0.005,0.01,passed\n"),
+            std::string::npos)
+      << csv;
+  EXPECT_NE(csv.find("seed1,momentum_audit,,1e-06,absent\n"), std::string::npos) << csv;
+}
+
+/// E_out of 1.85 and 4.10 m is 8.562 and 11.734 kJ in the paper. Flows without a pair do not count.
+TEST(Comparison, CountsWhichCouplingIsNearer) {
+  const auto of = [](double release, const char* coupling, double e_out, const char* commit, int seed = 1) {
+    CaseResult c = made_up(release, 50, 10, seed);
+    c.study_case.coupling = coupling, c.commit = commit;
+    c.values = {{"e_out_lower", e_out}, {"e_out", e_out}, {"depth", 0.2}};
+    return c;
+  };
+  std::vector<CaseResult> results{
+      of(1.85, "resolved", 4.281, "aaa"), of(1.85, "averaged", 17.124, "aaa"), of(4.1, "resolved", 5.867, "aaa"),
+      of(4.1, "averaged", 8.8005, "bbb"), of(8.6, "resolved", 19, "aaa"),      of(4.1, "averaged_ergun", 11.734, "bbb"),
+  };
+  const std::vector<Nearness> found = nearness(results);
+  ASSERT_EQ(found.size(), 1u) << "of another datum, or without a number of the paper";
+  const Nearness& n = found[0];
+  EXPECT_EQ(n.quantity, "e_out_lower");
+  EXPECT_EQ(n.sweep, "matched");
+  EXPECT_EQ(n.preset, "coarse");
+  EXPECT_EQ(n.flows, 2u);
+  EXPECT_EQ(n.of_one_program, 1u);
+  EXPECT_EQ(n.resolved_nearer, 1u);
+  EXPECT_EQ(n.averaged_nearer, 1u);
+  EXPECT_NEAR(n.resolved_over_theirs, 0.5, 1e-9);
+  EXPECT_NEAR(n.averaged_over_theirs, (2 + 0.75) / 2, 1e-9);
+  EXPECT_NE(nearness_csv(found).find("e_out_lower,matched,coarse,2,1,1,1,0.5,1.375\n"), std::string::npos)
+      << nearness_csv(found);
+  // Of seeds the lowest that both have; what is as near is neither's.
+  results.push_back(of(8.6, "resolved", 19.762, "aaa", 2));
+  results.push_back(of(8.6, "averaged", 19.762, "aaa", 2));
+  EXPECT_EQ(nearness(results).at(0).flows, 3u);
+  EXPECT_EQ(nearness(results).at(0).resolved_nearer + nearness(results).at(0).averaged_nearer, 2u);
+  for (CaseResult& c : results) c.study_case.variant = "as_built";
+  EXPECT_TRUE(nearness(results).empty()) << "not the study's reading";
 }
 
 /// The paper's own numbers by our measures: they rise, level off and are mainly fluid as it says.

@@ -1,6 +1,7 @@
 // What is done and what goes on, and the folder of a study.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -87,7 +88,9 @@ TEST(Jobs, GoOnAndAreNotRunTwice) {
             cases::exit_done);
   EXPECT_EQ(told.size(), 4u);
   const CaseResult result = read_case(one[0], place);
-  EXPECT_TRUE(result.failed_checks.empty());
+  for (const CaseCheck& check : result.checks) EXPECT_NE(check.outcome, Outcome::failed) << check.name;
+  EXPECT_GE(result.checks.size(), 5u);
+  EXPECT_TRUE(std::isfinite(result.value("e_b_axial"))) << "of the columns of the run";
   EXPECT_GT(result.curves.time_s.size(), 1u);
   EXPECT_EQ(result.curves.columns.size(), shown_columns().size());
   selection.further.push_back("solids.contact_safety=0.25");
@@ -151,6 +154,30 @@ TEST(StudyFolder, CasesOfAnotherProgramAreLeftOutAndNamed) {
   }
   EXPECT_EQ(run_study("--list" + asked, folder / "messages"), 0) << content_of(folder / "messages");
   EXPECT_EQ(run_study("--coupling resolved" + asked, folder / "messages"), 2);
+}
+
+/// Time and memory of what is to do, and of nothing else.
+TEST(StudyFolder, EstimatesWhatIsToDo) {
+  const cases::TestFolder folder;
+  const StudyCase done = cases_of({.sweeps = {"matched"}, .couplings = {"averaged"}, .releases = {4.1}}).at(0);
+  std::filesystem::create_directories(folder / "out" / done.name());
+  std::ofstream(folder / "out" / done.name() / "scene.resolved.toml")
+      << scene::to_toml(scene::load(done.scene_file(), done.changes()));
+  std::ofstream(folder / "out" / done.name() / "summary.json")
+      << R"({"simulated_seconds": 4, "wall_seconds": 1, "checks": []})";
+  const std::string asked = "--sweep matched --coupling averaged --release 4.1 --release 1.85 --threads 1 --out '" +
+                            (folder / "out").string() + "' ";
+  const auto lines = [&](const std::string& option) {
+    EXPECT_EQ(run_study(asked + option, folder / "messages", folder / "printed"), 0) << content_of(folder / "messages");
+    return content_of(folder / "printed");
+  };
+  EXPECT_NE(lines("--list").find("matched-L1.85-coarse-averaged-seed1: to do\n"), std::string::npos);
+  const std::string estimated = lines("--estimate");
+  EXPECT_NE(estimated.find("matched-L1.85-coarse-averaged-seed1: to do, about "), std::string::npos) << estimated;
+  EXPECT_NE(estimated.find(" min"), std::string::npos) << estimated;
+  EXPECT_NE(estimated.find(" GB\n"), std::string::npos) << estimated;
+  EXPECT_NE(estimated.find(done.name() + ": done, by an unknown commit\n"), std::string::npos) << estimated;
+  EXPECT_FALSE(std::filesystem::exists(folder / "out" / "report.html"));
 }
 
 /// Whoever starts the study may ignore the ends of its children.

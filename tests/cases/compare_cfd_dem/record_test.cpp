@@ -31,7 +31,9 @@ TEST(Record, HoldsWhatIsShown) {
   EXPECT_EQ(found[0].study_case, c.study_case);
   EXPECT_EQ(found[0].values, c.values);
   EXPECT_EQ(found[0].wall_seconds, 90);
-  EXPECT_EQ(found[0].failed_checks, std::vector<std::string>{"a"});
+  ASSERT_EQ(found[0].checks.size(), 6u);
+  EXPECT_EQ(found[0].checks.back().name, "a");
+  EXPECT_EQ(found[0].checks.back().outcome, Outcome::failed);
   EXPECT_EQ(found[0].curves.time_s, (std::vector<double>{0, 0.01, 0.0301, 0.033}));
   const auto* column = found[0].curves.find(name);
   ASSERT_NE(column, nullptr);
@@ -69,7 +71,10 @@ TEST(Record, KeepsMeansOfWhatAreMeans) {
 TEST(Record, GivesWhatIsAskedForSince) {
   const cases::TestFolder folder;
   CaseResult c = made_up(4.1, 50, 10);
-  take_summary(c, R"({"wall_seconds": 90, "metrics": {"e_in_kJ": 60, "liquid_left_kg": 3}, "checks": []})", "a.json");
+  take_summary(c,
+               R"({"wall_seconds": 90, "checks": [],
+               "metrics": {"e_in_kJ": 60, "liquid_left_kg": 3, "peak_left_cable_end_kN": 4.5}})",
+               "a.json");
   c.curves.time_s = {0, 0.1, 0.2, 0.3};
   c.curves.columns = {{"barrier_force_sum_N", "N", "", {0, 1000, 2000, 3000}}};
   write_record(c, folder.path());
@@ -77,6 +82,9 @@ TEST(Record, GivesWhatIsAskedForSince) {
   EXPECT_EQ(found.value("water_left"), 3);
   EXPECT_NEAR(found.value("barrier_sum_mean"), 2, 1e-12);
   EXPECT_EQ(found.value("e_in"), 50);
+  EXPECT_EQ(found.value("left_cable_end"), 4.5);
+  EXPECT_TRUE(std::isnan(found.value("right_cable_end"))) << "no such metric";
+  EXPECT_TRUE(std::isnan(found.value("e_b_axial"))) << "records hold no such column";
 }
 
 /// The mass of the grains follows from the energies about two beds, and with it what is over E_in.

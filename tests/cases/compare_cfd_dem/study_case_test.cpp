@@ -67,6 +67,65 @@ TEST(StudyCases, LeaveOutVariantsThatSayNothing) {
   }
 }
 
+/// Wider than the grains, they are for averaged couplings alone.
+TEST(StudyCases, CellsOfThePaperAreForAveragedCouplings) {
+  const auto load = [](const StudyCase& c) { return scene::load(c.scene_file(), c.changes()); };
+  const std::vector<StudyCase> all = cases_of({.presets = {"paper_cells"}});
+  EXPECT_EQ(all.size(), 20u);
+  for (const StudyCase& c : all) EXPECT_EQ(c.coupling, "averaged");
+  const scene::Scene wide = load(all.back());
+  EXPECT_EQ(wide.coupling.averaging_length, 0.15);
+  StudyCase coarse = all.back();
+  coarse.preset = "coarse";
+  scene::Scene same = load(coarse);
+  same.fluid.cell_size = 0.15, same.identity = wide.identity;
+  EXPECT_TRUE(same == wide) << "otherwise as coarse";
+  for (const char* coupling : {"averaged_ergun", "averaged_beads"}) {
+    const StudyCase c{"as_printed", "paper_cells", coupling, "study", 1.85, 1};
+    EXPECT_NO_THROW(load(c)) << coupling;
+    EXPECT_EQ(case_named(c.name(), {}), c);
+  }
+  const auto refused = [](const Selection& selection) {
+    try {
+      (void)cases_of(selection);
+    } catch (const InputError& e) {
+      return e.mistakes().at(0).message.find("--preset paper_cells with --coupling resolved") != std::string::npos;
+    }
+    return false;
+  };
+  EXPECT_TRUE(refused({.presets = {"paper_cells"}, .couplings = {"resolved"}}));
+  EXPECT_TRUE(refused({.presets = {"paper_cells"}, .couplings = {"resolved", "averaged"}}));
+  EXPECT_TRUE(refused({.presets = {"coarse", "paper_cells"}, .couplings = {"resolved"}}));
+  const auto both = cases_of({.presets = {"coarse", "paper_cells"}, .couplings = {"resolved", "averaged"}});
+  EXPECT_EQ(both.size(), 60u);
+  EXPECT_FALSE(case_named("matched-L4.10-paper_cells-resolved-seed1", {}).has_value());
+  try {
+    (void)cases_of({.presets = {"paper_cells"}, .variants = {"short_averages"}});  // shorter than a cell
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_NE(e.mistakes().at(0).message.find("says nothing with --preset paper_cells, expected another"),
+              std::string::npos)
+        << e.what();
+  }
+  EXPECT_FALSE(counts_in_spread(both.back()));
+  EXPECT_TRUE(counts_in_spread(both.front()));
+  const cases::TestFolder folder;
+  EXPECT_EQ(run_study("--list --preset paper_cells --coupling resolved --out '" + (folder / "out").string() + "'",
+                      folder / "messages"),
+            2);
+  EXPECT_NE(content_of(folder / "messages").find("which cannot be resolved"), std::string::npos);
+}
+
+TEST(StudyCases, AreOfAPlan) {
+  std::set<std::string> names;
+  for (const StudyCase& c : planned_cases()) EXPECT_TRUE(names.insert(c.name()).second) << c.name();
+  for (const StudyCase& c : cases_of({})) EXPECT_TRUE(names.contains(c.name())) << c.name();
+  for (const char* name : {"as_printed-L8.60-standard-resolved-seed1", "matched-L4.10-standard-averaged-seed1",
+                           "matched-L4.10-coarse-averaged-seed2", "as_printed-L4.10-coarse-resolved-seed1-stiff_rock",
+                           "matched-L4.10-fine-resolved-seed1", "as_printed-L4.10-coarse-resolved-seed1-cable_at_ends"})
+    EXPECT_TRUE(names.contains(name)) << name;
+}
+
 /// Also where the step adapts: what it aims at is half as fast.
 TEST(StudyCases, HalfSpeedHalvesTheTimeStep) {
   for (const char* preset : {"coarse", "standard"}) {
@@ -99,6 +158,7 @@ TEST(StudyCases, MakeScenes) {
   EXPECT_EQ(matched.run.seed, 3);
   for (const Choice& preset : presets()) {
     c = plain, c.preset = preset.name;
+    if (!preset.coupling.empty()) c.coupling = preset.coupling;
     EXPECT_NO_THROW(load(c)) << preset.name;
   }
   for (const Choice& variant : variants()) {

@@ -10,10 +10,12 @@
 
 namespace lahar::study {
 
-/// Exit code of the executable, whose messages go into a file.
-inline int run_study(const std::string& arguments, const std::filesystem::path& messages) {
-  const int status = std::system(
-      ("'" LAHAR_STUDIES "/compare_cfd_dem' " + arguments + " > /dev/null 2> '" + messages.string() + "'").c_str());
+/// Exit code of the executable, whose messages go into a file, as does what it prints.
+inline int run_study(const std::string& arguments, const std::filesystem::path& messages,
+                     const std::filesystem::path& printed = "/dev/null") {
+  const int status = std::system(("'" LAHAR_STUDIES "/compare_cfd_dem' " + arguments + " > '" + printed.string() +
+                                  "' 2> '" + messages.string() + "'")
+                                     .c_str());
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 

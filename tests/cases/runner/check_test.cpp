@@ -173,10 +173,10 @@ TEST(Check, RestlessGrainsAreTold) {
   };
   using enum scene::BodyWeighting;
   for (const auto weighting : {wall_distance, inertial}) {
-    EXPECT_TRUE(tells(2.4, 0.9, weighting));
-    EXPECT_FALSE(tells(2.6, 0.9, weighting));
-    EXPECT_TRUE(tells(1.9, 1.0, weighting));
-    EXPECT_FALSE(tells(2.1, 1.0, weighting));
+    EXPECT_TRUE(tells(2.9, 1.0, weighting));
+    EXPECT_FALSE(tells(3.1, 1.0, weighting));
+    EXPECT_TRUE(tells(2.4, 1.5, weighting));
+    EXPECT_FALSE(tells(2.6, 1.5, weighting));
     EXPECT_TRUE(tells(1.4, 2.5, weighting));
     EXPECT_FALSE(tells(1.6, 2.5, weighting));
   }

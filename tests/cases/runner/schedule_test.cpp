@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
+#include "core/memory_archive.h"
+
 namespace lahar::cases {
 namespace {
 
@@ -52,6 +57,28 @@ TEST(Schedule, AnIntervalOfNanoseconds) {
     if (s.due(time)) s.note(time);
   }
   EXPECT_EQ(s.done(), 6);
+}
+
+/// A run that was stopped between rows and goes on with another interval: rows follow the last one by it, or from the
+/// next step on where that is past.
+TEST(Schedule, AnIntervalChangedForTheRestOfARun) {
+  const auto rows_after = [](double before, double after, double stopped) {
+    Schedule first(before), second(after);
+    for (int step = 0; 1e-3 * step <= stopped + 1e-9; ++step)
+      if (first.due(1e-3 * step)) first.note(1e-3 * step);
+    StoredState state = state_of(first);
+    load_state(state, second);
+    std::vector<int> rows;  // ms
+    for (int step = static_cast<int>(std::lround(1e3 * stopped)) + 1; step <= 500 && rows.size() < 3; ++step) {
+      if (!second.due(1e-3 * step)) continue;
+      second.note(1e-3 * step);
+      rows.push_back(step);
+    }
+    return rows;
+  };
+  EXPECT_EQ(rows_after(0.01, 0.1, 0.137), (std::vector{230, 330, 430}));
+  EXPECT_EQ(rows_after(0.1, 0.01, 0.137), (std::vector{138, 140, 150}));
+  EXPECT_EQ(rows_after(0.01, 0.01, 0.137), (std::vector{140, 150, 160}));
 }
 
 /// Counting would take forever.

@@ -225,6 +225,31 @@ TEST(Warnings, KeysThatNeedOthers) {
   EXPECT_FALSE(changes_nothing(ball, "solids", {"solids.contact_safety=0.1"}));
 }
 
+TEST(Warnings, StepsOfContactsAboveWhichEnergyIsLost) {
+  const auto warned = [](std::vector<std::string> set) {
+    return warns(check_scene(load(case_file("bouncing_sphere/scene.toml"), set)), "of an elastic ball that bounces");
+  };
+  EXPECT_FALSE(warned({"solids.contact_safety=0.3"}));
+  EXPECT_TRUE(warned({"solids.contact_safety=0.31"}));
+  EXPECT_TRUE(warned({"solids.contact_safety=0.31", "solids.contact_law=linear", "solids.normal_stiffness_N_m=1e6"}));
+  EXPECT_FALSE(warned({"solids.time_step_s=1e-6"}));
+}
+
+/// Grains among themselves take a longer step than beads, which alone is above the share.
+TEST(Warnings, StepsOfTwoRatesAboveWhichEnergyIsLost) {
+  const auto report = [](const char* safety) {
+    return check_scene(load(case_file("compare_cfd_dem/matched.toml"),
+                            {"materials.rock.youngs_modulus_Pa=3.5e9", "solids.two_rates=true",
+                             std::string("solids.contact_safety=") + safety}));
+  };
+  const CheckReport fast = report("0.5");
+  const double step = fast.solids->time_step, long_step = static_cast<double>(fast.solids->long_step) * step;
+  ASSERT_LT(step, 0.3 * std::min(fast.solids->limits.grain_rayleigh, fast.solids->limits.bead_rayleigh));
+  ASSERT_GT(long_step, 0.3 * fast.solids->limits.grain_rayleigh);
+  EXPECT_TRUE(warns(fast, "of an elastic ball that bounces"));
+  EXPECT_FALSE(warns(report("0.3"), "of an elastic ball that bounces"));
+}
+
 TEST(Warnings, ModuliOfTheLinearLaw) {
   const auto report = [](std::vector<std::string> set) {
     return check_scene(load(case_file("bouncing_sphere/scene.toml"), set));
@@ -510,6 +535,20 @@ TEST(Warnings, MudWhoseLimitHidesItsLaw) {
   };
   EXPECT_TRUE(warns(report("1e-5"), "the law is not felt"));
   EXPECT_FALSE(warns(report("0.5"), "the law is not felt"));
+}
+
+/// Resolved grains and films take mud's own number from a key that water's default stands in.
+TEST(Warnings, MudThatBodiesTakeForWater) {
+  const auto report = [](std::vector<std::string> set) {
+    set.insert(set.end(), {"fluid.rheology.law=herschel_bulkley", "fluid.rheology.yield_stress_Pa=20",
+                           "fluid.rheology.consistency_Pa_s_n=10", "fluid.rheology.exponent=0.5",
+                           "fluid.rheology.limit_viscosity_m2_s=1", "fluid.smagorinsky=0", "fluid.collision=trt",
+                           "coupling.body_weighting=wall_distance"});
+    return check_scene(load(case_file("debris_flow/scene.toml"), set));
+  };
+  EXPECT_TRUE(warns(report({}), "by which bodies and lubrication know the liquid"));
+  EXPECT_FALSE(warns(report({"fluid.kinematic_viscosity_m2_s=1e-2"}), "know the liquid"));
+  EXPECT_FALSE(warns(report({"coupling.grains=averaged"}), "know the liquid"));
 }
 
 TEST(Warnings, WallsBesideTheDomain) {

@@ -1,4 +1,5 @@
 // The list of all entries: names, aliases, sources; and the quick form of entries that take seconds.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +13,7 @@
 
 #include "cases/hard_cases/hard_cases.h"
 #include "cases/validate/entry.h"
+#include "cases/validate/grains_in_fluid/bed_flow.h"
 #include "cases/validate/grains_in_fluid/closed_forms.h"
 #include "cases/validate/reference_table.h"
 #include "cases/validate/wires_in_fluid/wire_flows.h"
@@ -96,6 +98,14 @@ TEST(ValidateEntries, ComputeWhatTheirTablesHold) {
   const std::vector<double> phi = packs.numbers("phi"), re = packs.numbers("Re"), drag = packs.numbers("F_Beetstra");
   for (std::size_t k = 0; k < packs.size(); ++k)
     EXPECT_NEAR(drag_of_pack(phi[k], re[k]), drag[k], 1e-4 * drag[k]) << "phi " << phi[k] << ", Re " << re[k];
+}
+
+/// Some entries state the study's settings as their own.
+TEST(ValidateEntries, HaveTheSettingsOfTheStudy) {
+  const std::string scene = text_of(kFolder / "../debris_flow/scene.toml");
+  EXPECT_NE(scene.find("\nbody_weighting = \"inertial\""), std::string::npos);
+  EXPECT_NE(scene.find(fmt::format("\nradius_shift_cells = {} ", coupling::kRadiusShiftFast)), std::string::npos);
+  EXPECT_NE(scene.find(fmt::format("\nsmagorinsky = {}\n", debris_immersion().smagorinsky)), std::string::npos);
 }
 
 /// Those whose quick form takes seconds. Entries of hard cases run in tests/cases/hard_cases_test.cpp.

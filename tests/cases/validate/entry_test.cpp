@@ -3,10 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <stdexcept>
 
 #include "cases/validate/fluid/flows.h"
+#include "cases/validate/free_surface/pulse.h"
+#include "cases/validate/grains_in_fluid/hard_spheres.h"
 #include "cases/validate/reference_table.h"
 
 namespace lahar::validate {
@@ -127,6 +132,67 @@ TEST(ValidateOutcome, IsKnownByItsJson) {
   for (const char* other : {"", "[]", "thesis", "{\"entries\": []}", "{\"machine\": 1, \"commit\": 2, \"entries\": 3}",
                             "{\"machine\": 1, \"commit\": 2, \"entries\": [{\"name\": 3}]}"})
     EXPECT_FALSE(is_outcomes_json(other)) << other;
+}
+
+/// A pulse of straight lines, sampled every tenth of a ms, then still air.
+Samples triangle(double rise, double decay) {
+  Samples s;
+  for (int k = 0; k < 3000; ++k) {
+    const double t = 1e-4 * k, after = t - 0.02;
+    s.time.push_back(t);
+    s.value.push_back(after < 0 ? 0 : after < rise ? after / rise : std::max(0.0, 1 - (after - rise) / decay));
+  }
+  return s;
+}
+
+TEST(Pulse, HasTheMeansOfATriangle) {
+  const Samples s = triangle(0.007, 0.104);
+  const Window all = window_from(s, 200, 0.111);
+  EXPECT_EQ(all.first, 200u);
+  EXPECT_NEAR(s.time[all.last] - s.time[all.first], 0.111, 1.1e-4);
+  EXPECT_NEAR(integral(s, all), 0.111 / 2, 1e-4);
+  for (const double span : {0.005, 0.02}) {
+    const Window best = largest_mean(s, all, span);
+    EXPECT_NEAR(mean(s, best), largest_mean_of_triangle(span, 0.007, 0.104), 2e-3) << span;
+    EXPECT_NEAR(s.time[best.first], 0.027 - 0.007 * span / 0.111, 2e-4) << span;  // where it is as high as at its end
+  }
+}
+
+/// A mean over a stretch that ends outside of the window is none of its means.
+TEST(Pulse, LooksNoFartherThanItsWindow) {
+  Samples s = triangle(0.007, 0.104);
+  s.value[2000] = 1000;
+  EXPECT_LT(mean(s, largest_mean(s, window_from(s, 200, 0.111), 0.005)), 1);
+}
+
+TEST(Pulse, RingsByWhatAMeanTakesAway) {
+  Samples calm, rings;
+  for (int k = 0; k < 2000; ++k) {
+    const double t = 1e-4 * k, wave = std::sin(2 * std::numbers::pi * t / 5.1e-3);  // 5 ms are about a period
+    for (Samples* s : {&calm, &rings}) s->time.push_back(t);
+    calm.value.push_back(2);
+    rings.value.push_back(2 + (t < 0.007 ? 100 * wave : 0.3 * wave));  // what is early does not count
+  }
+  EXPECT_NEAR(ringing(calm, window_from(calm, 0, 0.111)), 0, 1e-12);
+  EXPECT_NEAR(ringing(rings, window_from(rings, 0, 0.111)), 0.3 / std::sqrt(2) / 2, 0.005);
+}
+
+/// Beyond 0.6 there is no room to shake a pack, only to push it apart.
+TEST(HardSpheres, JamAtTheFractionOfPackedGrains) {
+  constexpr std::size_t count = 60;
+  constexpr double diameter = 1;
+  const double box = std::cbrt(count * std::numbers::pi / 6 / 0.64);
+  const std::vector<Vec3> pack = jammed_spheres(count, box, diameter, 1);
+  ASSERT_EQ(pack.size(), count);
+  double nearest = box;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      Vec3 d = pack[i] - pack[j];
+      for (int a = 0; a < 3; ++a) d[a] -= box * std::round(d[a] / box);
+      nearest = std::min(nearest, d.norm());
+    }
+  EXPECT_GE(nearest, (1 - kJammedOverlap) * diameter);
+  EXPECT_LT(nearest, diameter);  // no room is left
 }
 
 /// What is lost may not come back: held against the start alone it might.

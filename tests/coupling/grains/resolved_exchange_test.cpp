@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "coupling/coupled_step.h"
 #include "coupling/grains/grain_coupling.h"
 #include "lbm/free_surface/covered_cells.h"
 #include "tests/coupling/tanks.h"
@@ -177,6 +178,69 @@ TEST(ResolvedExchange, TorqueOnASphereThatTurnsSlowly) {
   const Vec3 torque = held.particles.external_torque[0];
   EXPECT_NEAR(torque.y() / (-8 * std::numbers::pi * viscosity * std::pow(radius, 3) * spin), 1.02, 0.1);
   EXPECT_LT(std::hypot(torque.x(), torque.z()), 0.01 * std::abs(torque.y()));
+}
+
+/// Thick liquid at rest leaves its collisions with half a step of gravity, which drags at no body (0110): a neutral
+/// sphere stays where it is.
+TEST(ResolvedExchange, NeutralGrainStaysInThickLiquidAtRest) {
+  for (const auto weighting : {lbm::BodyWeighting::wall_distance, lbm::BodyWeighting::inertial}) {
+    lbm::FluidOptions fluid = by_distance(tank(Vec3(0.32, 0.32, 0.4), 0.02, 1e-3), weighting);
+    fluid.kinematic_viscosity = 3e-3;
+    dem::Particles particles;
+    particles.add(grain(Vec3(0.157, 0.163, 0.15), 0.06, fluid.density));
+    dem::SolidsOptions options;
+    options.gravity = fluid.gravity;
+    options.time_step = 1;
+    CouplingOptions coupling;
+    coupling.substeps = 10;
+    CoupledStep<double> step(fluid, dem::Solids(particles, {}, rock(), {}, options), coupling);
+    step.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.36)}});
+    for (int n = 0; n < 800; ++n) step.advance();
+    EXPECT_NEAR(step.solids()->particles().velocity[0].z(), 0, 0.1 * 0.5 * 9.81 * fluid.time_step);
+  }
+}
+
+/// Four layers of held grains that fill 0.45 of thick liquid at rest are lifted by the weight of the liquid in their
+/// place, and the bed bears its pressure.
+TEST(ResolvedExchange, PacksInThickLiquidAtRestAreLiftedByItsWeight) {
+  for (const auto weighting : {lbm::BodyWeighting::wall_distance, lbm::BodyWeighting::inertial}) {
+    constexpr double dx = 0.02, width = 16 * dx, depth = 20 * dx, radius = 1.9 * dx, pitch = width / 4;
+    lbm::FluidOptions fluid = by_distance(tank(Vec3(width, width, 24 * dx), dx, 1e-3), weighting);
+    fluid.kinematic_viscosity = 1e-2;
+    fluid.smagorinsky = 0;
+    dem::Particles particles;
+    double weight = 0;  // of the liquid in the grains' place
+    for (int layer = 0; layer < 4; ++layer) {
+      const int across = layer % 2 == 0 ? 4 : 3;
+      const double start = layer % 2 == 0 ? 0.5 : 1;
+      for (int x = 0; x < across; ++x)
+        for (int y = 0; y < across; ++y) {
+          dem::ParticleSpec one =
+              grain(Vec3((x + start) * pitch, (y + start) * pitch, (1 + 1.5 * layer) * radius), radius, 2500);
+          one.state = dem::ParticleState::fixed;
+          particles.add(one);
+          weight += fluid.density * 4.0 / 3 * std::numbers::pi * std::pow(radius, 3) * 9.81;
+        }
+    }
+    dem::SolidsOptions options;
+    options.time_step = 1;
+    CoupledStep<double> step(fluid, dem::Solids(particles, {}, rock(), {}, options), {});
+    step.fill({{Vec3::Zero(), Vec3(width, width, depth)}});
+    double lift = 0, pressure = 0;
+    int steps = 0, cells = 0;
+    for (int n = 0; n < 600; ++n) {
+      step.advance();
+      if (n < 300) continue;
+      ++steps;
+      const dem::Particles& p = step.solids()->particles();
+      for (dem::ParticleIndex i = 0; i < p.size(); ++i) lift += p.external_force[i].z();
+    }
+    step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) {
+      if (c.centre.z() < dx && c.solid_fraction < 0.01) pressure += c.pressure, ++cells;
+    });
+    EXPECT_NEAR(lift / steps / weight, 1, 0.05);
+    EXPECT_NEAR(pressure / cells / (fluid.density * 9.81 * (depth - dx / 2)), 1, 0.05);
+  }
 }
 
 }  // namespace

@@ -28,11 +28,11 @@ struct Impact {
   double max_overlap = 0, max_force = 0, duration = 0, restitution = 0;
 };
 
-/// Head-on impact of two equal spheres, each with `speed`.
+/// Head-on impact of two equal spheres, each with `speed`, which touch a share `phase` of a step after one.
 Impact collide(double radius, double density, const Materials& materials, double speed, double time_step,
-               const ContactLawChoice& law = HertzMindlin{}) {
+               const ContactLawChoice& law = HertzMindlin{}, double phase = 0.3) {
   Particles p;
-  const double gap = 0.3 * speed * time_step;
+  const double gap = phase * speed * time_step;
   p.add(sphere({-radius - gap, 0, 0}, radius, density, {speed, 0, 0}));
   p.add(sphere({radius + gap, 0, 0}, radius, density, {-speed, 0, 0}));
   SolidsOptions o = options(time_step);
@@ -120,6 +120,24 @@ TEST_P(Restitution, linear_is_as_set) {
   const double time = std::numbers::pi * std::sqrt(m / k);
   const LinearSpringDashpot law{k, 2.0 / 7 * k};
   EXPECT_NEAR(collide(0.02, 2650, one_material(7e9, 0.2, 0.3, e), 0.5, time / 400, law).restitution, e, 0.005 * e);
+}
+
+/// Of a damper so strong that the step does not follow it, whatever the moment of the touch: it takes what there is and
+/// no more. What a long step adds is the spring's.
+TEST(HertzMindlin, strong_dampers_do_not_throw_back) {
+  const double radius = 0.02, density = 2650;
+  for (const double e : {0.01, 0.02, 0.05, 0.1}) {
+    const Materials materials = one_material(5e9, 0.2, 0.3, e);
+    for (const double share : {0.14, 0.2, 0.3})
+      for (const double speed : {0.1, 1.0, 6.0})
+        for (int phase = 0; phase < 8; ++phase) {
+          const double dt = share * rayleigh_time_step(radius, density, {"sphere", 5e9, 0.2});
+          const double rebound =
+              collide(radius, density, materials, speed, dt, HertzMindlin{}, (phase + 0.5) / 8).restitution;
+          EXPECT_LT(rebound, share < 0.15 ? e + 0.02 : std::max(e + 0.02, 0.12))
+              << e << " at " << share << " of the Rayleigh time, " << speed << " m/s, phase " << phase;
+        }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Damping, Restitution, ::testing::Values(0.1, 0.2, 0.3, 0.5, 0.7, 0.9, 0.95));
@@ -270,10 +288,10 @@ TEST(LinearSpringDashpot, tangential_stiffness_of_its_own_and_by_default) {
   EXPECT_NEAR(first_force(0) / (-2.0 / 7 * 1e6 * 0.02 * 1e-5), 1, 1e-9);
   EXPECT_NEAR(first_force(3e5) / (-3e5 * 0.02 * 1e-5), 1, 1e-9);
   const double mass = std::numbers::pi / 6 * 1e-6 * 2500;  // of a sphere of 1 cm
-  EXPECT_NEAR((LinearSpringDashpot{1e6, 0}.time_limit(0.005, 2500, {})), std::numbers::pi * std::sqrt(mass / 2 / 1e6),
-              1e-12);
+  EXPECT_NEAR((LinearSpringDashpot{1e6, 0}.time_limit(0.005, 2500, {})),
+              0.35 * std::numbers::pi * std::sqrt(mass / 2 / 1e6), 1e-12);
   EXPECT_NEAR((LinearSpringDashpot{1e6, 1e6}.time_limit(0.005, 2500, {})),
-              std::numbers::pi * std::sqrt(mass / 2 / 3.5e6), 1e-12);
+              0.35 * std::numbers::pi * std::sqrt(mass / 2 / 3.5e6), 1e-12);
 }
 
 TYPED_TEST(AnyContactLaw, cycles_of_load_never_give_energy_back) {

@@ -70,6 +70,18 @@ TEST(Curvature, OfSmallDrops) {
   });
 }
 
+/// Level layers of any depth on a wall have none; read by normals, one of less than a cell had 1. Of a dry column
+/// beside one, at a contact line, no height is known.
+TEST(Curvature, VanishesInLevelLayersOnAWall) {
+  for (const double depth : {0.2, 0.5, 0.9, 1.0, 1.5, 2.5}) {
+    auto a = around([&](const Vec3& p) { return p.z() - depth; });
+    for (int z = -4; z < 0; ++z)
+      for (int y = -4; y < 12; ++y)
+        for (int x = -4; x < 12; ++x) a.fill[FillAround<double>::at(x, y, z)] = FillAround<double>::wall;
+    for (int z = 0; z < depth; ++z) EXPECT_NEAR(curvature(a, 3, 4, z), 0, 1e-9) << depth;
+  }
+}
+
 /// A level surface that meets an upright wall keeps its angle of 90 degrees: no curvature.
 TEST(Curvature, VanishesWhereALevelMeetsAWall) {
   auto a = around([](const Vec3& p) { return p.z() - 4.4; });
