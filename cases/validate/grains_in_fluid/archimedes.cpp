@@ -13,8 +13,15 @@ namespace {
 
 /// Means over a number of steps at rest.
 struct Rest {
-  double volume = 0, lift = 0;
+  double volume = 0, liquid = 0, lift = 0;  ///< volume with the bodies in it
 };
+
+template <class Real>
+double liquid_volume(const lbm::Fluid<Real>& fluid) {
+  double volume = 0;
+  fluid.for_each_wet_cell([&](const lbm::WetCell& c) { volume += c.liquid_volume; });
+  return volume;
+}
 
 template <class Real>
 Rest rest(coupling::CoupledStep<Real>& step, int settle, int measure) {
@@ -23,7 +30,9 @@ Rest rest(coupling::CoupledStep<Real>& step, int settle, int measure) {
     step.advance();
     if (s < settle) continue;
     mean.lift += step.solids()->particles().external_force.z[0] / measure;
-    if (s % 10 == 0) mean.volume += filled_volume(*step.fluid()) * 10 / measure;
+    if (s % 10 != 0) continue;
+    mean.volume += filled_volume(*step.fluid()) * 10 / measure;
+    mean.liquid += liquid_volume(*step.fluid()) * 10 / measure;
   }
   return mean;
 }
@@ -61,15 +70,16 @@ void lower(std::vector<Row>& rows, double diameter, double speed, bool lift, con
         relative_row(what + ": lift / weight of the water displaced", under.lift / (volume * t.gravity), 1, 0.05));
   if (lift) {
     move_to(step, t.depth + 1.5 * diameter, speed);
-    (void)rest(step, settle, 1);
+    const Rest after = rest(step, settle, settle);  // a mean: the volume swings with the sound in the tank
     // The sphere keeps a film of interface cells; the rest is in the tank again.
-    double carried = 0, left = 0;
-    step.fluid()->for_each_wet_cell(
-        [&](const lbm::WetCell& c) { (c.centre.z() > t.depth + diameter / 2 ? carried : left) += c.liquid_volume; });
+    double carried = 0;
+    step.fluid()->for_each_wet_cell([&](const lbm::WetCell& c) {
+      if (c.centre.z() > t.depth + diameter / 2) carried += c.liquid_volume;
+    });
     rows.push_back(note_row(what + ": liquid that it keeps when it is lifted out, of its volume", carried / volume));
     rows.push_back(
         absolute_row(what + ": level after it is lifted out with what it keeps, less that before, of its volume",
-                     (left + carried - before.volume) / volume, 0, 0.01));
+                     (after.liquid - before.liquid) / volume, 0, 0.01));
   }
   add_ledgers(rows, what, step);
 }
