@@ -8,8 +8,8 @@
 // drops and sheets of a few cells, the divergence of the normals (Brackbill, Kothe & Zemach 1992, J. Comput. Phys. 100,
 // 335) has to do, which is coarse.
 //
-// Walls: contact angle of 90 degrees. A column in a wall is as high as its neighbour in the middle, and a column that
-// runs into a wall goes on as the last cell before it.
+// Walls: contact angle of 90 degrees. A column in a wall is as high as its neighbour in the middle, and one that runs
+// into a wall goes on as the last cell before it, below the surface as liquid; a dry one on a wall has no height.
 #include "lbm/grid/fluid_grid.h"
 
 namespace lahar::lbm {
