@@ -9,6 +9,7 @@
 #include "cases/observers/flow_energy.h"
 #include "cases/observers/fluid_cells.h"
 #include "cases/observers/fluid_time_step.h"
+#include "cases/observers/grain_count.h"
 #include "cases/observers/grain_loads.h"
 #include "cases/observers/grains.h"
 #include "cases/observers/liquid_mass.h"
@@ -37,10 +38,10 @@ std::unique_ptr<Observer> make(const Observed& run, const ObserverList& before) 
 
 /// Every kind of observer, in the order of the columns in series.h5.
 constexpr std::unique_ptr<Observer> (*kKinds[])(const Observed&, const ObserverList&) = {
-    make<LiquidMass>,   make<LiquidMomentum>, make<Flow>,         make<FluidCells>, make<FluidTimeStep>,
-    make<Outflow>,      make<Grains>,         make<Retention>,    make<FlowEnergy>, make<BarrierResponse>,
-    make<BarrierLoads>, make<GrainLoads>,     make<SolidsEnergy>, make<RingTravel>, make<Probes>,
-    make<Sections>,     make<Audit>,          make<RingLinks>,
+    make<LiquidMass>,      make<LiquidMomentum>, make<Flow>,       make<FluidCells>,   make<FluidTimeStep>,
+    make<Outflow>,         make<Grains>,         make<GrainCount>, make<Retention>,    make<FlowEnergy>,
+    make<BarrierResponse>, make<BarrierLoads>,   make<GrainLoads>, make<SolidsEnergy>, make<RingTravel>,
+    make<Probes>,          make<Sections>,       make<Audit>,      make<RingLinks>,
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ namespace {
 constexpr float kPixelsPerPoint = 2, kWidth = 640, kMargin = 16, kHead = 26, kFoot = 44;  // points
 constexpr float kHighestFrame = 4000;  // points; nets are drawn smaller than that
 constexpr int kDecades = 3;
-const Colour kInk = from_hex(0x222222);
+const Colour kInk = from_hex(0x222222), kBefore = from_hex(0xcccccc);
 const Lettering kLetters{.colour = kInk, .size = 11};
 
 /// N, of intact bonds; 0 of others.
@@ -41,6 +41,13 @@ void draw_legend(Canvas& canvas, float height, int highest) {
     canvas.text(Point(x, bottom + 14), fmt::format("10^{{{}}}", highest - kDecades + d), kLetters, hold);
   }
   canvas.text(Point(right + 12, bottom), "force in a bond, N", kLetters);
+}
+
+/// A grey line and what it means.
+void draw_legend_of_before(Canvas& canvas, float height) {
+  const float right = kWidth - kMargin, y = height - kFoot + 18;
+  canvas.text(Point(right, y), "in the first map", kLetters, Hold::end);
+  canvas.line(Point(right - 120, y - 4), Point(right - 96, y - 4), {.colour = kBefore, .width = 1});
 }
 
 }  // namespace
@@ -70,6 +77,11 @@ Image force_map(const ForceMap& map) {
   canvas.text(Point(kMargin, kHead - 8), map.title, kLetters);
   canvas.text(Point(kWidth - kMargin, kHead - 8), "t = " + time_label(map.time_s), kLetters, Hold::end);
   canvas.clip(Point(kMargin, kHead), Point(kWidth - kMargin, foot));
+  for (std::size_t k = 0; map.before && k < map.bond_count; ++k) {
+    const std::size_t b = map.first_bond + k;
+    const auto place = [&](std::size_t i) { return at((*map.before)[map.particles->id(i)]); };
+    canvas.line(place(bonds.i[b]), place(bonds.j[b]), {.colour = kBefore, .width = 0.5F});
+  }
   for (const std::size_t k : order) {
     const std::size_t b = map.first_bond + k;
     if (!bonds.intact[b]) continue;
@@ -80,6 +92,7 @@ Image force_map(const ForceMap& map) {
   }
   canvas.unclip();
   draw_legend(canvas, height, highest);
+  if (map.before) draw_legend_of_before(canvas, height);
   Image image(static_cast<int>(std::lround(kPixelsPerPoint * kWidth)),
               static_cast<int>(std::lround(kPixelsPerPoint * height)));
   canvas.lay_over(image);

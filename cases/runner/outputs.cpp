@@ -95,6 +95,11 @@ void Outputs::write_force_map(Simulation& run) {
   map.width = upper.x() - lower.x(), map.height = upper.y() - lower.y();
   map.time_s = run.time();
   map.title = scene_.identity.title;
+  if (first_places_.empty())
+    for (dem::ParticleId id = 0; id < map.particles->size(); ++id)
+      first_places_.push_back(map.particles->position[map.particles->index(id)]);
+  else
+    map.before = &first_places_;
   write_png(folder_ / fmt::format("forces_{:06d}.png", force_maps_.done()), force_map(map));
   force_maps_.note(run.time());
 }
@@ -103,6 +108,7 @@ void Outputs::transfer(Archive& archive) {
   archive.part("frames", frames_);
   archive.part("pictures", pictures_);
   archive.part("force_maps", force_maps_);
+  archive.list("first_places", first_places_);
   archive.part("particles", particles_);
   if (!archive.loading()) return;
   if (frames_.runs()) particles_.take_up();

@@ -2,6 +2,7 @@
 // The files of a run beside series.h5: particles, fluid volumes, pictures, maps of forces.
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "cases/assembly/simulation.h"
 #include "cases/files/particle_writer.h"
@@ -41,6 +42,7 @@ class Outputs {
   ParticleWriter particles_;
   std::optional<VdbWriter> volumes_;
   Schedule frames_, pictures_, force_maps_;
+  std::vector<Vec3> first_places_;  ///< m, by id: of all particles in the first map of forces
 };
 
 }  // namespace lahar::cases

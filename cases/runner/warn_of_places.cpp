@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <variant>
 
@@ -52,6 +53,40 @@ void add_places(const scene::Scene& s, Warnings& list) {
           (packings[k].lower.array() < packings[i].upper.array()).all())
         list.push_back(
             fmt::format("grains.packing[{}] and grains.packing[{}] share space: their grains may overlap", k, i));
+}
+
+/// A grain probe follows the nearest grain, however far it is.
+void add_far_grains(const scene::Scene& s, Warnings& list) {
+  for (std::size_t i = 0; i < s.probes.size(); ++i) {
+    if (s.probes[i].kind != scene::ProbeKind::grain) continue;
+    const Vec3& point = s.probes[i].position;
+    double nearest = std::numeric_limits<double>::infinity(), size = 0;  // m; of the grain or the box of grains there
+    const auto meet = [&](double distance, double size_there) {
+      if (distance < nearest) nearest = distance, size = size_there;
+    };
+    for (const scene::GrainSphere& g : s.grains.spheres)
+      meet((g.position - point).norm() - 0.5 * g.diameter, g.diameter);
+    for (const scene::Packing& box : s.grains.packings)
+      meet((point - point.cwiseMax(box.lower).cwiseMin(box.upper)).norm(), (box.upper - box.lower).minCoeff());
+    if (std::isfinite(nearest) && nearest > size)
+      list.push_back(fmt::format("probe[{}] follows the nearest grain, which starts {:.3g} m from its point or farther",
+                                 i, nearest));
+  }
+}
+
+/// Liquid that is made at a face of the domain and flows into it.
+void add_inflows_that_leave(const scene::Scene& s, Warnings& list) {
+  for (std::size_t i = 0; i < s.fluid.inflows.size(); ++i) {
+    const scene::Inflow& in = s.fluid.inflows[i];
+    Eigen::Index axis = 0;
+    in.velocity.cwiseAbs().maxCoeff(&axis);
+    const bool up = in.velocity[axis] > 0;
+    const double room = up ? s.domain.upper[axis] - in.upper[axis] : in.lower[axis] - s.domain.lower[axis];
+    if (in.velocity[axis] == 0 || s.domain.periodic(static_cast<scene::Axis>(axis)) || room >= s.fluid.cell_size)
+      continue;
+    list.push_back(fmt::format("fluid.inflow[{}] flows towards the domain's {} face, at which it stands", i,
+                               std::string{"xyz"[axis], up ? '+' : '-'}));
+  }
 }
 
 /// Names are optional.
@@ -225,6 +260,8 @@ void warn_of_places(const scene::Scene& scene, bool has_fluid, Warnings& list) {
   add_lost_walls(scene, list);
   if (scene.has_solids()) add_flush_boxes(scene, list);
   add_late_gates(scene, list);
+  add_far_grains(scene, list);
+  if (has_fluid) add_inflows_that_leave(scene, list);
   add_far_places(scene, list);
   if (has_fluid) add_thin_walls(scene, list);
   if (has_fluid) add_rounded_walls(scene, list);

@@ -85,6 +85,12 @@ void add_barrier(const scene::Scene& s, Warnings& list) {
     list.push_back(fmt::format(
         "barrier.anchors.cable_places is empty: no end of {} is fixed",
         s.barrier.anchors.bottom_cable == scene::BottomCable::at_places ? "a cable" : "a cable but the bottom one"));
+  const scene::Net& net = s.barrier.net;
+  if (net.kind == scene::NetKind::hexagonal && net.node_diameter < net.mesh_wire_diameter)
+    list.push_back(
+        fmt::format("barrier.net.node_diameter_m ({:g} m) is less than the diameter of the wires that meet "
+                    "there ({:g} m)",
+                    net.node_diameter, net.mesh_wire_diameter));
 }
 
 /// Beads of a ring that overlap press on each other from the moment when the bond between them breaks.

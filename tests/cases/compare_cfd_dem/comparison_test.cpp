@@ -230,19 +230,22 @@ TEST(Comparison, JudgesByTheBarsOfTheStudy) {
       {"name": "liquid_mass_ledger", "value": 9e-6, "tolerance": 1e-4, "pass": true},
       {"name": "solids_energy_ledger", "value": 0.015, "tolerance": 0.02, "pass": true},
       {"name": "momentum_audit", "value": 1e-7, "tolerance": 1e-6, "pass": true},
-      {"name": "ring_links_changed", "value": 0, "tolerance": 0, "pass": true}],
+      {"name": "ring_links_changed", "value": 0, "tolerance": 0, "pass": true},
+      {"name": "grains_behind_walls", "value": 0, "tolerance": 0, "pass": true}],
       "metrics": {"solids_energy_gap_max_J": 499, "e_in_kJ": 50}})");
-  EXPECT_EQ(good.size(), 5u);
+  EXPECT_EQ(good.size(), 6u);
   for (const auto& [name, outcome] : good) EXPECT_EQ(outcome, Outcome::passed) << name;
   const auto bad = judged(R"({"wall_seconds": 1, "checks": [
       {"name": "liquid_mass_ledger", "value": -2e-5, "tolerance": 1e-4, "pass": true},
       {"name": "momentum_audit", "value": null, "tolerance": 1e-6, "pass": false},
       {"name": "ring_links_changed", "value": 1, "tolerance": 0, "pass": false},
+      {"name": "grains_behind_walls", "value": 2, "tolerance": 0, "pass": false},
       {"name": "another", "value": 1, "tolerance": 2, "pass": true}],
       "metrics": {"solids_energy_gap_max_J": 501, "e_in_kJ": 50}})");
   EXPECT_EQ(bad.at("liquid_mass_ledger"), Outcome::failed) << "enough for the run, not for the study";
   EXPECT_EQ(bad.at("momentum_audit"), Outcome::failed);
   EXPECT_EQ(bad.at("ring_links_changed"), Outcome::failed);
+  EXPECT_EQ(bad.at("grains_behind_walls"), Outcome::failed);
   EXPECT_EQ(bad.at("solids_energy_of_e_in"), Outcome::failed);
   EXPECT_EQ(bad.at("solids_energy_ledger"), Outcome::absent);
   EXPECT_EQ(bad.at("another"), Outcome::passed);

@@ -31,7 +31,7 @@ TEST(Record, HoldsWhatIsShown) {
   EXPECT_EQ(found[0].study_case, c.study_case);
   EXPECT_EQ(found[0].values, c.values);
   EXPECT_EQ(found[0].wall_seconds, 90);
-  ASSERT_EQ(found[0].checks.size(), 6u);
+  ASSERT_EQ(found[0].checks.size(), 7u);
   EXPECT_EQ(found[0].checks.back().name, "a");
   EXPECT_EQ(found[0].checks.back().outcome, Outcome::failed);
   EXPECT_EQ(found[0].curves.time_s, (std::vector<double>{0, 0.01, 0.0301, 0.033}));

@@ -97,7 +97,7 @@ TEST(ObserverList, ARowHoldsWhatIsThere) {
   EXPECT_GE(run.observers.find<FluidCells>()->most_blocks(), fluid.active_blocks());
   EXPECT_EQ(run.observers.last_time(), run.simulation->time());
   for (const ResultCheck& check : run.observers.checks()) EXPECT_TRUE(check.pass) << check.name;
-  EXPECT_EQ(run.observers.checks().size(), 3u);
+  EXPECT_EQ(run.observers.checks().size(), 4u);
 }
 
 /// Columns of the parts of a vector.

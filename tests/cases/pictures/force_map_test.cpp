@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "cases/pictures/colour.h"
 #include "core/check.h"
 
@@ -64,6 +66,25 @@ TEST(ForceMap, ShearCountsAndBrokenBondsAreLeftOut) {
   for (std::size_t b = 0; b < 20; ++b) wires.bonds.intact[b] = 0;
   const Image broken = force_map(wires.map);
   EXPECT_EQ(pixels_of(broken, Colour::Ones(), 60, broken.height() - 100), broken.width() * (broken.height() - 160));
+}
+
+/// Where the wires hung before, 0.2 m lower, in grey under what is there.
+TEST(ForceMap, EarlierPlacesAreGrey) {
+  TwoWires wires;
+  wires.pull(0, 9900), wires.pull(1, 9900);
+  std::vector<Vec3> before;
+  for (dem::ParticleId id = 0; id < wires.particles.size(); ++id)
+    before.push_back(wires.particles.position[wires.particles.index(id)] - Vec3(0, 0, id < 11 ? 0 : 0.2));
+  const Image alone = force_map(wires.map);
+  wires.map.before = &before;
+  const Image image = force_map(wires.map);
+  const Colour taut = ramp_colour(ColourRamp::tension, 1), grey = from_hex(0xcccccc);
+  const int top = 60, foot = image.height() - 100;
+  EXPECT_EQ(pixels_of(alone, grey, top, foot), 0);
+  const int drawn = pixels_of(image, grey, top, foot);
+  EXPECT_GT(drawn, 900);  // the upper wire: about 1000 x 1 pixels; the lower one is covered
+  EXPECT_LT(drawn, 1500);
+  EXPECT_EQ(pixels_of(image, taut, top, foot), pixels_of(alone, taut, top, foot));
 }
 
 /// A net fifty times as tall as wide fits, too.
