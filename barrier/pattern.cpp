@@ -169,7 +169,8 @@ std::string metres(double value) { return std::to_string(value) + " m"; }
                      " wire cannot " + what + " at a pitch of " + metres(layout.pitch_across) + " across and " +
                      metres(layout.pitch_up) + " up; ";
   text += range.largest > 0
-              ? "rings alone interlock at a pitch between " + metres(range.smallest) + " and " + metres(range.largest)
+              ? "rings alone interlock at a pitch between " + metres(range.smallest) + " and " + metres(range.largest) +
+                    ", by the pattern that is built here, whose wires weave out of the plane"
               : "no pitch would work: take thinner wire or larger rings";
   throw InputError(text);
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "coupling/liquid_around_bodies.h"
+
 namespace lahar::coupling {
 
 namespace {
@@ -100,6 +102,8 @@ void CoupledStep<Real>::fill(const std::vector<lbm::LiquidRegion>& regions) {
   fluid_->fill(regions);
   if (grains_) grains_->embed(*fluid_, solids_->particles(), fields_);
   if (mapped_wires_) mapped_wires_->embed(*fluid_, solids_->particles(), solids_->bonds(), fields_);
+  if ((grains_ && !grains_->fills_with_level()) || mapped_wires_)
+    add_bodies_out_of_liquid(fluid_->grid(), solids_->particles(), regions);
   if (grains_ || mapped_wires_) fluid_->open_ledger();
 }
 

@@ -123,6 +123,11 @@ void check_sphere(const Scene& scene, const Walls& walls, std::size_t i, Finding
     findings.mistake(path + ".velocity_m_s",
                      fmt::format("{}.velocity_m_s is {:g} m/s, expected at most {:g} m/s, where a run stops", path,
                                  s.velocity.norm(), kLargestSpeed));
+  if (const double surface = s.angular_velocity.norm() * s.diameter / 2; surface > kLargestSpeed)
+    findings.mistake(path + ".angular_velocity_rad_s",
+                     fmt::format("{}.angular_velocity_rad_s is {:g} rad/s, which moves its surface at {:g} m/s, "
+                                 "expected at most {:g} m/s, where a run stops",
+                                 path, s.angular_velocity.norm(), surface, kLargestSpeed));
   if (!findings.sound({"wall", path})) return;
   if (const WallPoint wall = walls.nearest(s.position);
       !s.fixed && wall.distance < (1 - kLargestOverlap) * s.diameter / 2)

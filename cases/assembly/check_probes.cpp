@@ -7,6 +7,7 @@
 #include "cases/assembly/cross_checks.h"
 #include "cases/assembly/measured_names.h"
 #include "cases/scene/names.h"
+#include "cases/scene/value.h"
 
 namespace lahar::scene {
 namespace {
@@ -19,8 +20,9 @@ void check_wall_of(const Scene& scene, const Probe& probe, const std::string& pa
   std::vector<std::string> known;
   for (const WallSettings& w : scene.walls) known.push_back(w.name);
   const std::string nearest = nearest_name(probe.wall, known);
-  const std::string hint = nearest.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", nearest);
-  findings.mistake(path, fmt::format("{} is \"{}\"{}, expected the name of a [[wall]]", path, probe.wall, hint));
+  const std::string hint = nearest.empty() ? "" : fmt::format(" (did you mean {}?)", string_text(nearest));
+  findings.mistake(path,
+                   fmt::format("{} is {}{}, expected the name of a [[wall]]", path, string_text(probe.wall), hint));
 }
 
 void check_probe(const Scene& scene, std::size_t i, Findings& findings) {

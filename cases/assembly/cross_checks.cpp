@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cases/scene/names.h"
+#include "cases/scene/value.h"
 #include "dem/contact/contact_materials.h"
 
 namespace lahar::scene {
@@ -25,7 +26,7 @@ bool holds_control(const std::string& text) {
 
 void check_plain(const std::string& name, const std::string& path, Findings& findings) {
   if (findings.sound({path}) && !plain(name))
-    findings.mistake(path, fmt::format("{} is \"{}\", expected letters, digits, \"_\" and \"-\"", path, name));
+    findings.mistake(path, fmt::format("{} is {}, expected letters, digits, \"_\" and \"-\"", path, string_text(name)));
 }
 
 /// Whether a name is a material; "" is allowed where `optional`.
@@ -35,9 +36,9 @@ void check_reference(const Scene& scene, const std::string& name, const std::str
   std::vector<std::string> known;
   for (const MaterialSettings& m : scene.materials) known.push_back(m.name);
   const std::string nearest = nearest_name(name, known);
-  const std::string hint = nearest.empty() ? "" : fmt::format(" (did you mean \"{}\"?)", nearest);
-  findings.mistake(path,
-                   fmt::format("{} is \"{}\"{}, expected the name of a table [materials.NAME]", path, name, hint));
+  const std::string hint = nearest.empty() ? "" : fmt::format(" (did you mean {}?)", string_text(nearest));
+  findings.mistake(
+      path, fmt::format("{} is {}{}, expected the name of a table [materials.NAME]", path, string_text(name), hint));
 }
 
 void check_pairs(const Scene& scene, Findings& findings) {
@@ -48,7 +49,8 @@ void check_pairs(const Scene& scene, Findings& findings) {
     for (const std::string& name : scene.contacts[i].materials) check_reference(scene, name, path, false, findings);
     const auto [low, high] = std::minmax(scene.contacts[i].materials[0], scene.contacts[i].materials[1]);
     if (!seen.insert({low, high}).second)
-      findings.mistake(path, fmt::format("{} names \"{}\" and \"{}\" again, expected each pair once", path, low, high));
+      findings.mistake(path, fmt::format("{} names {} and {} again, expected each pair once", path, string_text(low),
+                                         string_text(high)));
   }
 }
 
@@ -64,7 +66,7 @@ void check_names(const Scene& scene, Findings& findings) {
   const auto check_own = [&](const std::string& name, const std::string& path) {
     check_plain(name, path, findings);
     if (findings.sound({path}) && !seen.insert(name).second)
-      findings.mistake(path, fmt::format("{} is \"{}\" again, expected a name of its own", path, name));
+      findings.mistake(path, fmt::format("{} is {} again, expected a name of its own", path, string_text(name)));
   };
   for (std::size_t i = 0; i < scene.probes.size(); ++i)
     check_own(scene.probes[i].name, fmt::format("probe[{}].name", i));
@@ -74,7 +76,7 @@ void check_names(const Scene& scene, Findings& findings) {
   for (std::size_t i = 0; i < scene.walls.size(); ++i)
     if (const std::string& name = scene.walls[i].name; !name.empty() && !walls.insert(name).second)
       findings.mistake(fmt::format("wall[{}].name", i),
-                       fmt::format("wall[{}].name is \"{}\" again, expected a name of its own", i, name));
+                       fmt::format("wall[{}].name is {} again, expected a name of its own", i, string_text(name)));
 }
 
 void check_materials(const Scene& scene, Findings& findings) {

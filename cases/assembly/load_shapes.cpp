@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "cases/assembly/memory.h"
@@ -79,18 +80,20 @@ std::string extent_text(const Vec3& lower, const Vec3& upper) {
                      upper.y(), upper.z());
 }
 
-/// Samples the part of a surface that matters in the domain. Throws Misfit.
+Misfit lies_outside(const Scene& scene, const Bounds& bounds) {
+  return {fmt::format("lies outside the domain, {}, expected a part of it inside, {}",
+                      extent_text(bounds.lower, bounds.upper), extent_text(scene.domain.lower, scene.domain.upper)),
+          kPlaceKeys};
+}
+
+/// Samples the part of a surface that matters in the domain; `node`, if given, is one of the grid's. Throws Misfit.
 std::shared_ptr<const DistanceGrid> sample(const Scene& scene, const TriangleMesh& mesh, const Bounds& bounds,
-                                           double spacing) {
+                                           double spacing, const std::optional<Vec3>& node = std::nullopt) {
   const double band = band_of(scene, spacing);
   const double beyond = std::max(2 * scene.fluid.cell_size, 4 * spacing);  // cells of walls lie outside the domain
-  const Vec3 lower = (bounds.lower - Vec3::Constant(band)).cwiseMax(scene.domain.lower - Vec3::Constant(beyond));
+  Vec3 lower = (bounds.lower - Vec3::Constant(band)).cwiseMax(scene.domain.lower - Vec3::Constant(beyond));
   const Vec3 upper = (bounds.upper + Vec3::Constant(band)).cwiseMin(scene.domain.upper + Vec3::Constant(beyond));
-  if (!(upper.array() > lower.array()).all())
-    throw Misfit(
-        fmt::format("lies outside the domain, {}, expected a part of it inside, {}",
-                    extent_text(bounds.lower, bounds.upper), extent_text(scene.domain.lower, scene.domain.upper)),
-        kPlaceKeys);
+  if (!(upper.array() > lower.array()).all()) throw lies_outside(scene, bounds);
   const double brick = DistanceGrid::brick_cells * spacing;
   const double fine =
       area_within(mesh, lower, upper) / (brick * brick) * (2 * band / brick + 2) * DistanceGrid::brick_nodes;
@@ -101,10 +104,12 @@ std::shared_ptr<const DistanceGrid> sample(const Scene& scene, const TriangleMes
                              "resolution_m (or a scale, where the file is not in metres)",
                              extent_text(bounds.lower, bounds.upper), bytes * 1e-9, spacing),
                  kSpacingKeys);
+  if (node) lower = *node + spacing * ((lower - *node) / spacing).array().floor().matrix();
   return sample_distance(mesh, lower, upper, spacing, band);
 }
 
-Bounds sample_mesh(const Scene& scene, const fs::path& path, ShapeFile& s) {
+Bounds sample_mesh(const Scene& scene, const fs::path& path, ShapeFile& s,
+                   const std::optional<Vec3>& node = std::nullopt) {
   TriangleMesh mesh = cases::read_closed_mesh(path);
   for (Vec3& p : mesh.points) p = s.scale * p + s.translate;
   const Bounds bounds = bounds_of(mesh);
@@ -112,8 +117,18 @@ Bounds sample_mesh(const Scene& scene, const fs::path& path, ShapeFile& s) {
   if (spacing > across)
     throw Misfit(fmt::format("is {:g} m across, expected a resolution_m below that, not {:g} m", across, spacing),
                  kSpacingKeys);
-  s.sampled.grid = sample(scene, mesh, bounds, spacing);
+  s.sampled.grid = sample(scene, mesh, bounds, spacing, node);
   return bounds;
+}
+
+/// Liquid is filled in by distances a quarter of a cell from the faces of each cell (lbm/step/fluid_filling.cpp): with
+/// nodes there these are exact, at creases, too. What reaches out of the domain is cut off.
+void sample_region(const Scene& scene, const fs::path& path, FluidRegion& r) {
+  const Vec3 node = scene.domain.lower + Vec3::Constant(scene.fluid.cell_size / 4);
+  const Bounds bounds = sample_mesh(scene, path, r.file, node);
+  r.lower = bounds.lower.cwiseMax(scene.domain.lower);
+  r.upper = bounds.upper.cwiseMin(scene.domain.upper);
+  if (!(r.upper.array() > r.lower.array()).all()) throw lies_outside(scene, bounds);
 }
 
 void sample_heightmap(const Scene& scene, const fs::path& path, ShapeFile& s) {
@@ -204,10 +219,7 @@ void load_shapes(Scene& scene, Findings& findings) {
     const std::string path = fmt::format("fluid.region[{}]", i);
     if (!findings.sound({path})) continue;
     if (r.shape == RegionShape::mesh)
-      load_file(r.file, path, findings, [&](const fs::path& file) {
-        const Bounds b = sample_mesh(scene, file, r.file);
-        r.lower = b.lower, r.upper = b.upper;
-      });
+      load_file(r.file, path, findings, [&](const fs::path& file) { sample_region(scene, file, r); });
   }
 }
 

@@ -51,7 +51,23 @@ std::string first_difference(const std::string& now, const std::string& stored) 
   return "less than before";
 }
 
+/// Throws FileError, and ArchiveError where a bit of it was lost: what is cut off from the series hangs on it.
+CheckpointHead head_of(const Hdf5File& file) {
+  const CheckpointHead head{file.number_attribute("/", "time_s"), file.number_attribute("/", "last_row_s"),
+                            file.text_attribute("/", "commit")};
+  if (check_sum(head) != file.text_attribute("/", "check")) throw ArchiveError("its head does not have its check sum");
+  return head;
+}
+
 }  // namespace
+
+std::string check_sum(const CheckpointHead& head) {
+  CheckSum sum;
+  sum.add(&head.time, sizeof head.time);
+  sum.add(&head.last_row, sizeof head.last_row);
+  sum.add(head.commit.data(), head.commit.size());
+  return sum.text();
+}
 
 std::string physics_of(const scene::Scene& scene) {
   scene::Scene copy = scene;
@@ -83,6 +99,7 @@ void write_checkpoint(const fs::path& folder, const scene::Scene& scene, const C
       file.set_attribute("/", "last_row_s", head.last_row);
       file.set_attribute("/", "version", version());
       file.set_attribute("/", "commit", head.commit);
+      file.set_attribute("/", "check", check_sum(head));
       file.set_attribute("/", "format", static_cast<double>(kCheckpointFormat));
       file.close();
     }
@@ -101,14 +118,16 @@ CheckpointHead read_head(const fs::path& folder, const scene::Scene& scene) {
     CheckpointReader archive(path);
     const Hdf5File& file = archive.file();
     format = file.number_attribute("/", "format");
-    written_by = file.text_attribute("/", "version");
-    head = {file.number_attribute("/", "time_s"), file.number_attribute("/", "last_row_s"),
-            file.text_attribute("/", "commit")};
-    if (format == kCheckpointFormat) archive.text("scene", stored);
+    if (format != kCheckpointFormat) {
+      written_by = fmt::format("{} ({})", file.text_attribute("/", "version"), file.text_attribute("/", "commit"));
+      return;
+    }
+    head = head_of(file);
+    archive.text("scene", stored);
   });
   if (format != kCheckpointFormat)
-    refuse(path, fmt::format("is of format {:g}, written by Lahar {} ({}), expected format {}", format, written_by,
-                             head.commit, kCheckpointFormat));
+    refuse(path, fmt::format("is of format {:g}, written by Lahar {}, expected format {}", format, written_by,
+                             kCheckpointFormat));
   if (const std::string now = physics_of(scene); now != stored)
     refuse(path, fmt::format("is of another scene ({}), expected the scene of the run", first_difference(now, stored)));
   return head;
@@ -125,8 +144,10 @@ void load_checkpoint(const fs::path& folder, const std::function<void(Archive&)>
 std::optional<double> last_checkpoint(const fs::path& folder) {
   try {
     if (!fs::is_regular_file(folder / kCheckpointFile)) return std::nullopt;
-    return Hdf5File::open_for_reading(folder / kCheckpointFile).number_attribute("/", "time_s");
+    return head_of(Hdf5File::open_for_reading(folder / kCheckpointFile)).time;
   } catch (const FileError&) {
+    return std::nullopt;
+  } catch (const ArchiveError&) {
     return std::nullopt;
   }
 }

@@ -13,7 +13,7 @@ namespace lahar::cases {
 
 inline constexpr const char* kCheckpointFile = "checkpoint.h5";
 /// To be raised whenever an owner of state stores something else than before.
-inline constexpr int kCheckpointFormat = 30;
+inline constexpr int kCheckpointFormat = 31;
 
 /// What a checkpoint says of itself.
 struct CheckpointHead {
@@ -21,6 +21,9 @@ struct CheckpointHead {
   double last_row = 0;  ///< s, of series.h5: later rows do not belong to it
   std::string commit;   ///< of the program that wrote it; after those of others that came before it, "first, second"
 };
+
+/// Of all that a checkpoint says of itself; its lists of numbers have check sums of their own.
+std::string check_sum(const CheckpointHead& head);
 
 /// The scene without what may change in a resumed run (resume.h), and the check sums that the files it names had when
 /// it was loaded.

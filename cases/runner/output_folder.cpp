@@ -94,6 +94,14 @@ bool holds_results(const fs::path& folder) {
   });
 }
 
+/// The first file of a run, where it was stopped before that was whole.
+void remove_lone_beginning(const fs::path& folder) {
+  const fs::path beginning = folder / "scene.resolved.toml.part";
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path() != beginning || !entry.is_regular_file()) return;
+  fs::remove(beginning);
+}
+
 }  // namespace
 
 bool holds_run(const fs::path& folder) {
@@ -199,6 +207,7 @@ PreparedFolder prepare_output(const fs::path& folder, bool overwrite) {
   FolderLock lock(folder);
   try {
     FormerRun::recover(folder);
+    remove_lone_beginning(folder);
     if (fs::is_empty(folder)) return {std::move(lock), {}};
     if (!holds_run(folder)) refuse(folder, "is not empty and holds no former run, expected a new or an empty folder");
     if (!overwrite && holds_results(folder))

@@ -5,6 +5,7 @@
 #include "cases/assembly/load.h"
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/output_folder.h"
+#include "cases/scene/overrides.h"
 #include "core/check.h"
 
 namespace lahar::cases {
@@ -44,8 +45,8 @@ scene::Scene load_resumed(const std::filesystem::path& folder, const std::vector
   for (const std::string& text : overrides)
     // The precision may be named: one that is not that of the checkpoint is another scene.
     if (key_of(text) != "run.precision" && std::find(keys.begin(), keys.end(), key_of(text)) == keys.end())
-      mistakes.push_back(
-          {"--set " + text, 1, 1, "cannot change in a run that goes on, expected one of " + list_text(keys)});
+      mistakes.push_back({"--set " + scene::on_one_line(text), 1, 1,
+                          "cannot change in a run that goes on, expected one of " + list_text(keys)});
   if (!mistakes.empty()) throw InputError(mistakes);
   scene::Scene scene = scene::load(folder / "scene.resolved.toml", overrides);
   const CheckpointHead head = read_head(folder, scene);
@@ -55,7 +56,7 @@ scene::Scene load_resumed(const std::filesystem::path& folder, const std::vector
                                       [](const std::string& text) { return key_of(text) == "run.duration_s"; });
   if (shortened != overrides.end() && scene.run.duration < head.time * (1 - 1e-9) &&
       scene.run.duration != scene::load(folder / "scene.resolved.toml").run.duration)
-    throw InputError(std::vector<InputMistake>{{"--set " + *shortened, 1, 1,
+    throw InputError(std::vector<InputMistake>{{"--set " + scene::on_one_line(*shortened), 1, 1,
                                                 "run.duration_s is " + std::to_string(scene.run.duration) +
                                                     ", expected at least the " + std::to_string(head.time) +
                                                     " s that the checkpoint has reached"}});

@@ -13,6 +13,14 @@ double step_of(const CheckReport& figures) {
   return figures.fluid ? figures.fluid->time_step : figures.solids ? figures.solids->time_step : 0;
 }
 
+void add_duration(const scene::Scene& s, double step, Warnings& list) {
+  if (s.run.duration < step)
+    list.push_back(
+        fmt::format("run.duration_s ({:g} s) is shorter than a time step ({:.2g} s): the run ends after one "
+                    "step at most",
+                    s.run.duration, step));
+}
+
 /// Intervals longer than the run, and files that would come with every step; rows of the series: see add_rows.
 void add_intervals(const scene::Scene& s, double step, Warnings& list) {
   const auto longer = [&](double interval, const char* key) {
@@ -65,6 +73,7 @@ void add_measure(const scene::Scene& s, Warnings& list) {
 
 std::vector<std::string> warnings(const scene::Scene& scene, const CheckReport& figures) {
   Warnings list;
+  add_duration(scene, step_of(figures), list);
   add_intervals(scene, step_of(figures), list);
   add_gravity(scene, list);
   add_measure(scene, list);

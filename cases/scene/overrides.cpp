@@ -20,6 +20,24 @@ struct BadOverride : std::runtime_error {
 
 bool bare(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-'; }
 
+/// Where the TOML string that begins at `i` is over; one that nothing ends is over with its line. Three quotes end one
+/// of several lines; up to two more before them are its own.
+std::size_t past_string(std::string_view text, std::size_t i) {
+  const char quote = text[i];
+  const std::string three(3, quote);
+  const bool several_lines = text.substr(i).starts_with(three);
+  for (i += several_lines ? 3 : 1; i < text.size(); ++i) {
+    if (text[i] == '\n' && !several_lines) return i;
+    if (text[i] == '\\' && quote == '"')
+      ++i;  // the next is no end
+    else if (text[i] == quote && !several_lines)
+      return i + 1;
+    else if (text.substr(i).starts_with(three))
+      return std::min(text.find_first_not_of(quote, i), i + 5);
+  }
+  return text.size();
+}
+
 /// The value as TOML in a table of its own, so that it carries its place.
 toml::table parse_value(const std::string& value, const std::string& source) {
   if (value.find('\n') != std::string::npos) throw BadOverride("has a line break, expected one TOML value");
@@ -104,7 +122,7 @@ void apply(toml::table& root, const std::string& text, std::string_view origin) 
   if (path.empty()) throw BadOverride(fmt::format("\"{}\" is no key path, expected a.b[0].c", text.substr(0, equals)));
   if (path.size() > kMostKeyParts || find_long_key(text) != std::string::npos)
     throw BadOverride(fmt::format("has a key of more than {} parts, expected a.b[0].c", kMostKeyParts));
-  const std::string source = fmt::format("{}{}", origin, text);
+  const std::string source = fmt::format("{}{}", origin, on_one_line(text));
   toml::table holder = parse_value(trimmed(text.substr(equals + 1)), source);
   for (const char* key : {"base", "changes"}) {  // of scene, which were read before
     const bool whole = path.size() == 1 && holder["v"][key];
@@ -126,24 +144,40 @@ void apply(toml::table& root, const std::string& text, std::string_view origin) 
 
 }  // namespace
 
+std::string on_one_line(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    const auto u = static_cast<unsigned char>(c);
+    if (u < 0x20 || u == 0x7f)
+      line += fmt::format("\\u{:04X}", u);
+    else
+      line += c;
+  }
+  return line;
+}
+
 std::size_t find_long_key(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-  const auto of_word = [](char c) { return bare(c) || c == '"' || c == '\''; };
+  enum class Last { part, dot, other } last = Last::other;  // but for blanks
   std::size_t start = 0;
   int dots = 0;
-  char last = '\n';  // but for blanks
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (blank(c)) continue;
-    const bool goes_on = of_word(c) && last != '.' && i > 0 && of_word(text[i - 1]);
-    if (c == '.' && of_word(last)) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t begin = i;
+    const char c = text[i++];
+    if (c == ' ' || c == '\t') continue;
+    if (bare(c) || c == '"' || c == '\'') {
+      if (bare(c))
+        while (i < text.size() && bare(text[i])) ++i;
+      else
+        i = past_string(text, begin);
+      if (last != Last::dot) dots = 0, start = begin;
+      last = Last::part;
+    } else if (c == '.' && last == Last::part) {
       if (++dots == kMostKeyParts) return start;
-    } else if (of_word(c) && last != '.' && !goes_on) {
-      dots = 0, start = i;
-    } else if (!of_word(c)) {
-      dots = 0;
+      last = Last::dot;
+    } else {
+      if (c == '#') i = std::min(text.find('\n', i), text.size());
+      last = Last::other;
     }
-    last = c;
   }
   return std::string_view::npos;
 }
@@ -182,7 +216,7 @@ std::vector<InputMistake> apply_overrides(toml::table& root, const std::vector<s
     try {
       apply(root, text, origin);
     } catch (const BadOverride& e) {
-      mistakes.push_back({fmt::format("{}{}", origin, text), 1, 1, e.what()});
+      mistakes.push_back({fmt::format("{}{}", origin, on_one_line(text)), 1, 1, on_one_line(e.what())});
     }
   }
   return mistakes;

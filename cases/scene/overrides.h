@@ -20,12 +20,15 @@ struct PathStep {
 
 /// Parts of a dotted key. Each is a table in a table: a hundred thousand of them are more than a stack takes.
 inline constexpr int kMostKeyParts = 64;
-/// Where a key of more parts begins in a TOML text, npos if there is none. Looks at dots between words whatever they
-/// stand in.
+/// Where a key of more parts begins in a TOML text, npos if there is none. A part is a word or a string in quotes; dots
+/// in strings and comments are none of a key.
 std::size_t find_long_key(std::string_view text);
 
 /// Splits `wall[0].slip` and `wall[bed].slip`. Returns an empty list if the text is no path.
 std::vector<PathStep> parse_path(std::string_view text);
+
+/// A text as messages show it: control characters as string_text writes them.
+std::string on_one_line(std::string_view text);
 
 /// Where the overrides of the command line stand.
 inline constexpr std::string_view kCommandLine = "--set ";

@@ -1,6 +1,7 @@
 #include "cases/scene/reader.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "cases/scene/key_list.h"
 
@@ -33,6 +34,13 @@ const toml::node* Reader::find(std::string_view key) {
   return node;
 }
 
+std::string Reader::path_of(std::string_view key, std::string_view name) const {
+  const bool bare = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-';
+  });
+  return fmt::format("{}.{}", path_of(key), bare ? std::string(name) : string_text(std::string(name)));
+}
+
 void Reader::missing(std::string_view key, const std::string& expected) {
   mistake(path_of(key), fmt::format("{} is missing, expected {}", path_of(key), expected));
 }
@@ -53,7 +61,7 @@ void Reader::refuse_unknown() {
     const std::string hint = suggestion(path_, key, known_);
     const std::string where = path_.empty() ? "at the top level" : fmt::format("in [{}]", path_);
     findings_.mistake_at(
-        at, fmt::format("unknown key \"{}\" {}{}, expected one of: {}", key, where, hint, listing(known_)));
+        at, fmt::format("unknown key {} {}{}, expected one of: {}", string_text(key), where, hint, listing(known_)));
   }
 }
 

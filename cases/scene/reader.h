@@ -64,7 +64,7 @@ class Reader {
     if (!node->is_table()) return wrong_kind(key, *node, "a table of named tables");
     parts.clear();
     for (const auto& [name, entry] : *node->as_table()) {
-      const std::string path = fmt::format("{}.{}", path_of(key), name.str());
+      const std::string path = path_of(key, name.str());
       findings_.locate(path, place_of(name.source().path ? name.source() : entry.source()));
       T& part = parts.emplace_back();
       part.name = name.str();
@@ -120,6 +120,8 @@ class Reader {
   [[nodiscard]] std::string path_of(std::string_view key) const {
     return path_.empty() ? std::string(key) : path_ + "." + std::string(key);
   }
+  /// Of a named table; in quotes where its name needs them.
+  [[nodiscard]] std::string path_of(std::string_view key, std::string_view name) const;
 
   const toml::table& table_;
   std::string path_;

@@ -6,6 +6,7 @@
 
 #include "coupling/grains/sphere_rows.h"
 #include "lbm/free_surface/covered_cells.h"
+#include "lbm/free_surface/isolated_liquid.h"
 #include "lbm/grid/row_types.h"
 #include "lbm/step/row_moments.h"
 
@@ -231,9 +232,9 @@ void DisplacedVolume<Real>::book(lbm::Fluid<Real>& fluid, const GrainMap<Real>& 
       for_pool_[k] = change;
   });
   for (double& wet : former_wet_)
-    if (wet != 0) fluid.account().pool -= wet, wet = 0;
+    if (wet != 0) lbm::send_to_pool(-wet, fluid.account()), wet = 0;
   for (const double change : for_pool_)
-    if (change != 0) fluid.account().pool += change;
+    if (change != 0) lbm::send_to_pool(change, fluid.account());
   fluid.account().released = 0;  // it is in what the grains changed by
   map.by_block().for_each_block([&](std::size_t block) { hand_out(fluid, map, block); });
 }

@@ -1,6 +1,7 @@
 // What resolved wires write into the blocks: fields and displaced liquid. Compiled without contraction of products and
 // sums, as grain_volumes.cpp is.
 #include "coupling/wires/wire_map_parts.h"
+#include "lbm/free_surface/isolated_liquid.h"
 
 namespace lahar::coupling {
 
@@ -88,7 +89,7 @@ void WireMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
     if (now.surface > std::abs(change))
       displaced_[b] = change / now.surface, any = true;
     else
-      fluid.account().pool += change;
+      lbm::send_to_pool(change, fluid.account());
     before = now.wet;
   }
   // A bead whose last piece has broken leaves a void.
@@ -97,7 +98,7 @@ void WireMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
     if (next < beads.size() && beads[next] == id) {
       ++next;
     } else if (states_[id].known) {
-      fluid.account().pool -= states_[id].wet;
+      lbm::send_to_pool(-states_[id].wet, fluid.account());
       states_[id] = {.lent_impulse = states_[id].lent_impulse, .lent_spin = states_[id].lent_spin};
     }
   }

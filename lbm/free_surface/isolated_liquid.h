@@ -3,11 +3,18 @@
 // interface cells in small doses. What each block can take is laid out in Morton order along a line; the pool fills a
 // stretch of it, closed to a ring, that begins at another place in every round: multiples of the golden ratio, so that
 // all cells get the same in the long run without anybody remembering who was last (Weyl 1916).
+#include <cmath>
 #include <cstdint>
 
 #include "lbm/free_surface/block_changes.h"
+#include "lbm/free_surface/conversion.h"
 
 namespace lahar::lbm {
+
+/// Liquid, lu, for which there is no cell; below 0 a void.
+inline void send_to_pool(double mass, LiquidAccount& account) {
+  account.pool += mass, account.pooled_total += std::abs(mass);
+}
 
 /// Pays from `pool`, lu, to the interface cells of `blocks` (in Morton order, with surface); returns what was paid, as
 /// the cells stored it. Their lists of interface cells must be up to date.

@@ -98,23 +98,40 @@ double fraction_in_box(const Vec3& centre, double dx, std::span<const LiquidRegi
   return volume / (dx * dx * dx);
 }
 
+/// Where a body is looked at for what it has of an eighth of a cell: at the middle of that, but not within a quarter of
+/// a cell of walls. So what ends at a wall fills the cells that the wall cuts.
+Vec3 off_walls(const Walls& walls, Vec3 part, double dx) {
+  constexpr int several = 3;  // walls of an edge or a corner
+  for (int k = 0; k < several; ++k) {
+    const WallPoint wall = walls.nearest(part);
+    if (wall.distance > (0.25 - 1e-4) * dx) break;
+    part += (dx / 4 - wall.distance) * wall.normal;
+  }
+  return part;
+}
+
 /// The same of a body, from its signed distance in eight parts of the cell: exact where the surface is flat and lies
-/// along the lattice.
-double body_fraction(const Vec3& centre, double dx, const Shape& body) {
+/// along the lattice. Whole where it lacks less than 1e-4: sampled surfaces are lifted by some 1e-5.
+double body_fraction(const Domain& domain, const Vec3& centre, const Shape& body) {
+  const double dx = domain.cell_size();
+  const bool is_near_walls = domain.walls().nearest(centre).distance < dx;
   double fraction = 0;
   for (int k = 0; k < 8; ++k) {
     const Vec3 part = centre + dx / 4 * Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-    const double d = std::visit([&](const auto& s) { return s.distance(part); }, body);
+    const Vec3 at = is_near_walls ? off_walls(domain.walls(), part, dx) : part;
+    const double d = std::visit([&](const auto& s) { return s.distance(at); }, body);
     fraction += std::clamp(0.5 - d / (dx / 2), 0.0, 1.0) / 8;
   }
-  return fraction;
+  return fraction > 1 - 1e-4 ? 1 : fraction;
 }
 
 constexpr double kNegligible = 1e-6;  // fraction of a cell
 
 /// Of a cell, the part that a region fills; of a box, without what the boxes before it fill.
-double fraction_in(const Vec3& centre, double dx, std::span<const LiquidRegion> before, const LiquidRegion& region) {
-  return region.body ? body_fraction(centre, dx, *region.body) : fraction_in_box(centre, dx, before, region);
+double fraction_in(const Domain& domain, const Vec3& centre, std::span<const LiquidRegion> before,
+                   const LiquidRegion& region) {
+  return region.body ? body_fraction(domain, centre, *region.body)
+                     : fraction_in_box(centre, domain.cell_size(), before, region);
 }
 
 /// Whether a region fills a cell right above a wall, of a box of cells.
@@ -126,7 +143,7 @@ bool stands_on_wall_in(const Domain& domain, const LiquidRegion& region, const V
       for (int x = low.x(); x <= high.x(); ++x) {
         const Vec3i cell(x, y, z);
         if (domain.classify(cell - Vec3i::UnitZ()) == CellType::wall && domain.classify(cell) == CellType::gas &&
-            fraction_in(domain.centre(cell), domain.cell_size(), {}, region) >= kNegligible)
+            fraction_in(domain, domain.centre(cell), {}, region) >= kNegligible)
           return true;
       }
   return false;
@@ -166,6 +183,35 @@ std::vector<bool> borne_regions(const Domain& domain, const std::vector<LiquidRe
   return borne;
 }
 
+namespace {
+
+/// A cell that a body fills in part.
+struct PartOfBody {
+  CellPlace place;
+  double top;   ///< m, of the body
+  double drho;  ///< rho - 1 at its centre
+};
+
+/// Fills cells at walls, below the top of a body, that gas cannot reach and that lack less than a quarter: the body
+/// ends at the walls, and what distances that are interpolated, or walls that its surface does not quite follow, have
+/// left would be a void under the pressure of the liquid. Where it ends farther off there is gas, as where it ends
+/// below a lid.
+template <class Real>
+void fill_up_at_walls(FluidGrid<Real>& grid, const std::vector<PartOfBody>& parts) {
+  const double half = (0.5 - 1e-6) * grid.domain().cell_size();
+  const auto is_wall = [](CellType t) { return t == CellType::wall; };
+  for (const auto& [place, top, drho] : parts) {
+    SurfaceFields<Real>& surface = *grid.block(place.block).surface;
+    if (surface.fill_level[place.cell] < Real(0.75) || grid.centre(place.block, place.cell).z() + half > top ||
+        touches_gas(grid, place) || !touches(grid, place, is_wall))
+      continue;
+    surface.fill_level[place.cell] = 1;
+    surface.mass[place.cell] = static_cast<Real>(1 + drho);
+  }
+}
+
+}  // namespace
+
 /// The blocks of a box of block coordinates.
 template <class Real>
 void Fluid<Real>::require_box(const Vec3i& low, const Vec3i& high) {
@@ -192,6 +238,7 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
   std::vector<BlockIndex> touched;
   std::vector<CellPlace> wet;
   std::vector<const LiquidRegion*> regions_of_wet;
+  std::vector<PartOfBody> parts;
   const std::vector<bool> borne = borne_regions(level_.grid.domain(), regions);
   const auto density_at = [&](CellPlace place, const LiquidRegion& region) {
     if (!borne[static_cast<std::size_t>(&region - regions.data())]) return 0.0;
@@ -213,13 +260,16 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
           for (int n = 0; n < kBlockCells; ++n) {
             Block<Real>& block = level_.grid.block(b);
             CellType& type = block.type[static_cast<std::size_t>(n)];
-            const double fraction = fraction_in(level_.grid.centre(b, n), dx, before, region);
-            if (type == CellType::wall || type == CellType::sink || fraction < kNegligible) continue;
+            if (type == CellType::wall || type == CellType::sink) continue;
+            const double fraction = fraction_in(level_.grid.domain(), level_.grid.centre(b, n), before, region);
+            if (fraction < kNegligible) continue;
             SurfaceFields<Real>& surface = level_.grid.require_surface(b);
             if (type == CellType::gas) wet.push_back({b, n}), regions_of_wet.push_back(&region);
             type = CellType::interface;
             surface.fill_level[n] = std::min(Real(1), surface.fill_level[n] + static_cast<Real>(fraction));
-            surface.mass[n] = surface.fill_level[n] * static_cast<Real>(1 + density_at({b, n}, region));
+            const double drho = density_at({b, n}, region);
+            surface.mass[n] = surface.fill_level[n] * static_cast<Real>(1 + drho);
+            if (region.body && surface.fill_level[n] < 1) parts.push_back({{b, n}, region.upper.z(), drho});
           }
         }
   }
@@ -228,6 +278,7 @@ void Fluid<Real>::fill(const std::vector<LiquidRegion>& regions) {
   const Vec3 half_force =
       0.5 * Vec3(level_.parameters.gravity[0], level_.parameters.gravity[1], level_.parameters.gravity[2]);
   require_neighbours(wet);
+  fill_up_at_walls(level_.grid, parts);
   for (std::size_t k = 0; k < wet.size(); ++k) {
     const CellPlace place = wet[k];
     const LiquidRegion& region = *regions_of_wet[k];

@@ -207,10 +207,48 @@ TEST(Net, NamesSizesThatWholeRingsFill) {
     build_net(spec, particles, bonds);
     FAIL() << "0.24 m were accepted";
   } catch (const InputError& e) {
-    EXPECT_NE(std::string(e.what()).find("0.199760 m and 0.259760 m would do"), std::string::npos) << e.what();
+    EXPECT_NE(std::string(e.what()).find("0.19976 m and 0.25976 m would do"), std::string::npos) << e.what();
   }
   spec.width = 0.25976, spec.height = 0.19976;
   EXPECT_EQ(build_net(spec, particles, bonds).rings.size(), 12u);
+}
+
+std::string mistake_of(const RingNetSpec& spec) {
+  dem::Particles particles;
+  dem::Bonds bonds;
+  try {
+    build_net(spec, particles, bonds);
+  } catch (const InputError& e) {
+    return e.what();
+  }
+  return "none";
+}
+
+TEST(Net, NumbersInMistakesArePlain) {
+  RingNetSpec spec = small_spec();
+  spec.ring_pitch = 1e-18;
+  std::string text = mistake_of(spec);
+  EXPECT_NE(text.find("rings at a pitch of 1e-18 m lie in each other, expected more than the wire, 0.0061 m"),
+            std::string::npos)
+      << text;
+  spec = small_spec();
+  spec.wire_diameter = 0.03;
+  text = mistake_of(spec);
+  EXPECT_NE(text.find("a ring of 0.07 m is too narrow for its wire, expected more than three wires, 0.09 m"),
+            std::string::npos)
+      << text;
+}
+
+/// Of a wire so thin that one ring more makes no difference to see.
+TEST(Net, ASizeThatWouldDoIsNamedOnce) {
+  RingNetSpec spec = small_spec();
+  spec.free_net = true;
+  spec.fit = NetFit::inside;
+  spec.wire_diameter = 1e-8, spec.ring_pitch = 1.5e-8, spec.beads_per_ring = 22'000'000;
+  spec.width = spec.height = 0.05;
+  const std::string text = mistake_of(spec);
+  EXPECT_NE(text.find("at a pitch of 1.5e-08 m do not fill a width of 0.05 m; 0.07 m would do"), std::string::npos)
+      << text;
 }
 
 TEST(Net, RefusesWhatCannotBeBuilt) {

@@ -45,6 +45,39 @@ TEST(CoupledStep, MomentumAudit) {
   }
 }
 
+/// Liquid up to a level inside a cell, with a sphere that stands out of it: it has the liquid's volume less that of the
+/// sphere below the level, wherever in the cell that is.
+TEST(CoupledStep, LiquidIsFilledAroundGrainsThatStandOutOfIt) {
+  constexpr double dx = 0.02, radius = 0.03, centre = 0.05, side = 0.2;
+  for (const auto weighting : {lbm::BodyWeighting::wall_distance, lbm::BodyWeighting::inertial})
+    for (const double level : {0.04, 0.042, 0.044, 0.048, 0.05, 0.052, 0.056, 0.06}) {
+      auto fluid = by_distance(tank(Vec3(side, side, side), dx, 1e-3), weighting);
+      fluid.gravity = Vec3::Zero();
+      CoupledStep<double> step(fluid, grains(fluid, {grain(Vec3(0.1, 0.1, centre), radius, 2500)}),
+                               {.thin_wires = ThinWires::uncoupled, .substeps = 10});
+      step.fill({{Vec3::Zero(), Vec3(side, side, level)}});
+      const double h = level - (centre - radius), cap = std::numbers::pi * h * h * (radius - h / 3);
+      const double liquid = step.fluid()->liquid_mass() / 1000;
+      EXPECT_NEAR(liquid, side * side * level - cap, 0.05 * cap) << level;
+      EXPECT_EQ(step.fluid()->mass_drift(), 0);
+    }
+}
+
+/// A sphere that lies in the liquid, in cells that end beside it: all of it is displaced, but for what cells that it
+/// covers have too much, since they are whole.
+TEST(CoupledStep, GrainsThatLieInTheLiquidDisplaceAllOfThemselves) {
+  constexpr double dx = 0.02, radius = 0.03;
+  auto fluid = by_distance(tank(Vec3(0.2, 0.2, 0.2), dx, 1e-3), lbm::BodyWeighting::inertial);
+  fluid.gravity = Vec3::Zero();
+  for (const double end : {0.11, 0.112, 0.115, 0.118}) {
+    CoupledStep<double> step(fluid, grains(fluid, {grain(Vec3(end - radius, 0.1, 0.05), radius, 2500)}),
+                             {.thin_wires = ThinWires::uncoupled, .substeps = 10});
+    step.fill({{Vec3::Zero(), Vec3(end, 0.2, 0.1)}});
+    const double ball = 4.0 / 3.0 * std::numbers::pi * std::pow(radius, 3);
+    EXPECT_NEAR(step.fluid()->liquid_mass() / 1000, end * 0.2 * 0.1 - ball, 0.04 * ball) << end;
+  }
+}
+
 /// A step that adapts is short before a fast grain reaches the water, which rests until then.
 TEST(CoupledStep, TheStepKnowsOfGrainsInTheAir) {
   auto fluid = by_distance(tank(Vec3(0.32, 0.32, 0.64), 0.02, 1e-3), lbm::BodyWeighting::inertial);

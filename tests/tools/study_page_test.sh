@@ -47,6 +47,7 @@ expect_contains "$output" '| `e_in` | kJ | 54.36 | 50 | 52.12 | 40 |'
 expect_contains "$output" '| `depth` | m | - | 0.25 | - | 0.2 |'
 expect_contains "$output" '| Quantity | matched-L4.10-coarse-resolved-seed1 against matched-L4.10-standard-resolved-seed1 |'
 expect_contains "$output" '| `depth` | +25.0 |'
+expect_lacks "$output" 'in all cases'
 expect_lacks "$output" '## Over the flows'
 expect_lacks "$output" 'momentum of the water'
 

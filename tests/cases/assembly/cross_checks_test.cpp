@@ -30,7 +30,10 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"probe[0].name=a", "probe[0].kind=height", "probe[0].position_m=[1, 1, 0]", "probe[1].name=a",
                    "probe[1].kind=pressure", "probe[1].position_m=[1, 1, 0]"},
                   "probe[1].name",
-                  "again"}));
+                  "again"},
+        Rejection{{"scene.name=\"a\\nb\""}, "scene.name is \"a\\u000Ab\"", "letters, digits"},
+        Rejection{{"wall[0].material=\"\\u001B[31m\""}, "wall[0].material is \"\\u001B[31m\"", "the name of a table"},
+        Rejection{{"wall[0].name=\"a\\nb\"", "wall[1].name=\"a\\nb\""}, "wall[1].name is \"a\\u000Ab\" again", "own"}));
 
 TEST(CrossChecks, WallsNeedNoMaterialWithoutSolids) {
   EXPECT_TRUE(mistakes_in(case_file("dam_break/scene.toml")).empty());

@@ -128,6 +128,85 @@ radius_m = 0.08
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], volumes[k], 0.01 * volumes[k]) << k;
 }
 
+/// Water of still.obj, or of a box, 0.3 m deep in a tank that it fills from wall to wall.
+const std::string still_tank = R"([scene]
+name = "still"
+[run]
+duration_s = 0.1
+[domain]
+lower_m = [0, 0, 0]
+upper_m = [0.4, 0.2, 0.5]
+open_faces = ["z+"]
+slip = "free_slip"
+[fluid]
+enabled = true
+cell_size_m = 0.02
+max_speed_m_s = 2.5
+[[fluid.region]]
+)";
+
+/// The largest speed after 100 steps, lu.
+double speed_later(lbm::Fluid<double>& fluid) {
+  for (int k = 0; k < 100; ++k) fluid.step();
+  return fluid.max_speed_lu();
+}
+
+/// The mesh of a box is that box, also where it reaches out of the domain: there it is cut off.
+TEST(LoadShapes, LiquidInTheMeshOfABoxIsThatInTheBox) {
+  const ScratchFolder scratch;
+  const Scene box = load(scratch.write("box.toml", still_tank + "lower_m = [0, 0, 0]\nupper_m = [0.4, 0.2, 0.3]\n"));
+  const auto scene = scratch.write("scene.toml", still_tank + "shape = \"mesh\"\nfile = \"still.obj\"\n");
+  lbm::Fluid<double> one(cases::fluid_options(box));
+  one.fill(cases::liquid_regions(box));
+  for (const double beyond : {0.0, 0.05}) {
+    scratch.write("still.obj", obj_text(box_mesh(Vec3::Constant(-beyond), Vec3(0.4 + beyond, 0.2 + beyond, 0.3))));
+    ASSERT_EQ(mistakes_in(scene), std::vector<std::string>{});
+    const Scene s = load(scene);
+    lbm::Fluid<double> fluid(cases::fluid_options(s));
+    fluid.fill(cases::liquid_regions(s));
+    EXPECT_NEAR(fluid.liquid_mass() / one.liquid_mass(), 1, 1e-9);
+    fluid.for_each_wet_cell([&](const lbm::WetCell& c) { EXPECT_EQ(c.fill_level, 1) << c.centre.transpose(); });
+    EXPECT_LT(speed_later(fluid), 1e-3);
+  }
+}
+
+/// So is the mesh of a basin whose sides are oblique to the lattice and lie between its points.
+TEST(LoadShapes, LiquidInAMeshBetweenObliqueWallsIsAtRest) {
+  const ScratchFolder scratch;
+  const Vec3 middle(0.203, 0.098, 0), half(0.1087, 0.0523, 0);
+  const Eigen::AngleAxisd turn(20 * M_PI / 180, Vec3::UnitZ());
+  TriangleMesh mesh = box_mesh(-half, half + Vec3(0, 0, 0.3));
+  for (Vec3& p : mesh.points) p = middle + turn * p;
+  scratch.write("still.obj", obj_text(mesh));
+  std::string text = still_tank + "shape = \"mesh\"\nfile = \"still.obj\"\n";
+  for (const Vec3& side : {Vec3(half.x(), 0, 0), Vec3(0, half.y(), 0)})
+    for (const int sign : {-1, 1}) {
+      const Vec3 point = middle + sign * (turn * side), normal = -sign * (turn * side);
+      text += fmt::format("[[wall]]\nshape = \"plane\"\nslip = \"free_slip\"\npoint_m = [{}, {}, 0]\n", point.x(),
+                          point.y()) +
+              fmt::format("normal = [{}, {}, 0]\n", normal.x(), normal.y());
+    }
+  const Scene s = load(scratch.write("scene.toml", text));
+  lbm::Fluid<double> fluid(cases::fluid_options(s));
+  fluid.fill(cases::liquid_regions(s));
+  std::size_t cells = 0;
+  fluid.for_each_wet_cell([&](const lbm::WetCell& c) {
+    EXPECT_TRUE(c.fill_level == 1 || c.centre.z() > 0.28) << c.centre.transpose();
+    ++cells;
+  });
+  EXPECT_GT(cells, 500u);
+  EXPECT_LT(speed_later(fluid), 1e-3);
+}
+
+/// Also where it is so near that walls would still feel it.
+TEST(LoadShapes, LiquidBesideTheDomainIsAMistake) {
+  const ScratchFolder scratch;
+  scratch.write("still.obj", obj_text(box_mesh(Vec3(-0.1, 0, 0), Vec3(-0.01, 0.2, 0.3))));
+  const auto all = mistakes_in(scratch.write("scene.toml", still_tank + "shape = \"mesh\"\nfile = \"still.obj\"\n"));
+  ASSERT_EQ(all.size(), 1U) << testing::PrintToString(all);
+  EXPECT_NE(all[0].find("lies outside the domain"), std::string::npos) << all[0];
+}
+
 /// Beside the file that names it, also where that is a change of a base.
 TEST(LoadShapes, AChangedFileIsLookedForBesideTheScene) {
   const ScratchFolder scratch;

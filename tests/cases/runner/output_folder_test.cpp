@@ -84,6 +84,18 @@ TEST(OutputFolder, ARunThatDidNotBeginIsReplaced) {
   EXPECT_TRUE(fs::exists(scratch.path() / "notes.txt"));
 }
 
+/// One that was stopped while it wrote its first file; not where there is anything else.
+TEST(OutputFolder, AHalfWrittenFirstFileIsNoRun) {
+  const scene::ScratchFolder scratch;
+  scratch.write("scene.resolved.toml.part", "[sce");
+  (void)prepare_output(scratch.path(), false);
+  EXPECT_EQ(count(scratch.path()), 0u);
+  scratch.write("scene.resolved.toml.part", "[sce");
+  scratch.write("notes.txt", "mine");
+  EXPECT_THROW((void)prepare_output(scratch.path(), true), InputError);
+  EXPECT_EQ(count(scratch.path()), 2u);
+}
+
 /// Whatever became of its results.
 TEST(OutputFolder, ARunThatBeganIsNotReplacedUnasked) {
   const scene::ScratchFolder scratch;

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <fstream>
+#include <utility>
 
 #include "cases/assembly/simulation.h"
 #include "cases/files/hdf5_file.h"
@@ -333,6 +335,46 @@ TEST_F(Resume, DamageIsFoundAndNamed) {
   EXPECT_NE(mistake("nowhere").find("holds no run"), std::string::npos);
 }
 
+/// Flips one bit of a number in the head of a checkpoint: half of it or twice as much is left.
+void flip_bit(const std::filesystem::path& file, const std::string& attribute) {
+  const auto stored = [&] { return Hdf5File::open_for_reading(file).number_attribute("/", attribute); };
+  const double value = stored();
+  std::string number(sizeof value, '\0');
+  std::memcpy(number.data(), &value, sizeof value);
+  const std::string whole = scene::file_text(file);
+  for (auto at = whole.find(number); at != std::string::npos; at = whole.find(number, at + 1)) {
+    std::string flipped = whole;
+    flipped[at + 6] = static_cast<char>(flipped[at + 6] ^ 0x10);
+    std::ofstream(file, std::ios::binary) << flipped;
+    if (stored() != value) return;
+  }
+  FAIL() << attribute << " is nowhere in the file";
+}
+
+/// By what stands there rows of the series are cut off.
+TEST_F(Resume, ABitLostFromTheHeadIsFound) {
+  run("out", {"run.duration_s=0.05"});
+  const auto file = folder("out") / kCheckpointFile, series = folder("out") / "series.h5";
+  const std::string whole = scene::file_text(file), rows = scene::file_text(series);
+  for (const char* attribute : {"time_s", "last_row_s"}) {
+    flip_bit(file, attribute);
+    const std::string why = mistake("out", {"run.duration_s=0.06"});
+    EXPECT_NE(why.find("checkpoint.h5:1:1: is damaged or of another version (its head does not have its check sum)"),
+              std::string::npos)
+        << why;
+    EXPECT_EQ(scene::file_text(series), rows) << attribute;
+    EXPECT_FALSE(last_checkpoint(folder("out")).has_value()) << attribute;
+    std::ofstream(file, std::ios::binary) << whole;
+  }
+  EXPECT_EQ(mistake("out", {"run.duration_s=0.06"}), "none");
+}
+
+TEST(CheckpointHead, EveryPartCountsInItsCheckSum) {
+  const CheckpointHead head{0.25, 0.125, "abc"};
+  for (const CheckpointHead& other : {CheckpointHead{0.5, 0.125, "abc"}, {0.25, 0.25, "abc"}, {0.25, 0.125, "abd"}})
+    EXPECT_NE(check_sum(other), check_sum(head));
+}
+
 /// What comes after the checkpoint can still be used when the checkpoint cannot.
 TEST_F(Resume, ADamagedCheckpointLeavesTheFolderAsItWas) {
   run("out");
@@ -387,11 +429,17 @@ TEST_F(Resume, AnotherFormatIsRefused) {
 
 TEST_F(Resume, ProgramsOfAllCommitsAreNamed) {
   run("out", {"run.duration_s=0.05"});
-  std::string bytes = scene::file_text(folder("out") / kCheckpointFile);
+  const CheckpointHead head = read_head(folder("out"), scene::load(folder("out") / "scene.resolved.toml"));
+  CheckpointHead of_another = head;
   const std::string other(commit().size(), 'f');
-  const auto at = bytes.find(commit());
-  ASSERT_NE(at, std::string::npos);
-  std::ofstream(folder("out") / kCheckpointFile, std::ios::binary) << bytes.replace(at, other.size(), other);
+  of_another.commit = other;
+  std::string bytes = scene::file_text(folder("out") / kCheckpointFile);
+  for (const auto& [from, to] : {std::pair{commit(), other}, std::pair{check_sum(head), check_sum(of_another)}}) {
+    const auto at = bytes.find(from);
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at, to.size(), to);
+  }
+  std::ofstream(folder("out") / kCheckpointFile, std::ios::binary) << bytes;
   EXPECT_EQ(resume("out", {"run.duration_s=0.06"}).summary.commit, other + ", " + commit());
   EXPECT_EQ(resume("out", {"run.duration_s=0.07"}).summary.commit, other + ", " + commit());
 }

@@ -67,6 +67,20 @@ TEST(Warnings, RowsBetweenSteps) {
   EXPECT_FALSE(warns(report(2.4, true), "rows come"));
 }
 
+TEST(Warnings, ARunShorterThanAStep) {
+  const auto report = [](const char* file, double steps) {
+    scene::Scene scene = load(case_file(file));
+    const CheckReport whole = check_scene(scene);
+    scene.run.duration = steps * (whole.fluid ? whole.fluid->time_step : whole.solids->time_step);
+    return check_scene(scene);
+  };
+  for (const char* file : {"dam_break/scene.toml", "bouncing_sphere/scene.toml"}) {
+    EXPECT_TRUE(warns(report(file, 1e-9), ") is shorter than a time step (")) << file;
+    EXPECT_TRUE(warns(report(file, 0.5), "the run ends after one step at most")) << file;
+    EXPECT_FALSE(warns(report(file, 1), "shorter than a time step")) << file;
+  }
+}
+
 TEST(Warnings, ValuesInOtherUnits) {
   const auto report = [](const std::string& set) {
     return check_scene(load(case_file("debris_flow/scene.toml"), {set}));

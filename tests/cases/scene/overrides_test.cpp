@@ -7,6 +7,12 @@
 namespace lahar::scene {
 namespace {
 
+std::string dotted(int parts, const std::string& part) {
+  std::string key = part;
+  for (int k = 1; k < parts; ++k) key += "." + part;
+  return key;
+}
+
 TEST(ParsePath, SplitsKeysAndIndices) {
   const std::vector<PathStep> path = parse_path("grains.packing[0].sizes[12].count");
   ASSERT_EQ(path.size(), 6u);
@@ -138,6 +144,45 @@ TEST(Overrides, LongKeysAreRefused) {
     ASSERT_EQ(all.size(), 1u);
     EXPECT_NE(all[0].find("a key of more than 64 parts"), std::string::npos);
   }
+}
+
+/// Parts in quotes may hold whatever ends a word.
+TEST(Overrides, LongKeysInQuotesAreRefused) {
+  for (const std::string part : {R"("/")", "'='", R"("a b")", R"("\"")", R"("")", "'#'", R"("[" )"}) {
+    const auto all = mistakes_in_text(small_scene, {"run.duration_s={" + dotted(50000, part) + "=1}"});
+    ASSERT_EQ(all.size(), 1u) << part;
+    EXPECT_NE(all[0].find("a key of more than 64 parts"), std::string::npos) << part;
+  }
+}
+
+TEST(FindLongKey, CountsWordsAndQuotes) {
+  EXPECT_EQ(find_long_key(dotted(64, "a") + " = 1"), std::string::npos);
+  EXPECT_EQ(find_long_key("b = 1\n" + dotted(65, "a")), 6U);
+  EXPECT_EQ(find_long_key("b = 1\n[" + dotted(65, "'.'")), 7U);
+  EXPECT_EQ(find_long_key(dotted(64, "'/'") + " = 1"), std::string::npos);
+}
+
+/// What looks like the begin of a string in a comment or in another string is none: no key hides behind it.
+TEST(FindLongKey, KnowsWhereStringsEnd) {
+  const std::string key = dotted(65, R"("/")"), words = dotted(65, "a");
+  for (const std::string before : {"# it's\n", "a = \"it's\"\n", "a = 'say \"'\n", "a = \"\\\"'\"\n", "a = '\\'\n",
+                                   "a = \"\"\n", "a = \"\"\"one \" \"\" quote'\n\"\"\"\"\"\n", "a = '''\\\n''''\n",
+                                   "a = \"\"\"\\\"\"\"\"\n", "a = \"\"\"\"\"\"\n"})
+    EXPECT_EQ(find_long_key(before + key), before.size()) << before;
+  for (const std::string& text : {"# " + words + "\n", "a = \"" + words + "\"\n", "a = \"\"\"\n" + words + "\"\"\"\n",
+                                  "a = '" + words + "'", "a = \"" + words})
+    EXPECT_EQ(find_long_key(text), std::string::npos) << text;
+}
+
+TEST(Overrides, AreOneLineInMessages) {
+  for (const std::string text :
+       {"run.duration_s=\"a\nb\"", "run.\x1b[31m=1", "scene.nam\n=1", "run.duration_s=\x1b[31m"}) {
+    const auto all = mistakes_in_text(small_scene, {text});
+    ASSERT_EQ(all.size(), 1U) << text;
+    EXPECT_EQ(all[0].find_first_of("\n\x1b"), std::string::npos) << all[0];
+    EXPECT_TRUE(all[0].starts_with("--set " + on_one_line(text))) << all[0];
+  }
+  EXPECT_EQ(on_one_line("a\tb\x7f\\\""), R"(a\u0009b\u007F\")");
 }
 
 TEST(Overrides, SenselessOnesAreAllReported) {

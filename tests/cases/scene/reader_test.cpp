@@ -52,6 +52,16 @@ x = 1
   for (std::size_t i = 0; i < all.size(); ++i) EXPECT_TRUE(all[i].starts_with(expected[i])) << all[i];
 }
 
+/// A key or the name of a table may hold anything; a message is one line.
+TEST(Reader, NamesAreQuotedInMessages) {
+  const auto all = mistakes_in_text(small_scene + "[materials.\"a\\nb\"]\nyoungs_modulus_Pa = -1\n" +
+                                    "[measure]\n\"\\u001B[31m\" = 1\n");
+  ASSERT_EQ(all.size(), 3u) << testing::PrintToString(all);
+  EXPECT_TRUE(all[0].starts_with("scene.toml:16:12: materials.\"a\\u000Ab\".poisson_ratio is missing")) << all[0];
+  EXPECT_TRUE(all[1].starts_with("scene.toml:17:21: materials.\"a\\u000Ab\".youngs_modulus_Pa is -1")) << all[1];
+  EXPECT_TRUE(all[2].starts_with("scene.toml:19:1: unknown key \"\\u001B[31m\" in [measure]")) << all[2];
+}
+
 TEST(Reader, MissingKeysPointToTheirTable) {
   const auto all = mistakes_in_text(
       "[scene]\nname = \"x\"\n\n[run]\n[domain]\nlower_m = [0, 0, 0]\nupper_m = [1, 1, 1]\n"

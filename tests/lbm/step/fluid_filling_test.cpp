@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/core/shapes.h"
 #include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
@@ -104,6 +105,75 @@ TEST(FluidFilling, WallsBearWhatStandsOnThem) {
   EXPECT_EQ(borne_regions(Domain(s), regions), std::vector<bool>({true, true, true, true, false, false, false}));
   s.faces[4] = s.faces[5] = FaceKind::periodic;
   EXPECT_EQ(borne_regions(Domain(s), regions), std::vector<bool>(regions.size(), false));
+}
+
+/// A box from z = 0 up, turned about z, as a body of sampled distances: half a cell between nodes, one of them at
+/// `node`.
+LiquidRegion sampled_box(const Vec3& middle, const Vec3& size, double angle, const Vec3& node, double cell_size) {
+  const double reach = size.head<2>().norm() / 2;
+  LiquidRegion region{middle - Vec3(reach, reach, 0), middle + Vec3(reach, reach, size.z())};
+  const Eigen::AngleAxisd back(-angle, Vec3::UnitZ());
+  const SolidBox box{Vec3(-size.x() / 2, -size.y() / 2, 0), Vec3(size.x() / 2, size.y() / 2, size.z())};
+  const Vec3 margin = Vec3::Constant(4 * cell_size);
+  const Vec3 first = node + cell_size / 2 * ((region.lower - margin - node) / (cell_size / 2)).array().floor().matrix();
+  region.body = SampledDistance{sampled(first, region.upper + margin, cell_size / 2,
+                                        [&](const Vec3& p) { return box.distance(back * (p - middle)); })};
+  return region;
+}
+
+/// Where nodes lie on the edges of a body, between them its distance is half of what it should be: cells at an edge
+/// that lies in the corner of a tank are whole all the same.
+TEST(FluidFilling, EdgesOfABodyInTheCornersOfATankLeaveNoVoids) {
+  constexpr double dx = 0.02, depth = 0.1;
+  Fluid<double> fluid(tank_options(Vec3(0.16, 0.16, 0.3), dx, 3.0, 0.1));
+  const LiquidRegion body = sampled_box(Vec3(0.08, 0.08, 0), Vec3(0.16, 0.16, depth), 0, Vec3::Zero(), dx);
+  EXPECT_NEAR(std::get<SampledDistance>(*body.body).distance(Vec3(dx / 4, dx / 4, 2 * dx)), -dx / 8, 1e-6);
+  fluid.fill({body});
+  std::size_t below = 0;
+  fluid.for_each_wet_cell([&](const WetCell& c) {
+    if (c.centre.z() > depth - dx) return;
+    EXPECT_EQ(c.fill_level, 1) << c.centre.transpose();
+    ++below;
+  });
+  EXPECT_EQ(below, 8u * 8u * 4u);
+}
+
+/// Under a lid there may be gas, in a layer of less than a cell, too.
+TEST(FluidFilling, ABodyMayEndBelowALid) {
+  constexpr double dx = 0.02;
+  auto options = tank_options(Vec3(0.16, 0.16, 0.16), dx, 3.0, 0.1);
+  options.domain.faces[5] = FaceKind::closed;
+  options.gravity = Vec3::Zero();  // no pressure that adds mass
+  Fluid<double> fluid(options);
+  fluid.fill({sampled_box(Vec3(0.08, 0.08, 0), Vec3(0.16, 0.16, 0.156), 0, Vec3::Constant(dx / 4), dx)});
+  EXPECT_NEAR(fluid.liquid_mass() / options.density, 0.16 * 0.16 * 0.156, 1e-4 * 0.16 * 0.16 * 0.156);
+}
+
+/// A body that ends at walls oblique to the lattice is at rest between them: no voids below, a level surface.
+TEST(FluidFilling, ABodyBetweenObliqueWallsIsAtRest) {
+  constexpr double dx = 0.02, depth = 0.2;
+  const Vec3 middle(0.251, 0.247, 0), size(0.307, 0.243, depth);
+  for (const double degrees : {0.0, 17.0, 30.0})
+    for (const WallSlip slip : {WallSlip::no_slip, WallSlip::free_slip}) {
+      const double angle = degrees * M_PI / 180;
+      auto options = tank_options(Vec3(0.5, 0.5, 0.3), dx, 2.5, 0.1);
+      options.domain.slip = slip;
+      const Eigen::AngleAxisd turn(angle, Vec3::UnitZ());
+      for (const Vec3& side : {Vec3(size.x() / 2, 0, 0), Vec3(0, size.y() / 2, 0)})
+        for (const int sign : {-1, 1})
+          options.domain.walls.add(
+              {"side", HalfSpace{middle + sign * (turn * side), -sign * (turn * side.normalized())}, slip});
+      Fluid<double> fluid(options);
+      fluid.fill({sampled_box(middle, size, angle, Vec3::Constant(dx / 4), dx)});
+      double wet = 0, volume = 0;
+      fluid.for_each_wet_cell([&](const WetCell& c) {
+        wet += dx * dx * dx, volume += c.liquid_volume;
+        EXPECT_TRUE(c.fill_level == 1 || c.centre.z() > depth - dx) << degrees << ": " << c.centre.transpose();
+      });
+      EXPECT_NEAR(volume / wet, 1, 5e-3);  // cells that the walls cut are whole, at the surface nearly
+      for (int k = 0; k < 100; ++k) fluid.step();
+      EXPECT_LT(fluid.max_speed_lu(), 1e-3) << degrees;
+    }
 }
 
 }  // namespace
