@@ -47,7 +47,7 @@ void draw_legend(Canvas& canvas, float height, int highest) {
 void draw_legend_of_before(Canvas& canvas, float height) {
   const float right = kWidth - kMargin, y = height - kFoot + 18;
   canvas.text(Point(right, y), "in the first map", kLetters, Hold::end);
-  canvas.line(Point(right - 120, y - 4), Point(right - 96, y - 4), {.colour = kBefore, .width = 1});
+  canvas.line(Point(right - 108, y - 4), Point(right - 84, y - 4), {.colour = kBefore, .width = 1});
 }
 
 }  // namespace
