@@ -13,6 +13,7 @@
 #include "cases/files/checkpoint_file.h"
 #include "cases/files/heightmap_file.h"
 #include "cases/files/mesh_file.h"
+#include "cases/scene/value.h"
 #include "core/mesh_distance.h"
 
 namespace lahar::scene {
@@ -161,7 +162,9 @@ void load_file(ShapeFile& s, const std::string& path, Findings& findings, const 
   if (!findings.sound({key})) return;
   if (s.file.empty()) return findings.mistake(key, key + " is \"\", expected the name of a file");
   const fs::path file = file_of(s, findings.place(key));
-  const auto text = [&](const std::string& what) { return fmt::format("{}: \"{}\" {}", key, file.string(), what); };
+  const auto text = [&](const std::string& what) {
+    return fmt::format("{}: {} {}", key, string_text(file.string()), what);
+  };
   try {
     load(file);
     s.sampled.check_sum = check_sum(file);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "cases/scene/value.h"
+
 namespace lahar::scene {
 
 void build_rigid_barrier(Scene& scene, Findings& findings) {
@@ -23,9 +25,9 @@ void build_rigid_barrier(Scene& scene, Findings& findings) {
   const bool needed = scene.has_solids() || !rigid.material.empty();
   if (needed && findings.sound({"materials"}) && material_index(scene, rigid.material) < 0)
     return findings.mistake("rigid_barrier.material",
-                            fmt::format("rigid_barrier.material is \"{}\", expected the name of a table "
+                            fmt::format("rigid_barrier.material is {}, expected the name of a table "
                                         "[materials.NAME]",
-                                        rigid.material));
+                                        string_text(rigid.material)));
   for (std::int64_t k = 0; k <= rigid.slits; ++k) {
     WallSettings wall;
     wall.name = fmt::format("rigid_barrier_{}", k);

@@ -85,6 +85,8 @@ TEST(RigidBarrier, RefusesSlitsThatLeaveNothing) {
   for (const char* material : {"", "stel"})
     expect_rejection(file, {with(kSlits, std::string("rigid_barrier.material=") + (*material ? material : "''")),
                             "rigid_barrier.material", "expected the name of a table [materials.NAME]"});
+  expect_rejection(
+      file, {with(kSlits, "rigid_barrier.material=\"a\\nb\""), "rigid_barrier.material", "is \"a\\u000Ab\", expected"});
 }
 
 }  // namespace
