@@ -172,6 +172,9 @@ class SceneRun {
   void warn_of_start(const dem::Solids& solids) {
     for (const std::string& missed : missed_heights(scene_, solids.particles())) monitor_.warn(missed);
     if (const std::string burst = burst_at_start(solids); !burst.empty()) monitor_.warn(burst);
+    const FluidView* fluid = simulation_->fluid();
+    if (fluid && !scene_.fluid.regions.empty() && fluid->liquid_mass() <= 0)
+      monitor_.warn("at the start there is no liquid: bodies fill all that is fluid.region");
   }
 
   void sample() {

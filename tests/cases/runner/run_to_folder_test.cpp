@@ -46,6 +46,24 @@ TEST(RunToFolder, LeavesSceneLogAndSummary) {
   EXPECT_NE(log.find("warning: contacts are softened"), std::string::npos);
 }
 
+/// Liquid asked for inside a sphere, and around it.
+TEST(RunToFolder, TellsWhereBodiesLeaveNoLiquid) {
+  const auto log_of = [](const std::string& half) {
+    const scene::ScratchFolder scratch;
+    const scene::Scene scene = scene::load_text(
+        scene::small_scene,
+        {"run.duration_s=1e-4", "grains.sphere[0].diameter_m=0.4", "grains.sphere[0].fixed=true",
+         "coupling.enabled=true",
+         "fluid={enabled=true, cell_size_m=0.05, max_speed_m_s=2.0, region=[{lower_m=[0.4,0.4,0.4], upper_m=[" + half +
+             "," + half + "," + half + "]}]}"});
+    run_to_folder(scene, quiet_into(scratch.path() / "out"), run_scene);
+    return scene::file_text(scratch.path() / "out/run.log");
+  };
+  EXPECT_NE(log_of("0.6").find("warning: at the start there is no liquid: bodies fill all that is fluid.region"),
+            std::string::npos);
+  EXPECT_EQ(log_of("0.9").find("there is no liquid"), std::string::npos);
+}
+
 /// A ball without walls leaves through a face that is closed for water, and is gone; what flies up comes back.
 TEST(RunToFolder, GrainsThatLeftTheDomainAreGone) {
   const auto kinetic_at_the_end = [](const std::string& velocity) {
