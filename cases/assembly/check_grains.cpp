@@ -126,7 +126,7 @@ void check_sphere(const Scene& scene, const Walls& walls, std::size_t i, Finding
   if (const double surface = s.angular_velocity.norm() * s.diameter / 2; surface > kLargestSpeed)
     findings.mistake(path + ".angular_velocity_rad_s",
                      fmt::format("{}.angular_velocity_rad_s is {:g} rad/s, which moves its surface at {:g} m/s, "
-                                 "expected at most {:g} m/s, where a run stops",
+                                 "expected at most {:g} m/s",
                                  path, s.angular_velocity.norm(), surface, kLargestSpeed));
   if (!findings.sound({"wall", path})) return;
   if (const WallPoint wall = walls.nearest(s.position);

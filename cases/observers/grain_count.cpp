@@ -8,10 +8,6 @@ namespace lahar::cases {
 
 namespace {
 
-double sum_of(const std::vector<std::uint8_t>& flags) {
-  return static_cast<double>(std::count(flags.begin(), flags.end(), 1));
-}
-
 double loose_grains(const dem::Particles& p) {
   double count = 0;
   for (std::size_t i = 0; i < p.size(); ++i) count += is_loose_grain(p, i) ? 1 : 0;
@@ -24,15 +20,14 @@ bool GrainCount::applies(const Observed& run) {
   return run.simulation.solids() != nullptr && loose_grains(run.simulation.solids()->particles()) > 0;
 }
 
-GrainCount::GrainCount(const Observed& run)
-    : Observer(run), gone_(run.simulation.solids()->particles().size()), behind_(gone_.size()) {
+GrainCount::GrainCount(const Observed& run) : Observer(run), behind_(run.simulation.solids()->particles().size()) {
   result("grains_at_start", "1", "loose grains of the scene",
          [this] { return loose_grains(run_.simulation.solids()->particles()); });
-  result("grains_gone", "1", "loose grains that have left the domain", [this] { return sum_of(gone_); });
+  result("grains_gone", "1", "loose grains that have left the domain", [this] { return gone_; });
   if (!run.simulation.solids()->walls().empty())
     result("grains_behind_walls", "1",
            "loose grains whose centre was behind a wall at a row or as they left the domain",
-           [this] { return sum_of(behind_); });
+           [this] { return static_cast<double>(std::count(behind_.begin(), behind_.end(), 1)); });
 }
 
 bool GrainCount::is_behind_a_wall(std::size_t i) const {
@@ -40,29 +35,19 @@ bool GrainCount::is_behind_a_wall(std::size_t i) const {
   return solids.walls().nearest(solids.particles().position[i]).distance < 0;
 }
 
-void GrainCount::after_step() {
+/// Grains that were taken out stand still where they left.
+void GrainCount::sample(double) {
   const dem::Particles& p = run_.simulation.solids()->particles();
+  gone_ = 0;
   for (dem::ParticleId id = 0; id < p.size(); ++id) {
     const dem::ParticleIndex i = p.index(id);
-    if (gone_[id] != 0 || !is_loose_grain(p, i)) continue;
-    if (p.state[i] != dem::ParticleState::removed && !has_left(run_.scene.domain, p, i)) continue;
-    gone_[id] = 1;
-    if (is_behind_a_wall(i)) behind_[id] = 1;
+    if (!is_loose_grain(p, i)) continue;
+    if (p.state[i] == dem::ParticleState::removed || has_left(run_.scene.domain, p, i)) ++gone_;
+    if (behind_[id] == 0 && is_behind_a_wall(i)) behind_[id] = 1;
   }
 }
 
-void GrainCount::sample(double) {
-  after_step();
-  const dem::Particles& p = run_.simulation.solids()->particles();
-  for (dem::ParticleId id = 0; id < p.size(); ++id)
-    if (const dem::ParticleIndex i = p.index(id); gone_[id] == 0 && is_loose_grain(p, i) && is_behind_a_wall(i))
-      behind_[id] = 1;
-}
-
-void GrainCount::transfer(Archive& archive) {
-  archive.list_of("gone", gone_, gone_.size());
-  archive.list_of("behind", behind_, behind_.size());
-}
+void GrainCount::transfer(Archive& archive) { archive.list_of("behind", behind_, behind_.size()); }
 
 std::vector<ResultCheck> GrainCount::checks(const Metrics& metrics) const {
   return vanishes(metrics, "grains_behind_walls", "grains_behind_walls", 0, "no grain goes through a wall");

@@ -12,8 +12,6 @@ class GrainCount final : public Observer {
   explicit GrainCount(const Observed& run);
   static bool applies(const Observed& run);
   [[nodiscard]] std::string_view name() const override { return "grain_count"; }
-  /// Looks where grains leave before they are taken out.
-  void after_step() override;
   void sample(double interval) override;
   void transfer(Archive& archive) override;
   [[nodiscard]] std::vector<ResultCheck> checks(const Metrics& metrics) const override;
@@ -22,7 +20,8 @@ class GrainCount final : public Observer {
   /// Whether its centre is in or below a wall that stands now.
   [[nodiscard]] bool is_behind_a_wall(std::size_t i) const;
 
-  std::vector<std::uint8_t> gone_, behind_;  // by id: has left the domain; was behind a wall; for good
+  double gone_ = 0;                   // at the last row
+  std::vector<std::uint8_t> behind_;  // by id: was behind a wall, for good
 };
 
 }  // namespace lahar::cases

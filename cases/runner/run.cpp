@@ -174,7 +174,7 @@ class SceneRun {
     if (const std::string burst = burst_at_start(solids); !burst.empty()) monitor_.warn(burst);
     const FluidView* fluid = simulation_->fluid();
     if (fluid && !scene_.fluid.regions.empty() && fluid->liquid_mass() <= 0)
-      monitor_.warn("at the start there is no liquid: bodies fill all that is fluid.region");
+      monitor_.warn("at the start there is no liquid: walls and bodies fill all that is fluid.region");
   }
 
   void sample() {
