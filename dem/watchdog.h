@@ -15,7 +15,7 @@
 namespace lahar::dem {
 
 struct WatchdogOptions {
-  double speed_limit = std::numeric_limits<double>::infinity();  ///< m/s
+  double speed_limit = std::numeric_limits<double>::infinity();  ///< m/s, of a centre, and of a surface by its spin
   double overlap_limit = 0.5;                                    ///< of the smaller radius in a contact
   int interval = 50;                                             ///< steps between checks, >= 1
 };
@@ -41,7 +41,7 @@ inline double defect(double x) { return x - x; }
 }  // namespace detail
 
 /// Throws NumericalFailure for the first particle by id whose position, velocity or spin is not finite or which is
-/// faster than the limit.
+/// faster than the limit: its centre, or its surface by its spin alone.
 inline void check_motion(const Particles& p, const WatchdogOptions& options, std::int64_t step) {
   const std::size_t n = p.size();
   const double limit2 = options.speed_limit * options.speed_limit;
@@ -49,11 +49,14 @@ inline void check_motion(const Particles& p, const WatchdogOptions& options, std
   for (std::size_t i = 0; i < n; ++i) {
     const double speed2 =
         p.velocity.x[i] * p.velocity.x[i] + p.velocity.y[i] * p.velocity.y[i] + p.velocity.z[i] * p.velocity.z[i];
+    const double spin2 = p.angular_velocity.x[i] * p.angular_velocity.x[i] +
+                         p.angular_velocity.y[i] * p.angular_velocity.y[i] +
+                         p.angular_velocity.z[i] * p.angular_velocity.z[i];
     const double defect = detail::defect(p.position.x[i]) + detail::defect(p.position.y[i]) +
                           detail::defect(p.position.z[i]) + detail::defect(p.angular_velocity.x[i]) +
                           detail::defect(p.angular_velocity.y[i]) + detail::defect(p.angular_velocity.z[i]) +
                           detail::defect(speed2);
-    bad |= !(defect == 0) | !(speed2 <= limit2);
+    bad |= !(defect == 0) | !(speed2 <= limit2) | !(spin2 * p.radius[i] * p.radius[i] <= limit2);
   }
   if (bad == 0) return;
   for (std::size_t id = 0; id < n; ++id) {
@@ -66,6 +69,12 @@ inline void check_motion(const Particles& p, const WatchdogOptions& options, std
     if (speed > options.speed_limit)
       throw NumericalFailure(name, step,
                              "speed " + detail::number(speed) + " m/s exceeds the limit of " +
+                                 detail::number(options.speed_limit) + " m/s");
+    const double spin = p.angular_velocity[i].norm();
+    if (const double surface = spin * p.radius[i]; surface > options.speed_limit)
+      throw NumericalFailure(name, step,
+                             "spin of " + detail::number(spin) + " rad/s moves its surface at " +
+                                 detail::number(surface) + " m/s, which exceeds the limit of " +
                                  detail::number(options.speed_limit) + " m/s");
   }
 }

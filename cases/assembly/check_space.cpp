@@ -9,6 +9,7 @@
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/memory.h"
+#include "cases/scene/value.h"
 #include "lbm/free_surface/inflow.h"
 
 namespace lahar::scene {
@@ -73,9 +74,10 @@ void check_heightmap(const Scene& scene, std::size_t i, Findings& findings) {
   if ((map.lower.head<2>().array() < scene.domain.upper.head<2>().array()).all() &&
       (map.upper.head<2>().array() > scene.domain.lower.head<2>().array()).all())
     return;
-  findings.mistake(path, fmt::format("{}: \"{}\" covers x from {:g} to {:g} m and y from {:g} to {:g} m, expected some "
-                                     "of the domain (translate_m moves it)",
-                                     path, w.file.file, map.lower.x(), map.upper.x(), map.lower.y(), map.upper.y()));
+  findings.mistake(
+      path, fmt::format("{}: {} covers x from {:g} to {:g} m and y from {:g} to {:g} m, expected some "
+                        "of the domain (translate_m moves it)",
+                        path, string_text(w.file.file), map.lower.x(), map.upper.x(), map.lower.y(), map.upper.y()));
 }
 
 void check_region(const Scene& scene, std::size_t i, Findings& findings) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cases/scene/names.h"
+#include "cases/scene/one_line.h"
 #include "cases/scene/value.h"
 #include "dem/contact/contact_materials.h"
 
@@ -18,10 +19,6 @@ bool plain(const std::string& name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '-';
   });
-}
-
-bool holds_control(const std::string& text) {
-  return std::any_of(text.begin(), text.end(), [](char c) { return std::iscntrl(static_cast<unsigned char>(c)); });
 }
 
 void check_plain(const std::string& name, const std::string& path, Findings& findings) {
@@ -58,7 +55,7 @@ void check_pairs(const Scene& scene, Findings& findings) {
 
 void check_names(const Scene& scene, Findings& findings) {
   check_plain(scene.identity.name, "scene.name", findings);
-  if (findings.sound({"scene.title"}) && holds_control(scene.identity.title))
+  if (findings.sound({"scene.title"}) && on_one_line(scene.identity.title) != scene.identity.title)
     findings.mistake("scene.title", "scene.title holds a control character, expected one line of text");
   for (std::size_t i = 0; i < scene.fluid.inflows.size(); ++i)
     check_plain(scene.fluid.inflows[i].name, fmt::format("fluid.inflow[{}].name", i), findings);

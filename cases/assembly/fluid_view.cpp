@@ -41,8 +41,8 @@ class ViewOf final : public FluidView {
   [[nodiscard]] LiquidTransfers transfers() const override {
     const double mass = units().mass();
     const lbm::LiquidAccount& account = fluid_.account();
-    return {fluid_.outflow_mass(), fluid_.inflow_mass(), fluid_.rescaled_mass(), account.pooled_total * mass,
-            account.walls.returned * mass};
+    return {fluid_.outflow_mass(),      fluid_.inflow_mass(),        fluid_.rescaled_mass(),
+            account.paid_nearby * mass, account.pooled_total * mass, account.walls.returned * mass};
   }
   void measure_walls() override { fluid_.measure_walls(); }
   [[nodiscard]] const std::vector<lbm::WallLoad>& wall_loads() const override { return fluid_.wall_loads(); }

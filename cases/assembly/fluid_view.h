@@ -17,6 +17,7 @@ struct LiquidTransfers {
   double left = 0;          ///< through open faces
   double came_in = 0;       ///< through inflow boxes
   double rescaled = 0;      ///< added by changes of the time step (lbm/step/rescale.h)
+  double paid_nearby = 0;   ///< displaced by bodies, to and from cells near by (lbm/free_surface/isolated_liquid.h)
   double pooled = 0;        ///< went through the pool of isolated cells, either way
   double wall_balance = 0;  ///< given back to the cells at walls (lbm/boundary/wall_balance.h)
 };

@@ -15,7 +15,8 @@ namespace {
 void check_file_names(const Scene& scene, Findings& findings) {
   const auto check = [&](const ShapeFile& shape, const std::string& key) {
     if (shape.file.empty() || fits_in_toml(shape.file)) return;
-    findings.mistake(key, fmt::format("{}: \"{}\" is not UTF-8, expected folders whose names are", key, shape.file));
+    findings.mistake(
+        key, fmt::format("{}: {} is not UTF-8, expected folders whose names are", key, string_text(shape.file)));
   };
   for (std::size_t i = 0; i < scene.walls.size(); ++i) check(scene.walls[i].file, fmt::format("wall[{}].file", i));
   for (std::size_t i = 0; i < scene.fluid.regions.size(); ++i)

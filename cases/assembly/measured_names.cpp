@@ -63,6 +63,7 @@ std::vector<std::string> own_names() {
                                  "liquid_mass_kg",
                                  "liquid_mass_start_kg",
                                  "liquid_passed_kg",
+                                 "liquid_paid_nearby_kg",
                                  "liquid_pooled_kg",
                                  "liquid_rescaled_kg",
                                  "liquid_wall_balance_kg",

@@ -29,7 +29,10 @@ LiquidMass::LiquidMass(const Observed& run) : Observer(run) {
          })
       .unknown_at_times();
   result("liquid_left_kg", "kg", "liquid that left through open faces", [&] { return fluid.transfers().left; });
-  result("liquid_pooled_kg", "kg", "liquid that went through the pool of isolated cells",
+  result("liquid_paid_nearby_kg", "kg",
+         "liquid that cells near by got or paid for bodies that cross the surface and cells that they cover",
+         [&] { return fluid.transfers().paid_nearby; });
+  result("liquid_pooled_kg", "kg", "liquid that went through the pool of isolated cells, either way",
          [&] { return fluid.transfers().pooled; });
 }
 

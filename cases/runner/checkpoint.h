@@ -13,7 +13,7 @@ namespace lahar::cases {
 
 inline constexpr const char* kCheckpointFile = "checkpoint.h5";
 /// To be raised whenever an owner of state stores something else than before.
-inline constexpr int kCheckpointFormat = 31;
+inline constexpr int kCheckpointFormat = 32;
 
 /// What a checkpoint says of itself.
 struct CheckpointHead {

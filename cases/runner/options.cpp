@@ -15,10 +15,13 @@
 #include "cases/runner/machine.h"
 #include "cases/runner/messages.h"
 #include "cases/scene/names.h"
+#include "cases/scene/one_line.h"
 #include "core/check.h"
 
 namespace lahar::cases {
 namespace {
+
+using scene::on_one_line;
 
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
@@ -88,16 +91,16 @@ int guarded(const std::function<int()>& command) {
   try {
     return command();
   } catch (const InputError& e) {
-    tell(fmt::format("{}\n", e.what()));
+    for (const InputMistake& m : e.mistakes()) tell(on_one_line(m.text()) + "\n");
     return exit_bad_input;
   } catch (const NumericalFailure& e) {
-    tell(fmt::format("numerical failure: {}\n", e.what()));
+    tell(fmt::format("numerical failure: {}\n", on_one_line(e.what())));
     return exit_numerical_failure;
   } catch (const std::bad_alloc&) {
     tell("error: there is not enough memory (lahar check says what a scene takes)\n");
     return exit_bug;
   } catch (const std::exception& e) {
-    tell(fmt::format("error: {}\n", e.what()));
+    tell(fmt::format("error: {}\n", on_one_line(e.what())));
     return exit_bug;
   }
 }
@@ -110,7 +113,7 @@ int parse_and_run(CLI::App& app, int argc, char** argv, const std::function<int(
     if (e.get_exit_code() == 0) return app.exit(e);  // --help, --version
     const std::string unknown = unknown_command(app);
     tell(fmt::format("command line:1:1: {}\n",
-                     unknown.empty() ? first_line(e.what()) + ", expected what --help shows" : unknown));
+                     on_one_line(unknown.empty() ? first_line(e.what()) + ", expected what --help shows" : unknown)));
     return exit_bad_input;
   }
   const int code = guarded(command);

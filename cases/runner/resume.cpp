@@ -5,7 +5,7 @@
 #include "cases/assembly/load.h"
 #include "cases/runner/checkpoint.h"
 #include "cases/runner/output_folder.h"
-#include "cases/scene/overrides.h"
+#include "cases/scene/one_line.h"
 #include "core/check.h"
 
 namespace lahar::cases {

@@ -23,6 +23,7 @@
 #include "cases/runner/messages.h"
 #include "cases/runner/outputs.h"
 #include "cases/runner/schedule.h"
+#include "cases/scene/one_line.h"
 #include "cases/scene/writer.h"
 #include "core/check.h"
 #include "dem/watchdog.h"
@@ -287,8 +288,9 @@ class SceneRun {
 }  // namespace
 
 void RunMonitor::warn(const std::string& text) {
-  log.warn("{}", text);
-  tell(fmt::format("warning: {}\n", text));
+  const std::string line = scene::on_one_line(text);
+  log.warn("{}", line);
+  tell(fmt::format("warning: {}\n", line));
 }
 
 RunResult run_scene(const scene::Scene& scene, const RunOptions& options, RunMonitor& monitor) {

@@ -10,6 +10,7 @@
 #include "cases/assembly/geometry.h"
 #include "cases/assembly/memory.h"
 #include "cases/runner/warnings_by_part.h"
+#include "cases/scene/value.h"
 
 namespace lahar::cases {
 namespace {
@@ -91,7 +92,7 @@ void add_inflows_that_leave(const scene::Scene& s, Warnings& list) {
 
 /// Names are optional.
 std::string name_of(const scene::Scene& s, const scene::WallSettings& w) {
-  return w.name.empty() ? fmt::format("wall[{}]", &w - s.walls.data()) : fmt::format("wall \"{}\"", w.name);
+  return w.name.empty() ? fmt::format("wall[{}]", &w - s.walls.data()) : "wall " + scene::string_text(w.name);
 }
 
 /// Ground that a heightmap does not reach is level.

@@ -10,9 +10,12 @@
 #include "cases/assembly/drawn_out_dissipators.h"
 #include "cases/assembly/grain_sizes.h"
 #include "cases/runner/warnings_by_part.h"
+#include "cases/scene/value.h"
 
 namespace lahar::cases {
 namespace {
+
+using scene::string_text;
 
 /// Faces of the domain hold the liquid alone: grains need a plane that faces inwards, or a box on the face. What
 /// terrain and meshes hold cannot be told; cylinders and spheres hold nothing back.
@@ -54,10 +57,11 @@ void add_soft_grains(const scene::Scene& s, Warnings& list) {
                         radius;
     constexpr double bearable = 0.05;
     if (sunk > bearable)
-      list.push_back(fmt::format(
-          "grains of \"{}\" sink into each other by {:.2g} of a radius under their own weight: {} is small", name, sunk,
-          linear ? fmt::format("solids.normal_stiffness_N_m of {:g} N/m", linear->normal_stiffness)
-                 : fmt::format("youngs_modulus_Pa of {:g} Pa", m->youngs_modulus)));
+      list.push_back(
+          fmt::format("grains of {} sink into each other by {:.2g} of a radius under their own weight: {} is small",
+                      string_text(name), sunk,
+                      linear ? fmt::format("solids.normal_stiffness_N_m of {:g} N/m", linear->normal_stiffness)
+                             : fmt::format("youngs_modulus_Pa of {:g} Pa", m->youngs_modulus)));
     return sunk > bearable;
   };
   for (std::size_t i = 0; i < s.grains.packings.size(); ++i)
@@ -73,8 +77,8 @@ void add_soft_wires(const scene::Scene& s, Warnings& list) {
   if (std::holds_alternative<dem::LinearSpringDashpot>(s.solids.contact_law)) return;
   for (const auto& m : s.materials)
     if (m.name == s.barrier.net.material && s.solids.contact_modulus_scale * m.youngs_modulus < softest)
-      list.push_back(fmt::format("wires of \"{}\" are softer than rubber: youngs_modulus_Pa of {:g} Pa is small",
-                                 m.name, m.youngs_modulus));
+      list.push_back(fmt::format("wires of {} are softer than rubber: youngs_modulus_Pa of {:g} Pa is small",
+                                 string_text(m.name), m.youngs_modulus));
 }
 
 void add_barrier(const scene::Scene& s, Warnings& list) {
@@ -234,8 +238,8 @@ void warn_of_contacts(const scene::Scene& s, Warnings& list) {
   constexpr double steep = 3;
   for (const scene::Contact& c : s.contacts)
     if (c.friction > steep)
-      list.push_back(fmt::format("friction of \"{}\" and \"{}\" is {:g}: it is a coefficient, no angle", c.materials[0],
-                                 c.materials[1], c.friction));
+      list.push_back(fmt::format("friction of {} and {} is {:g}: it is a coefficient, no angle",
+                                 string_text(c.materials[0]), string_text(c.materials[1]), c.friction));
   for (const scene::Contact& c : s.contacts) {
     const std::string& wire = s.barrier.net.material;
     const bool of_wires = c.materials[0] == wire ? !only_walls(s, c.materials[1])
@@ -243,9 +247,9 @@ void warn_of_contacts(const scene::Scene& s, Warnings& list) {
     if (s.barrier.enabled && s.solids.wire_contacts == dem::WireContacts::capsules && of_wires &&
         c.rolling_friction > 0)
       list.push_back(
-          fmt::format("rolling_friction of \"{}\" and \"{}\" does not act on wires: smooth ones (capsules) "
+          fmt::format("rolling_friction of {} and {} does not act on wires: smooth ones (capsules) "
                       "have no rolling resistance",
-                      c.materials[0], c.materials[1]));
+                      string_text(c.materials[0]), string_text(c.materials[1])));
   }
   const std::set<std::string> names = materials_in_use(s);
   for (auto a = names.begin(); a != names.end(); ++a)
@@ -254,7 +258,8 @@ void warn_of_contacts(const scene::Scene& s, Warnings& list) {
         return (c.materials[0] == *a && c.materials[1] == *b) || (c.materials[0] == *b && c.materials[1] == *a);
       });
       if (!listed && !(only_walls(s, *a) && only_walls(s, *b)))
-        list.push_back(fmt::format("no [[contact]] for \"{}\" and \"{}\": they are smooth and elastic", *a, *b));
+        list.push_back(
+            fmt::format("no [[contact]] for {} and {}: they are smooth and elastic", string_text(*a), string_text(*b)));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cases/scene/one_line.h"
 #include "cases/scene/overrides.h"
 #include "cases/scene/value.h"
 #include "cases/scene/writer.h"
@@ -58,7 +59,7 @@ toml::table parse_file(const fs::path& file) {
     return toml::parse(text, file.string());
   } catch (const toml::parse_error& e) {
     const Place at = place_of(e.source());
-    fail(file.string(), at.line, at.column, fmt::format("syntax: {}, expected TOML", e.description()));
+    fail(file.string(), at.line, at.column, fmt::format("syntax: {}, expected TOML", on_one_line(e.description())));
   }
 }
 
@@ -86,7 +87,8 @@ void apply_changes(toml::table& root, std::vector<InputMistake>& mistakes) {
     if (const auto text = change.value<std::string>()) texts.emplace_back(*text, place_of(change.source()));
   for (const auto& [text, at] : texts)
     for (const InputMistake& m : apply_overrides(root, {text}, origin_of(at)))
-      mistakes.push_back({at.file, at.line, at.column, fmt::format("scene.changes \"{}\" {}", text, m.message)});
+      mistakes.push_back(
+          {at.file, at.line, at.column, fmt::format("scene.changes \"{}\" {}", on_one_line(text), m.message)});
 }
 
 /// The file with all its bases merged in.
@@ -108,7 +110,7 @@ toml::table read_with_bases(const fs::path& file, int depth, std::vector<InputMi
     fail(at.file, at.line, at.column, fmt::format("scene.base: expected a chain of at most {}", deepest));
   if (std::error_code none; !fs::is_regular_file(next, none))
     fail(at.file, at.line, at.column,
-         fmt::format("scene.base is \"{}\", which is no file: expected a scene file", next.string()));
+         fmt::format("scene.base is {}, which is no file: expected a scene file", string_text(next.string())));
   toml::table base = read_with_bases(next, depth + 1, mistakes);
   if (toml::table* identity = base["scene"].as_table()) identity->erase("base"), identity->erase("changes");
   merge(root, std::move(base));

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cases/scene/one_line.h"
 #include "cases/scene/value.h"
 
 namespace lahar::scene {
@@ -143,18 +144,6 @@ void apply(toml::table& root, const std::string& text, std::string_view origin) 
 }
 
 }  // namespace
-
-std::string on_one_line(std::string_view text) {
-  std::string line;
-  for (const char c : text) {
-    const auto u = static_cast<unsigned char>(c);
-    if (u < 0x20 || u == 0x7f)
-      line += fmt::format("\\u{:04X}", u);
-    else
-      line += c;
-  }
-  return line;
-}
 
 std::size_t find_long_key(std::string_view text) {
   enum class Last { part, dot, other } last = Last::other;  // but for blanks

@@ -27,9 +27,6 @@ std::size_t find_long_key(std::string_view text);
 /// Splits `wall[0].slip` and `wall[bed].slip`. Returns an empty list if the text is no path.
 std::vector<PathStep> parse_path(std::string_view text);
 
-/// A text as messages show it: control characters as string_text writes them.
-std::string on_one_line(std::string_view text);
-
 /// Where the overrides of the command line stand.
 inline constexpr std::string_view kCommandLine = "--set ";
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "cases/scene/one_line.h"
+
 namespace lahar::scene {
 
 std::string kind_text(const toml::node& node) {
@@ -52,17 +54,12 @@ std::string number_text(double v) {
 }
 
 std::string string_text(const std::string& s) {
-  std::string text = "\"";
+  std::string text;
   for (const char c : s) {
-    const auto u = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      text += std::string("\\") + c;
-    else if (u < 0x20 || u == 0x7f)
-      text += fmt::format("\\u{:04X}", u);
-    else
-      text += c;
+    if (c == '"' || c == '\\') text += '\\';
+    text += c;
   }
-  return text + "\"";
+  return '"' + on_one_line(text) + '"';
 }
 
 bool fits_in_toml(const std::string& s) {

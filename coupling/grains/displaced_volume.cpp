@@ -1,6 +1,7 @@
 // Compiled without contraction of products and sums, as grain_volumes.cpp is.
 #include "coupling/grains/displaced_volume.h"
 
+#include <algorithm>
 #include <bit>
 #include <optional>
 
@@ -112,8 +113,17 @@ template <class Real>
 void DisplacedVolume<Real>::measure_former(const lbm::Fluid<Real>& fluid, const GrainMap<Real>& map) {
   make_room_for(map);
   if (!fills_with_level_) measure_again(fluid, map);
-  parallel_for(0, map.grains().size(), 256,
-               [&](std::size_t k) { former_wet_[map.grains()[k].id] = wet_volume_of(map.grains()[k]); });
+  parallel_for(0, map.grains().size(), 256, [&](std::size_t k) {
+    const MappedGrain& g = map.grains()[k];
+    const auto first = map.pairs().begin() + static_cast<std::ptrdiff_t>(g.first_pair), last = first + g.pairs;
+    Former& former = former_[g.id];
+    former = {wet_volume_of(g), lbm::kNoBlock};
+    double most = 0;
+    for (auto p = first; p != last; ++p)
+      if (const double wet = shares_[static_cast<std::size_t>(p - map.pairs().begin())].wet;
+          wet > most && map.is_alive(fluid, *p))
+        most = wet, former.block = p->block;
+  });
 }
 
 /// The shares of the former mapping in the wet cells of now.
@@ -149,7 +159,7 @@ void DisplacedVolume<Real>::begin(const GrainMap<Real>& map) {
 template <class Real>
 void DisplacedVolume<Real>::make_room_for(const GrainMap<Real>& map) {
   if (map.grains().empty()) return;
-  former_wet_.resize(std::max(former_wet_.size(), std::size_t{map.grains().back().id} + 1), 0.0);
+  former_.resize(std::max(former_.size(), std::size_t{map.grains().back().id} + 1));
 }
 
 template <class Real>
@@ -206,19 +216,21 @@ void DisplacedVolume<Real>::settle_covered(const Block<Real>& block, const GridS
 
 /// Interface cells get in proportion to the room that they have, or to their liquid where it is taken, lest a cell that
 /// stands full above the surface be filled again and again (docs/decisions/0045). Where that is not enough all of them
-/// get alike.
+/// get alike, and where they are too few the cells near by.
 template <class Real>
 void DisplacedVolume<Real>::book(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map) {
   const auto& grains = map.grains();
-  handouts_.assign(grains.size(), {}), for_pool_.assign(grains.size(), 0.0);
+  handouts_.assign(grains.size(), {}), isolated_.assign(grains.size(), 0.0);
   parallel_for(0, grains.size(), 256, [&](std::size_t k) {
     const MappedGrain& g = grains[k];
-    double change = -former_wet_[g.id], surface = 0, room = 0, liquid = 0;
-    former_wet_[g.id] = 0;
+    Former& former = former_[g.id];
+    double change = -former.wet, surface = 0, room = 0, liquid = 0, wet = 0;
+    former.wet = 0;
     for (std::size_t p = g.first_pair; p < g.first_pair + g.pairs; ++p) {
       const Share& share = shares_[p];
       change += share.wet + share.drift;
       surface += share.surface, room += share.room, liquid += share.liquid;
+      wet += share.wet;
     }
     if (change == 0) return;
     const double able = change > 0 ? room : liquid;
@@ -228,15 +240,26 @@ void DisplacedVolume<Real>::book(lbm::Fluid<Real>& fluid, const GrainMap<Real>& 
       handout.per_able = change / able;
     else if (surface > std::abs(change))
       handout.per_able = change / surface;
+    else if (wet > 0)
+      isolated_[k] = change / wet;
     else
-      for_pool_[k] = change;
+      former.wet = -change;  // it has dried, or left the blocks: as if it were removed
   });
-  for (double& wet : former_wet_)
-    if (wet != 0) lbm::send_to_pool(-wet, fluid.account()), wet = 0;
-  for (const double change : for_pool_)
-    if (change != 0) lbm::send_to_pool(change, fluid.account());
   fluid.account().released = 0;  // it is in what the grains changed by
-  map.by_block().for_each_block([&](std::size_t block) { hand_out(fluid, map, block); });
+  isolated_in_.assign(fluid.grid().topology().capacity(), 0.0);
+  map.by_block().for_each_block([&](std::size_t block) {
+    hand_out(fluid, map, block);
+    for (const std::uint32_t k : map.by_block().in(block))
+      isolated_in_[block] += isolated_[map.pairs()[k].grain] * shares_[k].wet;
+  });
+  for (Former& gone : former_) {
+    if (gone.block != lbm::kNoBlock)
+      isolated_in_[static_cast<std::size_t>(gone.block)] -= gone.wet;
+    else
+      lbm::send_to_pool(-gone.wet, fluid.account());
+    gone = {};
+  }
+  lbm::pay_nearby(fluid.grid(), isolated_in_, fluid.account());
 }
 
 template <class Real>

@@ -4,7 +4,8 @@
 // Liquid and grains share the cells ("total fill": the mass of a wet cell includes the grain's share). Populations of
 // wet cells carry the mixture, so that a grain that moves inside the liquid pushes it by itself. A grain that moves
 // between a gas cell and a wet cell is not carried by any population; its change of volume in wet cells is added to the
-// interface cells at its waterline, as they have room or liquid for it (docs/decisions/0045). Cells full of grains hold
+// interface cells at its waterline, as they have room or liquid for it (docs/decisions/0045), and what those are too
+// few for to the cells near by (lbm/free_surface/isolated_liquid.h). Cells full of grains hold
 // no liquid: what flows into or out of the interface cells among them goes to the same place (docs/decisions/0041). So
 // a grain entering the water raises the level by its volume, and
 //   liquid = sum of wet masses - sum over grains of their volume in wet cells
@@ -36,8 +37,8 @@ class DisplacedVolume {
   void measure_block(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block);
 
   /// Gives each grain's change of wet volume, and what the interface cells that it covers gained, to its other
-  /// interface cells; the pool of isolated liquid takes it where there are none. A grain that was removed leaves a
-  /// void.
+  /// interface cells; cells near by take it where there are none (lbm/free_surface/isolated_liquid.h). They fill the
+  /// void that a grain leaves that was removed.
   void book(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map);
 
   /// Volume of a mapped grain inside wet cells, in cells.
@@ -62,6 +63,11 @@ class DisplacedVolume {
     double drift = 0;  ///< mass that covered interface cells gained in the last step
     Handed handed = {};
   };
+  /// Of the former mapping: a grain's wet volume, cells, and the block with most of it.
+  struct Former {
+    double wet = 0;
+    lbm::BlockIndex block = lbm::kNoBlock;
+  };
   /// What a grain hands to its interface cells.
   struct Handout {
     double per_able = 0;  ///< mass per eps times room, liquid or 1
@@ -75,10 +81,11 @@ class DisplacedVolume {
   void hand_out(lbm::Fluid<Real>& fluid, const GrainMap<Real>& map, std::size_t block);
 
   bool fills_with_level_;
-  std::vector<Share> shares_;       // by pair
-  std::vector<double> former_wet_;  // by id, of the former mapping; 0 between mappings
-  std::vector<Handout> handouts_;   // by grain
-  std::vector<double> for_pool_;    // by grain
+  std::vector<Share> shares_;        // by pair
+  std::vector<Former> former_;       // by id; {} between mappings
+  std::vector<Handout> handouts_;    // by grain
+  std::vector<double> isolated_;     // by grain: what its cells are too few for, per wet volume
+  std::vector<double> isolated_in_;  // the same by block index, lu
 };
 
 extern template class DisplacedVolume<float>;

@@ -147,6 +147,7 @@ class WireMap {
   PairsByBlock by_block_;
   std::vector<Task> tasks_;                   // per block index
   std::vector<double> displaced_;             // by bead: volume per covered interface cell
+  std::vector<double> isolated_;              // volume for which beads cover no interface cell, lu by block index
   std::vector<State> states_;                 // by id
   std::vector<dem::ParticleId> ever_mapped_;  // beads, by id
   std::vector<dem::ParticleId> dragged_;      // those of the drags of this step

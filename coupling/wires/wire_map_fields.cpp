@@ -72,12 +72,14 @@ void WireMap<Real>::write_block(lbm::Fluid<Real>& fluid, std::size_t index) {
   }
 }
 
-/// Adds each bead's change of wet volume to the interface cells that it covers, by its share of them; the pool takes it
-/// where there are none. By beads, not by pieces: a cell that passes from one piece to the next changes nothing.
+/// Adds each bead's change of wet volume to the interface cells that it covers, by its share of them; cells near by
+/// take it where there are none. By beads, not by pieces: a cell that passes from one piece to the next changes
+/// nothing.
 template <class Real>
 void WireMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
   const auto beads = wires_.beads();
   displaced_.assign(beads.size(), 0.0);
+  isolated_.assign(by_block_.blocks(), 0.0);
   bool any = false;
   for (std::size_t b = 0; b < beads.size(); ++b) {
     Share now;
@@ -88,6 +90,10 @@ void WireMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
     const double change = now.wet - before;
     if (now.surface > std::abs(change))
       displaced_[b] = change / now.surface, any = true;
+    else if (now.wet > 0)
+      for_pairs_of(b, [&](std::size_t p, std::size_t end) {
+        isolated_[static_cast<std::size_t>(pairs_[p].block)] += change * shares_[p][end].wet / now.wet;
+      });
     else
       lbm::send_to_pool(change, fluid.account());
     before = now.wet;
@@ -103,6 +109,7 @@ void WireMap<Real>::book_displacement(lbm::Fluid<Real>& fluid) {
     }
   }
   if (any) by_block_.for_each_block([&](std::size_t b) { displace(fluid, b); });
+  lbm::pay_nearby(fluid.grid(), isolated_, fluid.account());
 }
 
 template <class Real>

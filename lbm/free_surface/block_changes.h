@@ -39,14 +39,12 @@ struct Gift {
   bool to_covered;  ///< to neighbours that bodies cover, else to the others
 };
 
-/// Liquid that a cell asks of its neighbours, in proportion to what they have.
+/// Liquid that a cell owes, or lacks, asked of its neighbours in proportion to what they have.
 template <class Real>
 struct Claim {
   Real share;         ///< of what each of them has
   Real owed = 0;      ///< sum that is asked for
   bool from_covered;  ///< of neighbours that bodies cover, else of the others
-  bool keeps;         ///< what is got stays in the cell, which asks for itself; else it settles a converted cell's debt
-  Real got = 0;       ///< only with `keeps`
 };
 
 /// What a cell that is asked pays for each unit of share.
@@ -73,6 +71,7 @@ struct BlockChanges {
   CellMap<Real> spills;       ///< to each liquid neighbour
   double pooled = 0;          ///< to the pool of isolated liquid, lu
   double pooled_total = 0;    ///< the same without signs
+  double nearby = 0;          ///< of cells that bodies cover, to cells near by, lu
   double released = 0;        ///< volume of bodies that left the cells that emptied, cells (touching.h)
   std::int64_t moves = 0;     ///< of drops
   std::uint32_t missing = 0;  ///< blocks around fresh cells that are to be made, bits by neighbour_slot
@@ -81,7 +80,7 @@ struct BlockChanges {
 
   void clear() {
     flagged.clear();
-    left = pooled = pooled_total = released = 0, moves = 0, missing = 0;
+    left = pooled = pooled_total = nearby = released = 0, moves = 0, missing = 0;
     opened.clear(), exposed.clear(), fresh.clear();
     moving.clear(), arrivals.clear(), excess.clear();
     gifts.clear(), claims.clear(), payers.clear(), spills.clear();

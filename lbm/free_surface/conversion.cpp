@@ -1,5 +1,6 @@
 #include "lbm/free_surface/conversion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/parallel.h"
@@ -96,9 +97,10 @@ void CellConversion<Real>::run(FluidLevel<Real>& level, LiquidAccount& account) 
   const RefillLaw law{order, level.parameters.coverage_weight};
   for_reached([&](BlockIndex b) { refill(grid, *changes_, b, level.parity(), law); });
   distribute(grid, level.parity(), order);
-  book(account);
+  book(grid, account);
   changes_->clear();
   list_surfaces(grid);
+  if (!nearby_.empty()) pay_nearby(grid, nearby_, account);
   account.pool -= pay_isolated_liquid(grid, with_surface_, account.pool, round_);
   if (round_ % kVoidsEvery == 0) close_voids(grid, level.parity(), order);
 }
@@ -148,7 +150,8 @@ void CellConversion<Real>::change_types(FluidGrid<Real>& grid, BlockIndex b) {
   note_missing(grid, b);
 }
 
-/// Flagged cells become liquid or gas; their excess mass is noted.
+/// Flagged cells become liquid or gas; their excess mass is noted. Liquid of emptied cells that a body covers
+/// goes to those near by, which pay when it opens again (excess_mass.h).
 template <class Real>
 void CellConversion<Real>::convert_flagged(Block<Real>& block, BlockChanges<Real>& own) const {
   const auto convert = [&](int cell, CellType type, Real excess) {
@@ -163,7 +166,10 @@ void CellConversion<Real>::convert_flagged(Block<Real>& block, BlockChanges<Real
   });
   own.flagged.emptied.for_each([&](int cell) {
     own.released += released_share(block, cell);
-    convert(cell, CellType::gas, block.surface->mass[cell] - body_share(block, cell));
+    const Real liquid = block.surface->mass[cell] - body_share(block, cell);
+    const bool covered = is_covered(block, cell);
+    if (covered) own.nearby += static_cast<double>(liquid);
+    convert(cell, CellType::gas, covered ? Real(0) : liquid);
   });
 }
 
@@ -194,17 +200,8 @@ template <class Real>
 void CellConversion<Real>::distribute(FluidGrid<Real>& grid, Parity parity, EquilibriumOrder order) {
   ExcessMass<Real> excess(grid, *changes_, parity, order);
   for_reached([&](BlockIndex b) { excess.offer(b); });
-  // Cells that bodies cover ask too, and lie beside converted ones: so their neighbours may lie one block on.
-  bool claims = false, further = false;
-  for (const BlockIndex b : changes_->reached()) {
-    const BlockChanges<Real>& own = changes_->of(b);
-    claims = claims || !own.claims.empty();
-    if (own.claims.empty() || own.opened.empty() || !grid.block(b).body) continue;
-    changes_->note_reach(grid, b, own.claims.cells());
-    further = true;
-  }
-  if (further) changes_->list_reached(grid);
-  if (claims) {
+  const auto claims = [&](BlockIndex b) { return !changes_->of(b).claims.empty(); };
+  if (std::ranges::any_of(changes_->reached(), claims)) {
     for_reached([&](BlockIndex b) { excess.pay(b); });
     for_reached([&](BlockIndex b) { excess.collect(b); });
   }
@@ -220,12 +217,17 @@ void CellConversion<Real>::distribute(FluidGrid<Real>& grid, Parity parity, Equi
 
 /// What the blocks noted, in Morton order.
 template <class Real>
-void CellConversion<Real>::book(LiquidAccount& account) {
+void CellConversion<Real>::book(const FluidGrid<Real>& grid, LiquidAccount& account) {
+  nearby_.clear();
   for (const BlockIndex b : with_surface_) {
     const BlockChanges<Real>& own = changes_->of(b);
     account.outflow += own.left;
     account.pool += own.pooled;
     account.pooled_total += own.pooled_total;
+    if (own.nearby != 0) {
+      nearby_.resize(grid.topology().capacity(), 0.0);
+      nearby_[static_cast<std::size_t>(b)] = own.nearby;
+    }
     account.drop_moves += own.moves;
     account.released += own.released;
   }

@@ -28,6 +28,7 @@ struct LiquidAccount {
   double rescaled = 0;          ///< added by changes of the time step (rescale.h)
   double pool = 0;              ///< waiting to be paid back to interface cells (isolated_liquid.h)
   double pooled_total = 0;      ///< sum of all that ever went through the pool (absolute)
+  double paid_nearby = 0;       ///< sum of all that was paid to cells near by (absolute)
   double released = 0;          ///< volume of bodies in cells that emptied since they were mapped (BodyFields)
   std::int64_t drop_moves = 0;  ///< moves of spray cells (drops.h)
   std::int64_t limited = 0;     ///< cell updates with a limited stress (collision/stress_limit.h)
@@ -40,6 +41,7 @@ struct LiquidAccount {
     archive.value("rescaled", rescaled);
     archive.value("pool", pool);
     archive.value("pooled_total", pooled_total);
+    archive.value("paid_nearby", paid_nearby);
     archive.value("released", released);
     archive.value("drop_moves", drop_moves);
     archive.value("limited", limited);
@@ -82,11 +84,12 @@ class CellConversion {
   void note_missing(const FluidGrid<Real>& grid, BlockIndex b);
   void make_room(FluidGrid<Real>& grid);
   void distribute(FluidGrid<Real>& grid, Parity parity, EquilibriumOrder order);
-  void book(LiquidAccount& account);
+  void book(const FluidGrid<Real>& grid, LiquidAccount& account);
   void close_voids(FluidGrid<Real>& grid, Parity parity, EquilibriumOrder order);
 
   std::unique_ptr<LevelChanges<Real>> changes_;
   std::vector<BlockIndex> with_surface_;  // in Morton order
+  std::vector<double> nearby_;            // of covered cells, to those near by, lu by block index
   std::uint64_t round_ = 0;
   bool drops_ = false;  // whether some were flagged
 };

@@ -37,7 +37,6 @@ template <class Real>
 void ExcessMass<Real>::offer(BlockIndex b) {
   BlockChanges<Real>& own = changes_.of(b);
   for (const Excess<Real>& e : own.excess) offer_excess(b, e);
-  if (grid_.block(b).body) own.opened.for_each([&](int cell) { ask_for_covered(b, cell); });
   changes_.note(b);
 }
 
@@ -52,19 +51,9 @@ void ExcessMass<Real>::offer_excess(BlockIndex b, const Excess<Real>& e) {
   if (e.mass >= 0 && takers > 0)
     own.gifts.add(e.cell, {e.mass / static_cast<Real>(takers), covered});
   else if (e.mass < 0 && liquid > 0)
-    own.claims.add(e.cell, {std::min(Real(1), -e.mass / liquid), -e.mass, covered, false});
+    own.claims.add(e.cell, {std::min(Real(1), -e.mass / liquid), -e.mass, covered});
   else
     leave(place, e.mass);
-}
-
-template <class Real>
-void ExcessMass<Real>::ask_for_covered(BlockIndex b, int cell) {
-  const Block<Real>& block = grid_.block(b);
-  if (!is_covered(block, cell)) return;
-  const Real missing = Real(1) + block.surface->density[cell] - block.surface->mass[cell];
-  const Real liquid = takers_around(grid_, {b, cell}, true).open_liquid;
-  if (liquid > 0 && missing > 0)
-    changes_.of(b).claims.add(cell, {std::min(Real(1), missing / liquid), missing, false, true});
 }
 
 /// What a debt leaves, or an excess without takers: to liquid neighbours as density, else to the pool.
@@ -101,25 +90,25 @@ void ExcessMass<Real>::pay(BlockIndex b) {
 template <class Real>
 void ExcessMass<Real>::collect(BlockIndex b) {
   BlockChanges<Real>& own = changes_.of(b);
-  own.claims.for_each([&](int cell, Claim<Real>& claim) {
-    const Real rest = settle({b, cell}, claim);
-    if (!claim.keeps && rest != 0) leave({b, cell}, -rest);
+  own.claims.for_each([&](int cell, const Claim<Real>& claim) {
+    if (const Real rest = unpaid({b, cell}, claim); rest != 0) leave({b, cell}, -rest);
   });
   changes_.note(b);
 }
 
 /// Returns what the neighbours could not pay. Where all paid what they were asked the rest is rounding, and none.
 template <class Real>
-Real ExcessMass<Real>::settle(CellPlace place, Claim<Real>& claim) {
+Real ExcessMass<Real>::unpaid(CellPlace place, const Claim<Real>& claim) const {
   bool whole = claim.share < 1;
+  Real got = 0;
   for (int i = 1; i < D3Q19::q; ++i) {
     const CellPlace next = grid_.neighbour(place, i);
     const Payer<Real>* payer = changes_.of(next.block).payers.find(next.cell);
     if (!payer || is_covered(grid_.block(next.block), next.cell) != claim.from_covered) continue;
-    claim.got += claim.share * payer->per_share;
+    got += claim.share * payer->per_share;
     whole = whole && !payer->scaled;
   }
-  return whole ? Real(0) : claim.owed - claim.got;
+  return whole ? Real(0) : claim.owed - got;
 }
 
 template <class Real>
@@ -133,12 +122,6 @@ void ExcessMass<Real>::take(BlockIndex b) {
       block.surface->mass[cell] += gift.part;
   });
   own.payers.for_each([&](int cell, const Payer<Real>& payer) { block.surface->mass[cell] -= payer.paid; });
-  own.claims.for_each([&](int cell, const Claim<Real>& claim) {
-    if (!claim.keeps) return;
-    SurfaceFields<Real>& surface = *block.surface;
-    surface.mass[cell] += claim.got;
-    surface.fill_level[cell] = std::clamp(surface.mass[cell] / (Real(1) + surface.density[cell]), Real(0), Real(1));
-  });
   const auto spills = [](const BlockChanges<Real>& c) -> const auto& { return c.spills; };
   changes_.for_each_noted(grid_, b, kSpills, spills, [&](int cell, Real part) {
     if (type(cell) == CellType::liquid) add_to_liquid(grid_, {b, cell}, part, parity_, order_);

@@ -6,13 +6,13 @@
 // proportion to the liquid that they have, and not beyond it: a debt in equal parts would fall on cells that are as
 // good as empty and make them owe more than a cell may before it is given up. A cell that is asked by several for more
 // than it has gives each the same share of what it asked. What is left over goes to liquid neighbours, and without any
-// to the pool (isolated_liquid.h). Cells that bodies cover hold no liquid of their own (covered_cells.h): they take and
-// pay only where a cell has no other interface neighbours.
+// to the pool (isolated_liquid.h). Cells that bodies cover hold no liquid of their own (covered_cells.h): they
+// take and pay only where a cell has no other interface neighbours.
 //
-// A cell that a body covers is full or gas. One that has just opened asks for what it lacks, of neighbours that no body
-// covers: those that get what it holds when it empties pay for it when it opens, as far as their liquid goes. Paid for
-// by the body's whole waterline it would pump liquid up, each time that it opens and empties, to where it stands
-// (docs/decisions/0045).
+// A cell that a body covers is full or gas. The liquid that one holds when it empties goes to cells near by
+// (isolated_liquid.h), and what one lacks that opens is paid for by the body's own cells at the surface, then by the
+// same (coupling/grains/displaced_volume.h). Handed to its neighbours it would be pumped to where the cell opens and
+// empties by turns (docs/decisions/0113).
 //
 // The four phases, each over all reached blocks before the next:
 //   offer     reads types and masses around converted cells; notes gifts and claims
@@ -38,8 +38,7 @@ class ExcessMass {
 
  private:
   void offer_excess(BlockIndex b, const Excess<Real>& excess);
-  void ask_for_covered(BlockIndex b, int cell);
-  [[nodiscard]] Real settle(CellPlace place, Claim<Real>& claim);
+  [[nodiscard]] Real unpaid(CellPlace place, const Claim<Real>& claim) const;
   void leave(CellPlace place, Real rest);
 
   FluidGrid<Real>& grid_;

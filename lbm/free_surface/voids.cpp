@@ -39,7 +39,7 @@ void Voids<Real>::ask(BlockIndex b, int cell) {
     if (grid_.type(next) == CellType::liquid) sum += pressure_of(next);
   }
   if (sum > 0)
-    changes_.of(b).claims.add(cell, {std::min(static_cast<Real>(kLargestShare), missing / sum), missing, false, true});
+    changes_.of(b).claims.add(cell, {std::min(static_cast<Real>(kLargestShare), missing / sum), missing, false});
 }
 
 template <class Real>

@@ -162,6 +162,13 @@ TEST_F(Cli, BadCommandLinesExitWithTwo) {
   }
 }
 
+TEST_F(Cli, WordsOfTheCommandLineAreShownOnOneLine) {
+  EXPECT_EQ(run("check 'no\nsuch.toml'").err,
+            "no\\u000Asuch.toml:0:0: there is no such file, expected a scene (TOML)\n");
+  const std::string unknown = run("'fly\x1b'").err;
+  EXPECT_TRUE(unknown.starts_with("command line:1:1: \"fly\\u001B\" is no command")) << unknown;
+}
+
 TEST_F(Cli, WhatAProgramHasNoUseForIsUnknownToIt) {
   const std::vector<std::pair<std::string, std::string>> command_lines{
       {"lahar", "check scene.toml --overwrite"}, {"lahar", "resume folder --out out"},

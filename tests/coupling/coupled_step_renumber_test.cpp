@@ -129,6 +129,7 @@ void expect_same_in_any_order() {
   plain.advance_to(kSteps);
   EXPECT_GT(plain.step().wet_beads(), 60U);
   EXPECT_NE(plain.step().fluid()->account().pool, 0);
+  EXPECT_GT(plain.step().fluid()->account().paid_nearby, 0);
   const auto& height = plain.step().solids()->particles().position.z;
   EXPECT_TRUE(std::any_of(height.end() - 41, height.end(), [](double z) { return std::abs(z - kSurface) < 0.02; }));
   const Outcome expected(plain.step());

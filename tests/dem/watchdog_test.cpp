@@ -28,6 +28,7 @@ Particles row_of(int n) {
 TEST(Watchdog, is_quiet_about_sound_numbers) {
   Particles p = row_of(3);
   p.velocity.set(1, {0, 9, 0});
+  p.angular_velocity.set(1, {0, 450, 0});  // of a sphere of 0.02 m: 9 m/s at its surface
   WatchdogOptions o;
   o.speed_limit = 10;
   EXPECT_NO_THROW(check_motion(p, o, 1));
@@ -45,6 +46,20 @@ TEST(Watchdog, names_the_particle_its_place_the_step_and_the_cause) {
   EXPECT_EQ(f.where(), "bead 7 at (0.7, 0, 0.5)");
   EXPECT_EQ(f.step(), 42);
   EXPECT_EQ(f.cause(), "speed 12 m/s exceeds the limit of 10 m/s");
+}
+
+TEST(Watchdog, names_a_particle_whose_spin_is_too_fast) {
+  Particles p = row_of(4);
+  p.angular_velocity.set(2, {0, 360, 480});
+  WatchdogOptions o;
+  o.speed_limit = 10;
+  const auto f = failure_of([&] { check_motion(p, o, 42); });
+  EXPECT_EQ(f.where(), "grain 2 at (0.2, 0, 0.5)");
+  EXPECT_EQ(f.cause(), "spin of 600 rad/s moves its surface at 12 m/s, which exceeds the limit of 10 m/s");
+  EXPECT_NO_THROW(check_motion(p, WatchdogOptions{}, 42));
+  p.angular_velocity.set(2, {1e200, 0, 0});  // its square is beyond all numbers
+  EXPECT_NE(failure_of([&] { check_motion(p, o, 42); }).cause().find("exceeds the limit"), std::string::npos);
+  EXPECT_NO_THROW(check_motion(p, WatchdogOptions{}, 42));
 }
 
 TEST(Watchdog, finds_numbers_that_are_not_finite) {

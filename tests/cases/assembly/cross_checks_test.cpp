@@ -17,6 +17,7 @@ INSTANTIATE_TEST_SUITE_P(
         Rejection{{"scene.name='a/b'"}, "scene.name", "letters, digits"},
         Rejection{{"scene.name=''"}, "scene.name", "letters"},
         Rejection{{"scene.title=\"two\\nlines\""}, "scene.title", "holds a control character"},
+        Rejection{{"scene.title=\"\\u009B31m\""}, "scene.title", "holds a control character"},
         Rejection{{"wall[0].material=wal"}, "wall[0].material", "did you mean \"wall\"?"},
         Rejection{{"wall[0].material=''"}, "wall[0].material", "expected the name of a table"},
         Rejection{{"contact[0].materials=['rock', 'stee']"}, "contact[0].materials", "did you mean \"steel\"?"},

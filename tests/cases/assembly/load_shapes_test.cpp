@@ -248,6 +248,24 @@ TEST(LoadShapes, AMeshOutsideTheDomainSaysWhereItLies) {
   EXPECT_TRUE(grown.starts_with("--set wall[0].scale=1e-6")) << grown;
 }
 
+/// The names of their folders and files may hold a line break.
+TEST(LoadShapes, FilesAreNamedOnOneLine) {
+  const ScratchFolder scratch;
+  const std::string folder = "a\nb \xfc";
+  std::filesystem::create_directory(scratch.path() / folder);
+  scratch.write(folder + "/block.stl", stl_text(box_mesh(Vec3(0, 0, -50), Vec3(200, 300, 150))));
+  const auto not_utf8 = mistakes_in(scratch.write(folder + "/scene.toml", tank + region + block));
+  ASSERT_EQ(not_utf8.size(), 1U) << testing::PrintToString(not_utf8);
+  EXPECT_NE(not_utf8[0].find("/a\\u000Ab \xfc/block.stl\" is not UTF-8, expected folders"), std::string::npos)
+      << not_utf8[0];
+  scratch.write("gro\nund.txt", "0.2 0.1 0.0\n0.2 0.1 0.0\n");
+  const auto beside = mistakes_in(
+      scratch.write("scene.toml", tank + region + ground),
+      {"wall[0].file=\"" + (scratch.path() / "gro").string() + "\\nund.txt\"", "wall[0].translate_m=[70, 0, 0]"});
+  ASSERT_EQ(beside.size(), 1U) << testing::PrintToString(beside);
+  EXPECT_NE(beside[0].find("/gro\\u000Aund.txt\" covers x from 69.75 to 71.25 m"), std::string::npos) << beside[0];
+}
+
 class WrongShape : public testing::TestWithParam<Rejection> {};
 
 /// A good scene with a mesh, a terrain and a liquid ball, changed in one way.

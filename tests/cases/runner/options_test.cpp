@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "core/check.h"
 #include "tests/cases/scene/scene_files.h"
@@ -56,6 +59,23 @@ TEST(Guarded, TurnsErrorsIntoExitCodes) {
   EXPECT_EQ(guarded([]() -> int { throw InputError("x"); }), 2);
   EXPECT_EQ(guarded([]() -> int { throw NumericalFailure("here", 1, "why"); }), 3);
   EXPECT_EQ(guarded([]() -> int { throw std::runtime_error("disk full"); }), 1);
+}
+
+/// What names of the user hold does no harm to a terminal.
+TEST(Guarded, TellsEachOnALineOfItsOwn) {
+  const auto told = [](const std::function<int()>& command) {
+    testing::internal::CaptureStderr();
+    guarded(command);
+    return testing::internal::GetCapturedStderr();
+  };
+  EXPECT_EQ(
+      told([]() -> int {
+        throw InputError(std::vector<InputMistake>{{"a\nb.toml", 1, 2, "is \x1b[31m"}, {"c.toml", 3, 4, "is no"}});
+      }),
+      "a\\u000Ab.toml:1:2: is \\u001B[31m\nc.toml:3:4: is no\n");
+  EXPECT_EQ(told([]() -> int { throw NumericalFailure("here", 1, "see a\nb"); }),
+            "numerical failure: here, step 1: see a\\u000Ab\n");
+  EXPECT_EQ(told([]() -> int { throw std::runtime_error("a\nb: disk full"); }), "error: a\\u000Ab: disk full\n");
 }
 
 }  // namespace

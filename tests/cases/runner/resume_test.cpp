@@ -224,6 +224,17 @@ TEST_F(Resume, ADamagedSeriesBeginsAnew) {
   EXPECT_NE(scene::file_text(folder("out") / "run.log").find("the series begins anew"), std::string::npos);
 }
 
+TEST_F(Resume, WarningsNameFilesOnOneLine) {
+  run("two\nlines", {"run.duration_s=0.05"});
+  std::filesystem::remove(folder("two\nlines") / "series.h5");
+  testing::internal::CaptureStderr();
+  resume("two\nlines", {"run.duration_s=0.06"});
+  const std::string told = testing::internal::GetCapturedStderr(),
+                    log = scene::file_text(folder("two\nlines") / "run.log");
+  for (const std::string& text : {told, log})
+    EXPECT_NE(text.find("two\\u000Alines/series.h5 is gone: the series begins anew"), std::string::npos) << text;
+}
+
 TEST_F(Resume, WhatAUserHasAddedStays) {
   run_to_folder(scene::load(scene::case_file("bouncing_sphere/scene.toml"),
                             {"run.duration_s=0.12", "run.output_interval_s=0.05"}),

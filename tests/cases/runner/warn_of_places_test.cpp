@@ -52,6 +52,13 @@ TEST(Warnings, WallsWithoutANameAreNumbered) {
   EXPECT_TRUE(warns(report, "wall[2] stands outside the domain"));
 }
 
+TEST(Warnings, WallsAreNamedOnOneLine) {
+  const auto report =
+      check_scene(load(case_file("dam_break/scene.toml"), {"wall[2].shape=sphere", "wall[2].name=\"a\\nb\\u009B\"",
+                                                           "wall[2].centre_m=[5, 0, 0]", "wall[2].radius_m=0.1"}));
+  EXPECT_TRUE(warns(report, R"(wall "a\u000Ab\u009B" stands outside the domain)"));
+}
+
 TEST(Warnings, WallsBetweenCells) {
   const auto report = [](std::vector<std::string> set) {
     return check_scene(load(case_file("dam_break/scene.toml"), set));

@@ -63,6 +63,40 @@ TEST(Warnings, Solids) {
   EXPECT_FALSE(warns(linear(dem::WireContacts::beads), "\"linear\" with smooth wires"));
 }
 
+/// Keys of TOML in quotes hold anything, and so do the names of materials.
+TEST(Warnings, MaterialsAreNamedOnOneLine) {
+  const auto report = [](auto change) {
+    scene::Scene s = scene::debris_flow();
+    const auto rename = [](std::string& name) {
+      if (name == "rock") name = "ro\nck";
+      if (name == "steel") name = "st\neel";
+    };
+    for (auto& m : s.materials) rename(m.name);
+    for (auto& size : s.grains.packings.at(0).sizes) rename(size.material);
+    rename(s.barrier.net.material);
+    for (scene::Contact& c : s.contacts)
+      for (std::string& name : c.materials) rename(name);
+    change(s);
+    return check_scene(s);
+  };
+  using S = scene::Scene;
+  EXPECT_FALSE(warns(report([](S&) {}), "\n"));
+  EXPECT_TRUE(warns(report([](S& s) { s.contacts.clear(); }), R"(no [[contact]] for "ro\u000Ack" and "st\u000Aeel":)"));
+  EXPECT_TRUE(
+      warns(report([](S& s) { s.contacts.at(2).friction = 4; }), R"(friction of "ro\u000Ack" and "st\u000Aeel" is 4)"));
+  EXPECT_TRUE(warns(report([](S& s) {
+                      s.solids.wire_contacts = dem::WireContacts::capsules;
+                      s.contacts.at(2).rolling_friction = 0.3;
+                    }),
+                    R"(rolling_friction of "ro\u000Ack" and "st\u000Aeel" does not act on wires)"));
+  EXPECT_TRUE(warns(report([](S& s) { s.materials.at(0).youngs_modulus = 1e3; }),
+                    R"(grains of "ro\u000Ack" sink into each other)"));
+  EXPECT_TRUE(warns(report([](S& s) {
+                      for (auto& m : s.materials) m.youngs_modulus = 1e3;
+                    }),
+                    R"(wires of "st\u000Aeel" are softer than rubber)"));
+}
+
 /// Springs of a linear law whose stiffness is not in N/m, wires whose modulus is not in Pa.
 TEST(Warnings, ContactsThatAreTooSoftToHold) {
   const auto sphere = [](const char* stiffness) {

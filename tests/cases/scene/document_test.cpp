@@ -228,5 +228,26 @@ TEST(Document, WrongChangesAreLocated) {
       << testing::PrintToString(alone);
 }
 
+/// Whatever stands in the file: escapes of TOML make any character.
+TEST(Document, NamesAreOneLineInMistakes) {
+  const ScratchFolder scratch;
+  const std::string lost = the_mistake(mistakes_in(scratch.write("top.toml", R"([scene]
+base = "no\nwhere.toml"
+)")));
+  EXPECT_TRUE(lost.starts_with("top.toml:2:8: scene.base is \"")) << lost;
+  EXPECT_TRUE(lost.ends_with(R"(/no\u000Awhere.toml", which is no file: expected a scene file)")) << lost;
+  scratch.write("base.toml", kBase);
+  const std::string changed = the_mistake(mistakes_in(scratch.write("top.toml", R"([scene]
+base = "base.toml"
+changes = ["wall[floor].slip = '\u001B[31m'"]
+)")));
+  EXPECT_TRUE(changed.starts_with(R"(top.toml:3:12: scene.changes "wall[floor].slip = '\u001B[31m'" )")) << changed;
+  EXPECT_EQ(changed.find('\x1b'), std::string::npos) << changed;
+  const std::string twice = the_mistake(mistakes_in_text("\"a\xc2\x9b\" = 1\n\"a\xc2\x9b\" = 2\n"));
+  EXPECT_TRUE(twice.starts_with("scene.toml:2:")) << twice;
+  EXPECT_NE(twice.find(R"(a\u009B)"), std::string::npos) << twice;
+  EXPECT_EQ(twice.find("\xc2\x9b"), std::string::npos) << twice;
+}
+
 }  // namespace
 }  // namespace lahar::scene

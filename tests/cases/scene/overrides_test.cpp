@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "cases/scene/one_line.h"
 #include "tests/cases/scene/scene_files.h"
 
 namespace lahar::scene {
@@ -183,6 +184,14 @@ TEST(Overrides, AreOneLineInMessages) {
     EXPECT_TRUE(all[0].starts_with("--set " + on_one_line(text))) << all[0];
   }
   EXPECT_EQ(on_one_line("a\tb\x7f\\\""), R"(a\u0009b\u007F\")");
+}
+
+/// In UTF-8, where 0xC2 0x9B, say, begins commands to a terminal as ESC [ does.
+TEST(Overrides, ControlCharactersOfTwoBytesAreWrittenOut) {
+  EXPECT_EQ(on_one_line("\xc2\x80 \xc2\x85 \xc2\x9b[31m \xc2\x9f"), R"(\u0080 \u0085 \u009B[31m \u009F)");
+  // U+00A0, letters whose last byte is one of those, and what is no UTF-8.
+  for (const std::string text : {"\xc2\xa0", "\xc3\x9b", "\xe2\x82\x9b", "\xc2", "\x9b", "\xc2z"})
+    EXPECT_EQ(on_one_line(text), text);
 }
 
 TEST(Overrides, SenselessOnesAreAllReported) {

@@ -28,11 +28,16 @@ TEST(Value, NumbersBeyondSenseAreRefused) {
 }
 
 TEST(Value, StringsReadBackExactly) {
-  for (const std::string text : {"", "plain", "quo\"te", "back\\slash", "line\nbreak\ttab\x01", "Gerinne \xc3\xbc"}) {
+  for (const std::string text :
+       {"", "plain", "quo\"te", "back\\slash", "line\nbreak\ttab\x01", "Gerinne \xc3\xbc", "\xc2\x85 \xc2\x9b[31m"}) {
     std::string back;
     EXPECT_EQ(read_text(string_text(text), back), "");
     EXPECT_EQ(back, text);
   }
+}
+
+TEST(Value, StringsAreWrittenWithoutControlCharacters) {
+  EXPECT_EQ(string_text("\"\\\n\x7f\xc2\x9b[31m\xc3\xbc"), "\"\\\"\\\\\\u000A\\u007F\\u009B[31m\xc3\xbc\"");
 }
 
 /// As in names of files, which are any bytes.

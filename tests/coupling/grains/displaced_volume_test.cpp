@@ -47,7 +47,7 @@ class DisplacedVolumeTest : public testing::Test {
   DisplacedVolume<double> displaced_;
 };
 
-TEST_F(DisplacedVolumeTest, GoesToTheInterfaceCellsOrThePool) {
+TEST_F(DisplacedVolumeTest, GoesToTheInterfaceCellsThoseNearByOrThePool) {
   map();
   EXPECT_EQ(wet_volume(), 0);
   const double before = surface_mass() + fluid_.account().pool;
@@ -59,11 +59,15 @@ TEST_F(DisplacedVolumeTest, GoesToTheInterfaceCellsOrThePool) {
     ASSERT_NEAR(surface_mass() + fluid_.account().pool - before, wet_volume(), 1e-9) << z;
   }
   EXPECT_GT(surface_mass(), surface + 0.4 * kCells);  // at the waterline they take it
+  const double nearby = fluid_.account().paid_nearby, pooled = fluid_.account().pooled_total;
   particles_.position.set(0, Vec3(0.15, 0.16, 0.08));
   map();
   EXPECT_NEAR(wet_volume(), kCells, 1e-9);
-  EXPECT_NE(fluid_.account().pool, 0);  // deep under water there is no interface cell to give it to
-  EXPECT_GE(fluid_.account().pooled_total, std::abs(fluid_.account().pool));
+  // Deep under water there is no interface cell of its own to give it to, and not enough room in those near by.
+  EXPECT_NEAR(surface_mass() + fluid_.account().pool - before, kCells, 1e-9);
+  EXPECT_GT(fluid_.account().paid_nearby, nearby + 2);
+  EXPECT_GT(fluid_.account().pool, 1);
+  EXPECT_NEAR(fluid_.account().pooled_total, pooled + fluid_.account().pool, 1e-9);
 }
 
 /// Grains that fill with the level end where the water ends: half of one whose centre lies there is wet.
@@ -104,11 +108,23 @@ TEST_F(DisplacedVolumeInAStream, WhatIsHandedOutHasTheVelocityOfItsCells) {
 TEST_F(DisplacedVolumeTest, ARemovedGrainLeavesAVoid) {
   particles_.position.set(0, Vec3(0.15, 0.16, 0.08));
   map();
-  const double pool = fluid_.account().pool;
+  const double before = surface_mass(), pool = fluid_.account().pool;
   particles_.remove(0);
   map();
-  EXPECT_NEAR(fluid_.account().pool, pool - kCells, 1e-9);
+  EXPECT_NEAR(surface_mass() + fluid_.account().pool, before + pool - kCells, 1e-9);
+  EXPECT_LT(surface_mass(), before - 2);  // those near by pay what they may
   EXPECT_TRUE(map_.grains().empty());
+}
+
+/// What a grain displaced is not lost where it is out of reach of all blocks at once.
+TEST_F(DisplacedVolumeTest, AGrainThatFliesOutOfAllBlocksLeavesAVoid) {
+  particles_.position.set(0, Vec3(0.15, 0.16, 0.08));
+  map();
+  const double before = surface_mass() + fluid_.account().pool;
+  particles_.position.set(0, Vec3(0.15, 0.16, 10));
+  map();
+  EXPECT_EQ(wet_volume(), 0);
+  EXPECT_NEAR(surface_mass() + fluid_.account().pool, before - kCells, 1e-9);
 }
 
 /// Interface cells that are covered hold no liquid: they are set full, and what they lacked is taken from the others.

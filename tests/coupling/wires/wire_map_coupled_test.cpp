@@ -95,9 +95,10 @@ TEST(ResolvedWiresInTheStep, AWireThatStandsStillDisplacesNoMore) {
   CoupledStep<float> step(fluid, solids_of(std::move(c), fluid.gravity), options);
   step.fill(kWater);
   step.advance();
-  const double pool = step.fluid()->account().pool;
+  const double pool = step.fluid()->account().pool, nearby = step.fluid()->account().paid_nearby;
   for (int s = 0; s < 300; ++s) step.advance();
   EXPECT_EQ(step.fluid()->account().pool, pool);
+  EXPECT_EQ(step.fluid()->account().paid_nearby, nearby);
 }
 
 TEST(ResolvedWiresInTheStep, MomentumAndLiquidAreKept) {
