@@ -263,7 +263,7 @@ TEST_F(Cli, AnInterruptedRunGoesOn) {
   const Outcome first =
       run("run --threads 1 --quiet --set run.duration_s=1e6 --set run.series_interval_s=1e3 --out out '" +
               case_file("bouncing_sphere/scene.toml").string() + "'",
-          "timeout --preserve-status -s INT 0.5 ");
+          "timeout --preserve-status -s INT 2 ");
   EXPECT_EQ(first.code, 130);
   const auto summary = [&] { return nlohmann::json::parse(file_text(folder_.path() / "out/summary.json")); };
   const double until = summary()["simulated_seconds"].get<double>(), wall = summary()["wall_seconds"].get<double>();

@@ -77,9 +77,12 @@ void lower(std::vector<Row>& rows, double diameter, double speed, bool lift, con
       if (c.centre.z() > t.depth + diameter / 2) carried += c.liquid_volume;
     });
     rows.push_back(note_row(what + ": liquid that it keeps when it is lifted out, of its volume", carried / volume));
-    rows.push_back(
-        absolute_row(what + ": level after it is lifted out with what it keeps, less that before, of its volume",
-                     (after.liquid - before.liquid) / volume, 0, 0.01));
+    // Where it is fast some is thrown over the rim.
+    const double left = step.fluid()->outflow_mass() / step.fluid()->units().mass();
+    rows.push_back(note_row(what + ": liquid thrown out of the tank, of its volume", left / volume));
+    rows.push_back(absolute_row(what + ": level after it is lifted out, less that before, of its volume, with what it "
+                                       "keeps and has thrown out",
+                                (after.liquid + left - before.liquid) / volume, 0, 0.01));
   }
   add_ledgers(rows, what, step);
 }
