@@ -6,8 +6,8 @@
 // proportion to the liquid that they have, and not beyond it: a debt in equal parts would fall on cells that are as
 // good as empty and make them owe more than a cell may before it is given up. A cell that is asked by several for more
 // than it has gives each the same share of what it asked. What is left over goes to liquid neighbours, and without any
-// to the pool (isolated_liquid.h). Cells that bodies cover hold no liquid of their own (covered_cells.h): they
-// take and pay only where a cell has no other interface neighbours.
+// to the pool (isolated_liquid.h). Cells that bodies cover hold no liquid of their own (covered_cells.h): they take and
+// pay only where a cell has no other interface neighbours.
 //
 // A cell that a body covers is full or gas. The liquid that one holds when it empties goes to cells near by
 // (isolated_liquid.h), and what one lacks that opens is paid for by the body's own cells at the surface, then by the
