@@ -79,6 +79,8 @@ const std::vector<Choice>& variants() {
        "",
        "paper_cells"},
       {"half_speed", "half the time step of the fluid", {"fluid.lattice_velocity=0.05"}, "", true},
+      {"cells_15mm", "cells of 1.5 cm", {"fluid.cell_size_m=0.015"}, "", true, "coarse"},
+      {"cells_10mm", "cells of 1 cm, as standard, the rest as coarse", {"fluid.cell_size_m=0.01"}, "", true, "coarse"},
       {"stiff_rock", "rock as stiff as Table 4 says", {"materials.rock.youngs_modulus_Pa=70e9"}, "", true, "coarse"},
       {"light_beads", "beads without added inertia", {"barrier.net.bead_mass_scale=1"}, "", true, "coarse"},
       {"soft_bonds", "bonds of a fifth of the stiffness", {"solids.bond_stiffness_scale=0.2"}}};
@@ -265,7 +267,7 @@ std::vector<StudyCase> planned_cases() {
   for (const Selection& part :
        {Selection{}, Selection{.presets = {"standard"}, .couplings = {"resolved"}, .releases = {1.85, 4.10, 8.60}},
         Selection{.presets = {"standard"}, .couplings = {"averaged"}, .releases = {4.10}},
-        Selection{.variants = {"half_speed", "stiff_rock"}, .releases = {4.10}},
+        Selection{.variants = {"cells_15mm", "half_speed", "stiff_rock"}, .releases = {4.10}},
         Selection{.releases = {4.10}, .seeds = {2}},
         Selection{.presets = {"fine"}, .couplings = {"resolved"}, .releases = {4.10}},
         Selection{.sweeps = {"as_printed"},

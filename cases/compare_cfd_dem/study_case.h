@@ -28,7 +28,8 @@ const std::vector<Choice>& sweeps();
 const std::vector<Choice>& presets();
 /// How fluid and grains act on each other.
 const std::vector<Choice>& couplings();
-/// Readings of the net, the averages and the time step that are looked at for one flow; the first is that of the study.
+/// Readings of the net and the averages, and other cells and steps, that are looked at for one flow; the first is that
+/// of the study.
 const std::vector<Choice>& variants();
 /// m, the paper's ten.
 const std::vector<double>& release_distances();
@@ -76,8 +77,8 @@ struct Selection {
 std::vector<StudyCase> cases_of(const Selection& selection);
 
 /// What the whole study holds. Coarse: both sweeps, resolved and averaged. `standard`: 1.85, 4.10 and 8.60 m resolved,
-/// 4.10 m averaged. At 4.10 m, for the spread: second seeds, half the time step, rock of full stiffness, `fine` cells;
-/// and the two other ways to hold the lower cable.
+/// 4.10 m averaged. At 4.10 m, for the spread: second seeds, half the time step, rock of full stiffness, cells of 1.5
+/// cm and `fine` ones; and the two other ways to hold the lower cable.
 std::vector<StudyCase> planned_cases();
 
 }  // namespace lahar::study

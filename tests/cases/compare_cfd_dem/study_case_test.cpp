@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/load.h"
@@ -122,7 +124,8 @@ TEST(StudyCases, AreOfAPlan) {
   for (const StudyCase& c : cases_of({})) EXPECT_TRUE(names.contains(c.name())) << c.name();
   for (const char* name : {"as_printed-L8.60-standard-resolved-seed1", "matched-L4.10-standard-averaged-seed1",
                            "matched-L4.10-coarse-averaged-seed2", "as_printed-L4.10-coarse-resolved-seed1-stiff_rock",
-                           "matched-L4.10-fine-resolved-seed1", "as_printed-L4.10-coarse-resolved-seed1-cable_at_ends"})
+                           "matched-L4.10-coarse-resolved-seed1-cells_15mm", "matched-L4.10-fine-resolved-seed1",
+                           "as_printed-L4.10-coarse-resolved-seed1-cable_at_ends"})
     EXPECT_TRUE(names.contains(name)) << name;
 }
 
@@ -137,6 +140,24 @@ TEST(StudyCases, HalfSpeedHalvesTheTimeStep) {
     EXPECT_NEAR(cases::fluid_time_step(b) / cases::fluid_time_step(a), 0.5, 1e-12) << preset;
     EXPECT_EQ(b.fluid.lattice_velocity, 0.5 * a.fluid.lattice_velocity) << preset;
   }
+}
+
+/// Of the preset coarse: cells alone are other ones, all of them whole across the channel, so that no wall moves.
+TEST(StudyCases, OtherCellsAreOtherwiseCoarse) {
+  const StudyCase study{"matched", "coarse", "resolved", "study", 4.1, 1, {}};
+  const scene::Scene coarse = scene::load(study.scene_file(), study.changes());
+  for (const auto& [name, size] : {std::pair{"cells_15mm", 0.015}, {"cells_10mm", 0.01}}) {
+    StudyCase c = study;
+    c.variant = name;
+    scene::Scene other = scene::load(c.scene_file(), c.changes());
+    EXPECT_EQ(other.fluid.cell_size, size);
+    const double across = (other.domain.upper.y() - other.domain.lower.y()) / size;
+    EXPECT_NEAR(across, std::round(across), 1e-9) << name;
+    other.fluid.cell_size = coarse.fluid.cell_size, other.identity = coarse.identity;
+    EXPECT_TRUE(other == coarse) << name;
+    EXPECT_TRUE(counts_in_spread(c)) << name;
+  }
+  EXPECT_THROW(cases_of({.presets = {"standard"}, .variants = {"cells_10mm"}}), InputError);
 }
 
 /// Each choice of each axis makes a scene that can be run, and that holds what was chosen.
