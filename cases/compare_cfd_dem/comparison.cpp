@@ -162,7 +162,7 @@ std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.6g}", x
 std::string comparison_csv(const std::vector<CaseResult>& results) {
   std::string text =
       "# Theirs: Li, Zhao & Kwan 2020. difference: (ours - theirs) / theirs. spread: half the range over seeds, "
-      "presets, time steps and stiffnesses of the same flow, coupling and commit, over the mean.\n" +
+      "presets, cells, time steps and stiffnesses of the same flow, coupling and commit, over the mean.\n" +
       std::string(kComparisonColumns) + "\n";
   for (const Compared& q : compared_quantities())
     for (const CaseResult& c : results) {

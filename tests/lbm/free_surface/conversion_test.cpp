@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lbm/free_surface/refilling.h"
 #include "tests/lbm/flows.h"
 
 namespace lahar::lbm {
@@ -67,6 +68,34 @@ TEST(CellConversion, DebtsDoNotWaitForCellsThatFill) {
     EXPECT_EQ(grid.type(filling), debt > 0.2 ? CellType::interface : CellType::liquid) << debt;
     EXPECT_NEAR(fluid.liquid_mass() / before, 1, 1e-13);
   }
+}
+
+/// A cell half full of a body, which covers it, on a level surface in the air: it empties, and all cells of the surface
+/// in its block get its liquid alike, those beside it no more than others (docs/decisions/0113).
+TEST(CellConversion, LiquidOfCoveredCellsGoesToThoseNearBy) {
+  Fluid<double> fluid(tank_options(Vec3(0.32, 0.32, 0.4), 0.02, 3.0, 0.1));
+  fluid.fill({{Vec3::Zero(), Vec3(0.32, 0.32, 0.21)}});
+  FluidGrid<double>& grid = fluid.grid();
+  const CellPlace place{grid.topology().find({1, 1, 1}), cell_index(3, 3, 4)};
+  Block<double>& block = grid.block(place.block);
+  ASSERT_EQ(block.surface->count, 64);
+  std::vector<double> before;
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) before.push_back(block.surface->mass[cell_index(x, y, 3)]);
+  BodyFields<double>& body = grid.require_body(place.block);
+  body.solid_fraction[place.cell] = 0.5;
+  body.covered[static_cast<std::size_t>(place.cell / 8)] = 1 << place.cell % 8;
+  block.type[static_cast<std::size_t>(place.cell)] = CellType::interface;
+  refill_cell(grid, place, fluid.parity(), {}, 0.2, {EquilibriumOrder::fourth});
+  grid.list_cells(place.block);
+  fluid.step();
+  EXPECT_EQ(grid.type(place), CellType::gas);
+  EXPECT_NEAR(fluid.account().paid_nearby, 0.2, 1e-3);
+  for (int y = 0; y < 8; ++y)
+    for (int x = 0; x < 8; ++x) {
+      const double gained = block.surface->mass[cell_index(x, y, 3)] - before[static_cast<std::size_t>(x + 8 * y)];
+      EXPECT_NEAR(gained, 0.2 / 64, 1e-3) << x << " " << y;
+    }
 }
 
 /// A single cell of liquid in the air has no neighbour to give its mass to: nothing is lost.
