@@ -399,6 +399,10 @@ const std::vector<Compared>& compared_quantities() {
   return all;
 }
 
+std::optional<double> theirs_of(const Compared& quantity, const StudyCase& study_case) {
+  return is_strip(study_case) ? std::nullopt : quantity.theirs(study_case.release);
+}
+
 double mass_by_energies(double e_in, double e_in_lower) {
   return 1000 * (e_in_lower - e_in) / (kGravity * kLowerDatum);
 }

@@ -32,6 +32,8 @@ struct Compared {
       {};  ///< of all flows and of all that are alike, where it does not say of which
 };
 const std::vector<Compared>& compared_quantities();
+/// The paper's number for a case; none of a strip, whose width and net are not the paper's.
+[[nodiscard]] std::optional<double> theirs_of(const Compared& quantity, const StudyCase& study_case);
 /// kg, all mass that is there while the flow arrives, by its energy about the bed at the net and about the lower one,
 /// kJ.
 [[nodiscard]] double mass_by_energies(double e_in, double e_in_lower);

@@ -144,10 +144,8 @@ namespace {
 double spread(const Compared& quantity, const CaseResult& of, const std::vector<CaseResult>& results) {
   double low = INFINITY, high = -INFINITY, sum = 0, count = 0;
   for (const CaseResult& c : results) {
-    const StudyCase &a = c.study_case, &b = of.study_case;
-    if (a.sweep != b.sweep || a.coupling != b.coupling || a.release != b.release || c.commit != of.commit) continue;
+    if (c.commit != of.commit || !count_in_one_spread(c.study_case, of.study_case)) continue;
     if (c.commit.ends_with("-dirty")) continue;  // of changes that no commit holds: of nobody knows how many programs
-    if (!counts_in_spread(a) || !counts_in_spread(b)) continue;
     const double x = c.value(quantity.name);
     if (!std::isfinite(x)) continue;
     low = std::min(low, x), high = std::max(high, x), sum += x, count += 1;
@@ -166,7 +164,7 @@ std::string comparison_csv(const std::vector<CaseResult>& results) {
       std::string(kComparisonColumns) + "\n";
   for (const Compared& q : compared_quantities())
     for (const CaseResult& c : results) {
-      const double ours = c.value(q.name), theirs = q.theirs(c.study_case.release).value_or(kNone);
+      const double ours = c.value(q.name), theirs = theirs_of(q, c.study_case).value_or(kNone);
       text += fmt::format("{},{},{},{},{},{},{},\"{}\"\n", q.name, q.unit, c.study_case.name(), number(theirs),
                           number(ours), number(ours / theirs - 1), number(spread(q, c, results)), c.commit);
     }
@@ -217,7 +215,7 @@ Nearness nearness_of(const Compared& q, const std::vector<Pair>& pairs) {
   Nearness n;
   n.quantity = q.name;
   for (const Pair& pair : pairs) {
-    const double theirs = q.theirs(pair.resolved->study_case.release).value_or(kNone);
+    const double theirs = theirs_of(q, pair.resolved->study_case).value_or(kNone);
     const double resolved = pair.resolved->value(q.name), averaged = pair.averaged->value(q.name);
     if (!std::isfinite(theirs) || !std::isfinite(resolved) || !std::isfinite(averaged)) continue;
     n.flows += 1, n.of_one_program += pair.is_of_one_program() ? 1 : 0;

@@ -52,7 +52,7 @@ inline constexpr const char* kComparisonColumns = "quantity,unit,case,theirs,our
 
 /// A comment, the columns, the rows. The difference is over theirs; the spread is half the range of ours over the
 /// seeds, presets, cells, time steps and stiffnesses that the study has of the same flow, coupling and commit, over
-/// their mean (`counts_in_spread`); programs with changes that no commit holds are no two alike.
+/// their mean (`count_in_one_spread`); programs with changes that no commit holds are no two alike.
 std::string comparison_csv(const std::vector<CaseResult>& results);
 
 /// case,check,value,bar,outcome. The study's bars, beside the run's own of what it checks besides: liquid 1e-5 of its

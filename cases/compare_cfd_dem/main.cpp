@@ -6,6 +6,7 @@
 
 #include "cases/assembly/load.h"
 #include "cases/compare_cfd_dem/jobs.h"
+#include "cases/compare_cfd_dem/over_seeds.h"
 #include "cases/compare_cfd_dem/record.h"
 #include "cases/compare_cfd_dem/report.h"
 #include "cases/compare_cfd_dem/trends.h"
@@ -134,6 +135,7 @@ void report(const std::vector<StudyCase>& study_cases, const Arguments& a) {
   cases::replace_text_file(records / "trends.csv", trends_csv(trends(results)));
   cases::replace_text_file(records / "nearness.csv", nearness_csv(nearness(results)));
   cases::replace_text_file(records / "checks.csv", checks_csv(results));
+  cases::replace_text_file(records / "over_seeds.csv", over_seeds_csv(over_seeds(results)));
 }
 
 int run(const Arguments& a) {

@@ -8,6 +8,7 @@
 #include <set>
 #include <tuple>
 
+#include "cases/compare_cfd_dem/over_seeds.h"
 #include "cases/compare_cfd_dem/published_flows.h"
 #include "cases/compare_cfd_dem/trends.h"
 #include "cases/files/html_image.h"
@@ -23,6 +24,9 @@ const Compared& quantity(const char* name) {
   return *std::find_if(all.begin(), all.end(), [&](const Compared& q) { return q.name == name; });
 }
 
+/// Other readings have no figures, and strips no place beside flows of the whole width.
+bool is_drawn(const StudyCase& c) { return c.variant == variants().front().name && !is_strip(c); }
+
 /// What one curve of a figure over the flows holds together.
 struct Curve {
   std::string sweep, preset, coupling;
@@ -34,8 +38,7 @@ struct Curve {
     return text;
   }
   [[nodiscard]] bool holds(const StudyCase& c) const {
-    return c.sweep == sweep && c.preset == preset && c.coupling == coupling && c.seed == seed &&
-           c.variant == variants().front().name;
+    return c.sweep == sweep && c.preset == preset && c.coupling == coupling && c.seed == seed && is_drawn(c);
   }
 };
 
@@ -159,7 +162,7 @@ cases::Chart over_time(const ShownColumn& shown, double release, const std::stri
   for (const CaseResult& c : results) {
     const StudyCase& s = c.study_case;
     const auto* values = c.curves.find(shown.name);
-    if (s.release != release || s.sweep != sweep || s.variant != variants().front().name || !values) continue;
+    if (s.release != release || s.sweep != sweep || !is_drawn(s) || !values) continue;
     ChartSeries line{.name = fmt::format("{}, {}{}", s.coupling, s.preset, s.seed == 1 ? "" : ", another seed"),
                      .x = c.curves.time_s,
                      .y = values->values,
@@ -233,8 +236,10 @@ std::string shown(double x) { return std::isfinite(x) ? fmt::format("{:.4g}", x)
 std::string table_of_flow(const std::string& sweep, double release, const std::vector<CaseResult>& results) {
   std::vector<const CaseResult*> here;
   for (const CaseResult& c : results)
-    if (c.study_case.sweep == sweep && c.study_case.release == release) here.push_back(&c);
-  std::string html = "<table><tr><th>quantity</th><th>unit</th><th>Li et al.</th>";
+    if (c.study_case.sweep == sweep && c.study_case.release == release && !is_strip(c.study_case)) here.push_back(&c);
+  if (here.empty()) return {};
+  std::string html = fmt::format("<h3>{}, L = {:.2f} m</h3>\n", sweep, release) +
+                     "<table><tr><th>quantity</th><th>unit</th><th>Li et al.</th>";
   for (const CaseResult* c : here)
     html += fmt::format("<th>{}<br>{}{}{}</th>", c->study_case.coupling, c->study_case.preset,
                         c->study_case.seed == 1 ? "" : fmt::format(", seed {}", c->study_case.seed),
@@ -405,6 +410,34 @@ std::string nearness_table(const std::vector<Nearness>& all) {
   return html + "</table>\n";
 }
 
+/// Means over seeds, flow by flow.
+std::string seeds_tables(const std::vector<OverSeeds>& all) {
+  std::string html =
+      "<p>Mean over the seeds that one program ran and standard deviation of a run; what averaging changes, per cent "
+      "of "
+      "the resolved mean, with its standard error.</p>\n";
+  std::string flow;
+  for (const OverSeeds& s : all) {
+    const std::string here =
+        fmt::format("{}, L = {:.2f} m, {}, {}: {} seeds", s.sweep, s.release, s.preset, s.coupling, s.seeds);
+    if (here != flow) {
+      html += fmt::format(
+          "{}<h3>{}</h3>\n<table><tr><th>quantity</th><th>unit</th><th>mean</th><th>deviation</th>"
+          "<th>change, %</th></tr>\n",
+          flow.empty() ? "" : "</table>\n", here);
+      flow = here;
+    }
+    html += fmt::format(
+        "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", s.quantity, s.unit, shown(s.mean),
+        shown(s.deviation),
+        std::isfinite(s.change) ? fmt::format("{:+.1f} &plusmn; {:.1f}", 100 * s.change, 100 * s.change_error) : "-");
+  }
+  return all.empty() ? "<p>No flow was run with several seeds by one program.</p>\n" : html + "</table>\n";
+}
+
+/// Whose pictures the page has.
+bool is_pictured(const StudyCase& c) { return c.release == 4.1 && (!is_strip(c) || c.seed == 1); }
+
 }  // namespace
 
 void write_report(const std::vector<CaseResult>& results, const Sitting& sitting, const std::filesystem::path& folder) {
@@ -435,18 +468,16 @@ void write_report(const std::vector<CaseResult>& results, const Sitting& sitting
     std::set<double> releases;
     for (const CaseResult& c : results)
       if (c.study_case.sweep == sweep.name) releases.insert(c.study_case.release);
-    for (const double release : releases)
-      html +=
-          fmt::format("<h3>{}, L = {:.2f} m</h3>\n", sweep.name, release) + table_of_flow(sweep.name, release, results);
+    for (const double release : releases) html += table_of_flow(sweep.name, release, results);
   }
-  html += "<h2>Pictures</h2>\n";
+  html += "<h2>Over seeds</h2>\n" + seeds_tables(over_seeds(results)) + "<h2>Pictures</h2>\n";
   for (const CaseResult& c : results)
-    if (c.study_case.release == 4.1) html += pictures_of(c, "image_");
+    if (is_pictured(c.study_case)) html += pictures_of(c, "image_");
   html +=
       "<h2>Forces in the net</h2>\n<p>Force in each bond, seen from downstream (as Fig. 12): the net's width, and with "
       "it the left cable, begins on the left.</p>\n";
   for (const CaseResult& c : results)
-    if (c.study_case.release == 4.1) html += pictures_of(c, "forces_");
+    if (is_pictured(c.study_case)) html += pictures_of(c, "forces_");
   cases::replace_text_file(folder / "report.html", html + "</body></html>\n");
 }
 

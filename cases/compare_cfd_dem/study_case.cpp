@@ -24,21 +24,28 @@ const std::vector<Choice>& sweeps() {
 }
 
 const std::vector<Choice>& presets() {
+  static const std::vector<std::string> softened{"fluid.cell_size_m=0.02", "fluid.adaptive_time_step=true",
+                                                 "materials.rock.youngs_modulus_Pa=3.5e9",
+                                                 "barrier.net.bead_mass_scale=3", "solids.two_rates=true"};
   static const std::vector<Choice> all{
       {"coarse",
        "cells of 2 cm, an adaptive step, beads of three times the inertia and the same weight, rock of a twentieth of "
        "the stiffness, whose contacts take longer steps than beads do",
-       {"fluid.cell_size_m=0.02", "fluid.adaptive_time_step=true", "materials.rock.youngs_modulus_Pa=3.5e9",
-        "barrier.net.bead_mass_scale=3", "solids.two_rates=true"},
-       "",
-       true},
+       softened, "", true},
       {"standard", "cells of 1 cm, nothing softened", {}, "", true},
       {"fine", "cells of 5 mm, nothing softened", {"fluid.cell_size_m=0.005"}, "", true},
       {"paper_cells",
        "cells of 15 cm, as in Table 4, wider than the grains: for averaged couplings alone; otherwise as coarse",
        {"fluid.cell_size_m=0.15", "fluid.adaptive_time_step=true", "materials.rock.youngs_modulus_Pa=3.5e9",
         "barrier.net.bead_mass_scale=3", "solids.two_rates=true"},
-       "averaged"}};
+       "averaged"},
+      {.name = "strip",
+       .meaning = "as coarse, 0.3 m of the width, along whose sides grains slide without friction, to 3 s: for many "
+                  "seeds",
+       .changes = softened,
+       .same_flow = false,
+       .scenes = "strip_",
+       .width = 0.3}};
   return all;
 }
 
@@ -105,23 +112,33 @@ std::string StudyCase::name() const {
   return variant == variants().front().name ? own : own + "-" + variant;
 }
 
-std::filesystem::path StudyCase::scene_file() const { return cases::case_file("compare_cfd_dem/" + sweep + ".toml"); }
+std::filesystem::path StudyCase::scene_file() const {
+  return cases::case_file("compare_cfd_dem/" + find(presets(), preset).scenes + sweep + ".toml");
+}
 
-bool counts_in_spread(const StudyCase& c) {
-  return find(presets(), c.preset).same_flow && find(variants(), c.variant).same_flow;
+bool is_strip(const StudyCase& c) { return find(presets(), c.preset).width < presets().front().width; }
+
+bool count_in_one_spread(const StudyCase& a, const StudyCase& b) {
+  const auto numerics_alone = [](const std::vector<Choice>& all, const std::string& one, const std::string& other) {
+    return find(all, one).same_flow && find(all, other).same_flow;
+  };
+  return a.sweep == b.sweep && a.release == b.release && a.coupling == b.coupling &&
+         (a.preset == b.preset || numerics_alone(presets(), a.preset, b.preset)) &&
+         numerics_alone(variants(), a.variant, b.variant);
 }
 
 std::vector<std::string> StudyCase::changes() const {
   constexpr double channel_below_net = 1.5;  // m
-  std::string scene_name = name();           // names of scenes hold no points
+  const double width = find(presets(), preset).width;
+  std::string scene_name = name();  // names of scenes hold no points
   std::replace(scene_name.begin(), scene_name.end(), '.', '_');
   std::vector<std::string> all{
       fmt::format("scene.name=\"{}\"", scene_name),
       fmt::format("scene.title=\"{}, L = {:.2f} m, {}, {}\"", sweep, release, preset, coupling),
       fmt::format("run.seed={}", seed),
-      fmt::format("domain.upper_m=[{:.2f}, 1.8, 1.5]", release + channel_below_net),
+      fmt::format("domain.upper_m=[{:.2f}, {:g}, 1.5]", release + channel_below_net, width),
       fmt::format("barrier.net.origin_m=[{:.2f}, 0.0, 0.0]", release),
-      fmt::format("section[net].point_m=[{:.2f}, 0.9, 0.48]", release)};
+      fmt::format("section[net].point_m=[{:.2f}, {:g}, 0.48]", release, 0.5 * width)};
   for (const Choice* choice : {&find(presets(), preset), &find(couplings(), coupling), &find(variants(), variant)})
     all.insert(all.end(), choice->changes.begin(), choice->changes.end());
   all.insert(all.end(), further.begin(), further.end());
@@ -273,7 +290,8 @@ std::vector<StudyCase> planned_cases() {
         Selection{.sweeps = {"as_printed"},
         .couplings = {"resolved"},
         .variants = {"cable_fixed", "cable_at_ends"},
-        .releases = {4.10}}})
+        .releases = {4.10}},
+        Selection{.presets = {"strip"}, .releases = {1.85, 4.10, 8.60}, .seeds = {1, 2, 3, 4}}})
     for (StudyCase& c : cases_of(part)) all.push_back(std::move(c));
   return all;
 }

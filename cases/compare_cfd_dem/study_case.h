@@ -16,15 +16,17 @@ struct Choice {
   bool same_flow = false;   ///< of presets and variants: it is other numerics alone and counts in the spread
   std::string preset{};     ///< of a variant: the one in which it says something; empty: in all
   std::string no_preset{};  ///< of a variant: the one that it cannot be in; empty: none
+  std::string scenes{};     ///< of a preset: how the names of its scene files begin, before the sweep's
+  double width = 1.8;       ///< m, of a preset: of the channel
 
   [[nodiscard]] bool says_something(const std::string& a_preset, const std::string& a_coupling) const {
     return a_coupling.starts_with(coupling) && (preset.empty() || a_preset == preset) && a_preset != no_preset;
   }
 };
 
-/// The scene files as_printed.toml and matched.toml.
+/// The scene files as_printed.toml and matched.toml, and what of them is in a strip.
 const std::vector<Choice>& sweeps();
-/// Cell size and stiffness. Cells of the paper's size are wider than grains: averaged couplings alone have them.
+/// Cell size, stiffness and width. Cells of the paper's size are wider than grains: averaged couplings alone have them.
 const std::vector<Choice>& presets();
 /// How fluid and grains act on each other.
 const std::vector<Choice>& couplings();
@@ -55,9 +57,13 @@ std::optional<StudyCase> case_named(const std::string& name, const std::vector<s
 /// alone are taken to be refused alike.
 void check_changes(const std::vector<StudyCase>& study_cases);
 
-/// Whether the case is one of the study's own flows, perhaps by other numerics: not a net, a law or averages read
-/// otherwise, nor cells as wide as the paper's, which stand for its method.
-bool counts_in_spread(const StudyCase& c);
+/// Whether the case is a part of a flow's width: its masses, energies and forces are not the paper's, nor is its net.
+bool is_strip(const StudyCase& c);
+
+/// Whether two cases are of one flow and coupling and differ by numerics and chance alone: not by a net, a law or
+/// averages that are read otherwise, nor by their width, nor by cells as wide as the paper's, which stand for its
+/// method.
+bool count_in_one_spread(const StudyCase& a, const StudyCase& b);
 
 /// The order of tables: by flow, then preset, coupling, variant, seed, each as in its list.
 bool comes_before(const StudyCase& a, const StudyCase& b);
@@ -78,7 +84,7 @@ std::vector<StudyCase> cases_of(const Selection& selection);
 
 /// What the whole study holds. Coarse: both sweeps, resolved and averaged. `standard`: 1.85, 4.10 and 8.60 m resolved,
 /// 4.10 m averaged. At 4.10 m, for the spread: second seeds, half the time step, rock of full stiffness, cells of 1.5
-/// cm and `fine` ones; and the two other ways to hold the lower cable.
+/// cm and `fine` ones; and the two other ways to hold the lower cable. `strip`: four seeds from 1.85, 4.10 and 8.60 m.
 std::vector<StudyCase> planned_cases();
 
 }  // namespace lahar::study

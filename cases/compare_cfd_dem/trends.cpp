@@ -139,7 +139,7 @@ std::vector<Trend> trends(const std::vector<CaseResult>& results) {
         for (const CaseResult& c : results) {
           const StudyCase& s = c.study_case;
           if (s.sweep != sweep.name || s.preset != preset.name || s.coupling != coupling.name ||
-              s.variant != variants().front().name)
+              s.variant != variants().front().name || is_strip(s))
             continue;
           const CaseResult*& kept = flows[s.release];
           if (!kept || s.seed < kept->study_case.seed) kept = &c;

@@ -22,10 +22,10 @@ struct Trend {
   double measure = 0;  ///< what decides, by the kind of the statement (`trends`); NaN where there are too few flows
   Agreement agrees = Agreement::unknown;
 };
-/// Of every sweep with at least three flows of a preset and coupling (study's reading, lowest seed). What decides:
-/// of what rises or falls Kendall's rank correlation with the release distance; of what levels off from L = 6.35 m on
-/// the slope from there on over that before (none for the paper: yes below a quarter, mostly below a half); of what is
-/// the greater part in all flows its least share.
+/// Of every sweep with at least three flows of a preset and coupling (study's reading, whole width, lowest seed). What
+/// decides: of what rises or falls Kendall's rank correlation with the release distance; of what levels off from L
+/// = 6.35 m on the slope from there on over that before (none for the paper: yes below a quarter, mostly below a half);
+/// of what is the greater part in all flows its least share.
 std::vector<Trend> trends(const std::vector<CaseResult>& results);
 /// trend,sweep,coupling,preset,flows,programs,measure,agrees
 std::string trends_csv(const std::vector<Trend>& all);

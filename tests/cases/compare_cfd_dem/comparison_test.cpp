@@ -162,6 +162,20 @@ TEST(Comparison, HoldsTheirsAndOurs) {
             std::string::npos);
 }
 
+/// Of a strip neither energies nor forces are the paper's: it stands beside others of its width alone.
+TEST(Comparison, HoldsNoStripAgainstThePaper) {
+  std::vector<CaseResult> results{made_up(1.85, 5, 1), made_up(4.1, 8, 1), made_up(8.6, 16, 1)};
+  for (CaseResult& c : results) c.study_case.preset = "strip", c.commit = "aaa";
+  results.push_back(results.back());
+  results.back().study_case.coupling = "averaged";
+  EXPECT_NE(comparison_csv(results).find("e_in,kJ,matched-L4.10-strip-resolved-seed1,,8,,,\"aaa\"\n"),
+            std::string::npos)
+      << comparison_csv(results);
+  EXPECT_TRUE(nearness(results).empty());
+  EXPECT_TRUE(trends(results).empty());
+  for (const Compared& q : compared_quantities()) EXPECT_FALSE(theirs_of(q, results.front().study_case)) << q.name;
+}
+
 /// Three flows of which two are alike, then one that turns back: only what goes on from flow to flow agrees.
 TEST(Comparison, TrendsThatTurnAgreeMostly) {
   std::vector<CaseResult> results{made_up(1.85, 30, 10), made_up(4.1, 50, 10), made_up(8.6, 100, 10)};

@@ -17,6 +17,7 @@
 #include "cases/compare_cfd_dem/report.h"
 #include "cases/files/png_file.h"
 #include "tests/cases/compare_cfd_dem/made_up_case.h"
+#include "tests/cases/compare_cfd_dem/study_program.h"
 #include "tests/cases/files/test_folder.h"
 
 namespace lahar::study {
@@ -50,6 +51,19 @@ TEST(Report, NoLineJoinsFlowsOfTwoPrograms) {
   EXPECT_TRUE(std::isnan(ours()[2]));
   for (CaseResult& c : results) c.commit = "aaa";
   EXPECT_EQ(ours(), (std::vector<double>{50, 50, 50, 50}));
+}
+
+/// In the figures a sixth of the width would stand beside the whole; tables over seeds have it.
+TEST(Report, StripsStandInTablesOverSeeds) {
+  std::vector<CaseResult> results{made_up(4.1, 8, 1), made_up(4.1, 9, 1, 2)};
+  for (CaseResult& c : results) c.study_case.preset = "strip", c.commit = "aaa", c.folder.clear();
+  for (const Figure& f : figures_of(results))
+    for (const cases::ChartSeries& series : f.chart.series) EXPECT_EQ(series.name, "Li et al. 2020") << f.file;
+  const cases::TestFolder folder;
+  write_report(results, {"aaa", "2026-01-31", {}}, folder.path());
+  const std::string page = content_of(folder / "report.html");
+  EXPECT_NE(page.find("<h3>matched, L = 4.10 m, strip, resolved: 2 seeds</h3>"), std::string::npos);
+  EXPECT_NE(page.find("<td>e_in</td><td>kJ</td><td>8.5</td><td>0.7071</td><td>-</td>"), std::string::npos);
 }
 
 /// Further seeds share a name: twenty of them leave room for the figure.

@@ -109,8 +109,7 @@ TEST(StudyCases, CellsOfThePaperAreForAveragedCouplings) {
               std::string::npos)
         << e.what();
   }
-  EXPECT_FALSE(counts_in_spread(both.back()));
-  EXPECT_TRUE(counts_in_spread(both.front()));
+  EXPECT_FALSE(count_in_one_spread(all.back(), coarse));
   const cases::TestFolder folder;
   EXPECT_EQ(run_study("--list --preset paper_cells --coupling resolved --out '" + (folder / "out").string() + "'",
                       folder / "messages"),
@@ -122,10 +121,11 @@ TEST(StudyCases, AreOfAPlan) {
   std::set<std::string> names;
   for (const StudyCase& c : planned_cases()) EXPECT_TRUE(names.insert(c.name()).second) << c.name();
   for (const StudyCase& c : cases_of({})) EXPECT_TRUE(names.contains(c.name())) << c.name();
-  for (const char* name : {"as_printed-L8.60-standard-resolved-seed1", "matched-L4.10-standard-averaged-seed1",
-                           "matched-L4.10-coarse-averaged-seed2", "as_printed-L4.10-coarse-resolved-seed1-stiff_rock",
-                           "matched-L4.10-coarse-resolved-seed1-cells_15mm", "matched-L4.10-fine-resolved-seed1",
-                           "as_printed-L4.10-coarse-resolved-seed1-cable_at_ends"})
+  for (const char* name :
+       {"as_printed-L8.60-standard-resolved-seed1", "matched-L4.10-standard-averaged-seed1",
+        "matched-L4.10-coarse-averaged-seed2", "as_printed-L4.10-coarse-resolved-seed1-stiff_rock",
+        "matched-L4.10-coarse-resolved-seed1-cells_15mm", "matched-L4.10-fine-resolved-seed1",
+        "as_printed-L4.10-coarse-resolved-seed1-cable_at_ends", "as_printed-L1.85-strip-averaged-seed4"})
     EXPECT_TRUE(names.contains(name)) << name;
 }
 
@@ -155,9 +155,41 @@ TEST(StudyCases, OtherCellsAreOtherwiseCoarse) {
     EXPECT_NEAR(across, std::round(across), 1e-9) << name;
     other.fluid.cell_size = coarse.fluid.cell_size, other.identity = coarse.identity;
     EXPECT_TRUE(other == coarse) << name;
-    EXPECT_TRUE(counts_in_spread(c)) << name;
+    EXPECT_TRUE(count_in_one_spread(c, study)) << name;
   }
   EXPECT_THROW(cases_of({.presets = {"standard"}, .variants = {"cells_10mm"}}), InputError);
+}
+
+/// A sixth of the flow: as many of its grains and of its water, a net from side to side, otherwise as coarse.
+TEST(StudyCases, StripsArePartsOfTheFlow) {
+  const auto load = [](const StudyCase& c) { return scene::load(c.scene_file(), c.changes()); };
+  for (const char* sweep : {"as_printed", "matched"}) {
+    const StudyCase whole{sweep, "coarse", "averaged", "study", 8.6, 2},
+        strip{sweep, "strip", "averaged", "study", 8.6, 2};
+    EXPECT_TRUE(is_strip(strip) && !is_strip(whole));
+    EXPECT_EQ(case_named(strip.name(), {}), strip);
+    const scene::Scene a = load(whole);
+    scene::Scene b = load(strip);
+    const auto across = [](const scene::Scene& s) { return s.domain.upper.y(); };
+    EXPECT_NEAR(across(b), across(a) / 6, 1e-12);
+    EXPECT_EQ(b.barrier.net.width, across(b));
+    EXPECT_EQ(b.sections.at(0).point.y(), 0.5 * across(b));
+    EXPECT_EQ(b.sections.at(0).point.x(), 8.6);
+    for (std::size_t k = 0; k < 2; ++k)
+      EXPECT_NEAR(b.grains.packings.at(0).sizes.at(k).count, a.grains.packings.at(0).sizes.at(k).count / 6.0, 0.5);
+    EXPECT_EQ(b.contacts.at(1).friction, a.contacts.at(1).friction) << "on the bed";
+    b.fluid.regions = a.fluid.regions;
+    EXPECT_TRUE(b.fluid == a.fluid && b.solids == a.solids && b.coupling == a.coupling && b.measure == a.measure);
+    EXPECT_GT(b.run.duration, 2.7) << "a second after grains arrive";
+  }
+  const StudyCase strip{"matched", "strip", "resolved", "study", 4.1, 1};
+  StudyCase other = strip;
+  other.seed = 4;
+  EXPECT_TRUE(count_in_one_spread(strip, other));
+  other.preset = "coarse";
+  EXPECT_FALSE(count_in_one_spread(strip, other));
+  other = strip, other.variant = "rockfall_dissipators";
+  EXPECT_FALSE(count_in_one_spread(strip, other));
 }
 
 /// Each choice of each axis makes a scene that can be run, and that holds what was chosen.
