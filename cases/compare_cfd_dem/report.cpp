@@ -149,6 +149,34 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
   return chart;
 }
 
+/// What averaging changes of a quantity, over the paper's flows, of strips with several seeds.
+cases::Chart change_over_flows(const std::string& name, const std::vector<OverSeeds>& seeds) {
+  using namespace cases;
+  Chart chart;
+  chart.title = "what averaging changes: " + quantity(name.c_str()).meaning;
+  chart.x = {.label = "Froude number of the paper's flow"};
+  chart.y = {.label = "change of " + name, .unit = "%"};
+  chart.y_guides.push_back({0, ""});
+  chart.width = 480, chart.height = 300;
+  for (const Choice& sweep : sweeps())
+    for (const Choice& coupling : couplings()) {
+      ChartSeries line{.name = fmt::format("{}, {}", sweep.name, coupling.name),
+                       .mark = Mark::line_and_points,
+                       .colour = colour_of(sweep.name, coupling.name),
+                       .shape = coupling.name == "averaged" ? PointShape::square : PointShape::diamond};
+      std::replace(line.name.begin(), line.name.end(), '_', ' ');
+      for (const OverSeeds& s : seeds)
+        if (const Flow* flow = published(s.release); flow && s.quantity == name && s.preset == "strip" &&
+                                                     s.sweep == sweep.name && s.coupling == coupling.name &&
+                                                     std::isfinite(s.change)) {
+          line.x.push_back(flow->froude), line.y.push_back(100 * s.change);
+          line.error.push_back(100 * s.change_error);
+        }
+      if (!line.x.empty()) chart.series.push_back(std::move(line));
+    }
+  return chart;
+}
+
 /// A column of the series over time, of all couplings at one distance.
 cases::Chart over_time(const ShownColumn& shown, double release, const std::string& sweep,
                        const std::vector<CaseResult>& results) {
@@ -221,6 +249,13 @@ std::vector<Figure> figures_of(const std::vector<CaseResult>& results) {
   for (const auto& [name, where] : of_flows)
     keep(std::string("flows_") + name, fmt::format("{} ({})", quantity(name).meaning, where),
          over_flows(name, results));
+  const std::vector<OverSeeds> seeds = over_seeds(results);
+  for (const char* name : {"e_in", "grains_impulse_water", "net_impulse_grains", "net_impulse_water",
+                           "barrier_sum_mean", "retained_mass", "retained_small"})
+    keep(std::string("changes_") + name,
+         fmt::format("{}: what averaging changes in strips, mean of seeds and its standard error",
+                     quantity(name).meaning),
+         change_over_flows(name, seeds));
   for (const Choice& sweep : sweeps())
     for (const ShownColumn& shown : shown_columns())
       keep(fmt::format("time_{}_{}", sweep.name, shown.name),

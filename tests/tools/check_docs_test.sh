@@ -6,7 +6,7 @@
 plant_tree() {
   clear_tree
   plant lbm/step/fluid.h '// a file'
-  plant docs/fluid.md '# The fluid'
+  plant docs/fluid.md $'# The fluid\n\n## One step, of `many`'
   plant tests/lbm/fluid_test.cpp 'TEST(Fluid, Flows) { EXPECT_TRUE(true); }'
 }
 
@@ -26,7 +26,10 @@ allowed() {
   [ "$status" -eq 0 ] || fail "refused: $1: $output"
 }
 
-allowed 'see [fluid](fluid.md), [step](../lbm/step), [part](fluid.md#step), [here](#step), [there](https://example.org/x.md)'
+allowed 'see [fluid](fluid.md), [step](../lbm/step), [part](fluid.md#one-step-of-many), [there](https://example.org/x.md#none)'
+allowed $'[here](#here-it-is)\n\n# Here it is'
+refused 'see [part](fluid.md#two-steps)' 'no fluid.md#two-steps'
+refused 'see [here](#there)' 'no #there'
 refused 'see [fluid](fluids.md)' 'no fluids.md'
 refused '![picture](images/none.png)' 'no images/none.png'
 refused 'see [up](../../outside.md)' 'no ../../outside.md'

@@ -51,6 +51,24 @@ expect_lacks "$output" 'in all cases'
 expect_lacks "$output" '## Over the flows'
 expect_lacks "$output" 'momentum of the water'
 
+# Strips have a table of their own, over seeds.
+for case in resolved-seed1 resolved-seed2 averaged-seed1 averaged-seed2; do
+  printf '%s\n' "e_in,kJ,matched-L4.10-strip-$case,,8,," >>"$scratch/tree/docs/results/study/comparison.csv"
+  plant "docs/results/study/matched-L4.10-strip-$case.json" '{"summary": {"wall_seconds": 300, "threads": 1,
+"commit": "abc"}}'
+done
+capture "$page"
+expect_equal 'status without means over seeds' "$status" 1
+plant docs/results/study/over_seeds.csv 'quantity,unit,sweep,preset,release_m,coupling,seeds,mean,deviation,change,change_error,commit
+e_in,kJ,matched,strip,4.10,resolved,2,6.6602,0.0067,,,"abc"
+e_in,kJ,matched,strip,4.10,averaged,2,6.767,0.005,0.016035,0.00089,"abc"'
+capture "$page"
+expect_equal 'status with strips' "$status" 0
+expect_contains "$output" '4 runs of strips 0.3 m wide'
+expect_contains "$output" '| Quantity | Unit | L = 4.10 m, resolved, 2 seeds | L = 4.10 m, averaged, 2 seeds |'
+expect_contains "$output" '| `e_in` | kJ | 6.66 ± 0.0067 | 6.77 ± 0.005; +1.6 ± 0.1 % |'
+expect_lacks "$output" '| matched-L4.10-strip-resolved-seed1 |'
+
 plant docs/results/study/matched-L4.10-coarse-averaged_ergun-seed1.json "$(cat "$scratch/tree/docs/results/study/matched-L4.10-coarse-resolved-seed1.json")"
 printf '%s\n' 'water_momentum,kNs,matched-L4.10-coarse-resolved-seed1,,2.251,,' \
   'water_momentum,kNs,matched-L4.10-coarse-averaged_ergun-seed1,,2.239,,' >>"$scratch/tree/docs/results/study/comparison.csv"

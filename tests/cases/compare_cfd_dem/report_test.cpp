@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -59,6 +60,18 @@ TEST(Report, StripsStandInTablesOverSeeds) {
   for (CaseResult& c : results) c.study_case.preset = "strip", c.commit = "aaa", c.folder.clear();
   for (const Figure& f : figures_of(results))
     for (const cases::ChartSeries& series : f.chart.series) EXPECT_EQ(series.name, "Li et al. 2020") << f.file;
+  for (const auto& [seed, e_in] : {std::pair{1, 9.0}, {2, 10.0}}) {
+    results.push_back(made_up(4.1, e_in, 1, seed));
+    results.back().study_case.preset = "strip", results.back().study_case.coupling = "averaged";
+    results.back().commit = "aaa";
+  }
+  std::map<std::string, cases::Chart> charts;
+  for (const Figure& f : figures_of(results)) charts[f.file] = f.chart;
+  EXPECT_FALSE(charts.contains("changes_barrier_sum_mean")) << "not known";
+  const auto& changes = charts.at("changes_e_in").series;
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_NEAR(changes[0].y.at(0), 100 * (9.5 / 8.5 - 1), 1e-9);
+  EXPECT_GT(changes[0].error.at(0), 0);
   const cases::TestFolder folder;
   write_report(results, {"aaa", "2026-01-31", {}}, folder.path());
   const std::string page = content_of(folder / "report.html");
