@@ -5,6 +5,7 @@
 
 #include "barrier/link.h"
 #include "core/check.h"
+#include "core/number_text.h"
 
 namespace lahar::barrier {
 
@@ -14,12 +15,11 @@ void check(const HexagonalMesh& m) {
   if (!(m.mesh_width > 0 && m.wire_diameter > 0 && m.wire_density > 0 && m.node_diameter > 0))
     throw InputError("a hexagonal mesh needs a width, a wire, a density and nodes above 0");
   if (!(m.twist_length > 0 && m.twist_length < m.mesh_height))
-    throw InputError("a twist of " + std::to_string(m.twist_length) + " m does not fit into meshes of " +
-                     std::to_string(m.mesh_height) + " m height: it must be shorter");
+    throw InputError("a twist of " + number_text(m.twist_length) + " m does not fit into meshes of " +
+                     number_text(m.mesh_height) + " m height: it must be shorter");
   if (m.node_diameter >= std::min(m.twist_length, m.single_length()))
-    throw InputError("nodes of " + std::to_string(m.node_diameter) + " m touch: twists are " +
-                     std::to_string(m.twist_length) + " m long, single wires " + std::to_string(m.single_length()) +
-                     " m");
+    throw InputError("nodes of " + number_text(m.node_diameter) + " m touch: twists are " +
+                     number_text(m.twist_length) + " m long, single wires " + number_text(m.single_length()) + " m");
 }
 
 /// Numbers of nodes: those of row j lie before those of row j + 1, the lower end of each twist before its upper end.

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "barrier/clearance.h"
 #include "barrier/mesh_net.h"
 #include "core/check.h"
+#include "core/number_text.h"
 #include "dem/time_step.h"
 
 namespace lahar::barrier {
@@ -27,13 +27,6 @@ const NetCable& cable_spec(const RingNetSpec& spec, Side side) {
       break;
   }
   return spec.right;
-}
-
-/// A number as people write it.
-std::string plain(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
 }
 
 /// Collects what is wrong with a spec.
@@ -61,23 +54,23 @@ void check(const RingNetSpec& s) {
   wrong.unless(orthonormal(s.across, s.up, s.normal), "across, up and normal must be unit vectors at right angles");
   wrong.unless(s.wire_diameter > 0 && s.density > 0, "wire diameter and density must be positive");
   wrong.unless(s.ring_diameter > 3 * s.wire_diameter,
-               "a ring of " + plain(s.ring_diameter) +
-                   " m is too narrow for its wire, expected more than three wires, " + plain(3 * s.wire_diameter) +
-                   " m");
+               "a ring of " + number_text(s.ring_diameter) +
+                   " m is too narrow for its wire, expected more than three wires, " +
+                   number_text(3 * s.wire_diameter) + " m");
   wrong.unless(s.ring_pitch > 0 && s.width >= s.ring_pitch && s.height >= s.ring_pitch,
                "width and height must hold at least one ring pitch");
   wrong.unless(s.ring_pitch <= 0 || s.ring_pitch > s.wire_diameter,  // each ring is its neighbour moved by the pitch
-               "rings at a pitch of " + plain(s.ring_pitch) + " m lie in each other, expected more than the wire, " +
-                   plain(s.wire_diameter) + " m");
+               "rings at a pitch of " + number_text(s.ring_pitch) +
+                   " m lie in each other, expected more than the wire, " + number_text(s.wire_diameter) + " m");
   wrong.unless(s.cable_extension >= 0, "the extension of the cables must not be negative");
   wrong.unless(s.beads_per_ring >= 8, "a ring needs at least 8 beads");
   wrong.raise();
   const double spacing = bead_spacing({s.ring_diameter, s.beads_per_ring}) / s.wire_diameter;
-  wrong.unless(spacing <= largest_spacing, "beads of a ring are " + plain(spacing) +
+  wrong.unless(spacing <= largest_spacing, "beads of a ring are " + number_text(spacing) +
                                                " diameters apart: beyond sqrt(2) rings pass through each other; take "
                                                "more beads or thicker wire");
-  wrong.unless(spacing > 0.75,
-               "beads of a ring overlap: " + plain(spacing) + " diameters apart; take fewer beads or thinner wire");
+  wrong.unless(spacing > 0.75, "beads of a ring overlap: " + number_text(spacing) +
+                                   " diameters apart; take fewer beads or thinner wire");
   wrong.raise();
 }
 
@@ -105,10 +98,10 @@ Filling fill(const RingNetSpec& spec, double length, const std::string& what) {
     return {count, steps > 0 ? spec.ring_pitch + change : spec.ring_pitch};
   constexpr int fewest = 2;  // of which one takes a cable on either side
   const int fewer = std::max(fewest, spare < 0 ? count - 1 : count);
-  const std::string shorter = plain(filled(spec, fewer, spec.ring_pitch)),
-                    longer = plain(filled(spec, fewer + 1, spec.ring_pitch));
-  throw InputError("whole rings at a pitch of " + plain(spec.ring_pitch) + " m do not fill a " + what + " of " +
-                   plain(length) + " m; " + shorter + " m" + (longer == shorter ? "" : " and " + longer + " m") +
+  const std::string shorter = number_text(filled(spec, fewer, spec.ring_pitch)),
+                    longer = number_text(filled(spec, fewer + 1, spec.ring_pitch));
+  throw InputError("whole rings at a pitch of " + number_text(spec.ring_pitch) + " m do not fill a " + what + " of " +
+                   number_text(length) + " m; " + shorter + " m" + (longer == shorter ? "" : " and " + longer + " m") +
                    " would do");
 }
 

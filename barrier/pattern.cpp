@@ -10,6 +10,7 @@
 #include "barrier/linking.h"
 #include "barrier/settle.h"
 #include "core/check.h"
+#include "core/number_text.h"
 
 namespace lahar::barrier {
 
@@ -161,7 +162,7 @@ bool works(NetLayout layout, const RingPattern& pattern) {
          all_threaded(layout, rings, cables) && cables_reach(layout, pattern, rings);
 }
 
-std::string metres(double value) { return std::to_string(value) + " m"; }
+std::string metres(double value) { return number_text(value) + " m"; }
 
 [[noreturn]] void refuse(const NetLayout& layout, const std::string& what) {
   const PitchRange range = possible_pitches(layout);

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/check.h"
+#include "core/number_text.h"
 
 namespace lahar::barrier {
 
@@ -37,8 +38,8 @@ Polyline ring_line(const RingShape& shape) {
     if (radius < 0.25 * shape.diameter) break;
     line = wave_on_circle(shape, radius);
   }
-  throw InputError("ring wave: an amplitude of " + std::to_string(shape.amplitude) + " m is too high for a ring of " +
-                   std::to_string(shape.diameter) + " m");
+  throw InputError("ring wave: an amplitude of " + number_text(shape.amplitude) + " m is too high for a ring of " +
+                   number_text(shape.diameter) + " m");
 }
 
 Polyline placed(const Polyline& line, const RingPose& pose) {

@@ -10,6 +10,7 @@
 #include "barrier/construction.h"
 #include "barrier/link.h"
 #include "core/check.h"
+#include "core/number_text.h"
 
 namespace lahar::barrier {
 
@@ -160,9 +161,9 @@ void check_places(const RingNetSpec& net) {
     for (const double f : cable->support.fixed_at) {
       const double away = std::min(f, 1 - f) * net.width;
       if (away > 0 && away < net.wire_diameter)
-        throw InputError("a cable is fixed " + std::to_string(away) +
+        throw InputError("a cable is fixed " + number_text(away) +
                          " m from its end, which hangs on a post, expected a wire's diameter, " +
-                         std::to_string(net.wire_diameter) + " m, at least");
+                         number_text(net.wire_diameter) + " m, at least");
     }
   }
 }
@@ -170,8 +171,8 @@ void check_places(const RingNetSpec& net) {
 void check(const SpansSpec& s) {
   if (s.spans < 1) throw InputError("a barrier with posts needs one span at least");
   if (!(s.post_height >= s.net.height))
-    throw InputError("posts of " + std::to_string(s.post_height) + " m are shorter than the net, " +
-                     std::to_string(s.net.height) + " m");
+    throw InputError("posts of " + number_text(s.post_height) + " m are shorter than the net, " +
+                     number_text(s.net.height) + " m");
   if (s.net.free_net) throw InputError("a net between posts needs its cables");
   check_places(s.net);
 }

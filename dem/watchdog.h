@@ -2,11 +2,11 @@
 // Stops a run whose numbers went wrong, and says which particle, where, when and why.
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <string>
 
 #include "core/check.h"
+#include "core/number_text.h"
 #include "dem/bonds/bonds.h"
 #include "dem/contact/worst_overlap.h"
 #include "dem/particles.h"
@@ -22,17 +22,11 @@ struct WatchdogOptions {
 
 namespace detail {
 
-inline std::string number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
-}
-
 /// "bead 17 at (0.1, 0.2, 0.3)"
 inline std::string particle_name(const Particles& p, std::size_t i) {
   const char* kind = p.kind[i] == ParticleKind::bead ? "bead " : "grain ";
-  return kind + std::to_string(p.id(i)) + " at (" + number(p.position.x[i]) + ", " + number(p.position.y[i]) + ", " +
-         number(p.position.z[i]) + ")";
+  return kind + std::to_string(p.id(i)) + " at (" + number_text(p.position.x[i]) + ", " + number_text(p.position.y[i]) +
+         ", " + number_text(p.position.z[i]) + ")";
 }
 
 /// 0 unless x is infinite or not a number; a sum of these over an array is a branch-free test.
@@ -67,15 +61,14 @@ inline void check_motion(const Particles& p, const WatchdogOptions& options, std
     if (!std::isfinite(speed)) throw NumericalFailure(name, step, "velocity is not finite");
     if (!p.angular_velocity[i].allFinite()) throw NumericalFailure(name, step, "angular velocity is not finite");
     if (speed > options.speed_limit)
-      throw NumericalFailure(name, step,
-                             "speed " + detail::number(speed) + " m/s exceeds the limit of " +
-                                 detail::number(options.speed_limit) + " m/s");
+      throw NumericalFailure(
+          name, step,
+          "speed " + number_text(speed) + " m/s exceeds the limit of " + number_text(options.speed_limit) + " m/s");
     const double spin = p.angular_velocity[i].norm();
     if (const double surface = spin * p.radius[i]; surface > options.speed_limit)
       throw NumericalFailure(name, step,
-                             "spin of " + detail::number(spin) + " rad/s moves its surface at " +
-                                 detail::number(surface) + " m/s, which exceeds the limit of " +
-                                 detail::number(options.speed_limit) + " m/s");
+                             "spin of " + number_text(spin) + " rad/s moves its surface at " + number_text(surface) +
+                                 " m/s, which exceeds the limit of " + number_text(options.speed_limit) + " m/s");
   }
 }
 
@@ -86,8 +79,8 @@ inline void check_overlap(const Particles& p, const WorstOverlap& worst, const W
   const std::string partner =
       worst.with_wall ? "wall " + std::to_string(worst.partner) : detail::particle_name(p, p.index(worst.partner));
   throw NumericalFailure(detail::particle_name(p, p.index(worst.particle)), step,
-                         "overlap with " + partner + " is " + detail::number(worst.ratio) +
-                             " of the smaller radius, limit " + detail::number(options.overlap_limit));
+                         "overlap with " + partner + " is " + number_text(worst.ratio) +
+                             " of the smaller radius, limit " + number_text(options.overlap_limit));
 }
 
 /// Throws NumericalFailure if the time step is beyond the limit of the bonds as long as they are now.
@@ -99,9 +92,9 @@ inline void check_bonds(const Bonds& bonds, const Particles& p, double time_step
   for (std::size_t b = longest; b < bonds.size(); ++b)
     if (bonds.intact[b] && bonds.elongation[b] > bonds.elongation[longest]) longest = b;
   throw NumericalFailure(detail::particle_name(p, bonds.i[longest]), step,
-                         "bonds that are drawn out, by " + detail::number(bonds.elongation[longest]) +
-                             " m here, allow time steps of " + detail::number(limit) + " s; this is " +
-                             detail::number(time_step) + " s");
+                         "bonds that are drawn out, by " + number_text(bonds.elongation[longest]) +
+                             " m here, allow time steps of " + number_text(limit) + " s; this is " +
+                             number_text(time_step) + " s");
 }
 
 }  // namespace lahar::dem

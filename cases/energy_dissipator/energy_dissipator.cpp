@@ -11,6 +11,7 @@
 
 #include "barrier/wire.h"
 #include "core/check.h"
+#include "core/number_text.h"
 #include "dem/bonds/axial_law.h"
 #include "dem/solids.h"
 #include "dem/time_step.h"
@@ -157,7 +158,7 @@ void check_samples(const EnergyDissipator& b, scene::Findings& findings) {
       return findings.mistake("loading.samples",
                               "loading.samples is " + std::to_string(b.samples) + ", of which stage " +
                                   std::to_string(k + 1) + " gets " +
-                                  std::to_string(share * static_cast<double>(b.samples)) + ", expected at least " +
+                                  number_text(share * static_cast<double>(b.samples)) + ", expected at least " +
                                   std::to_string(static_cast<std::int64_t>(std::ceil(least / share))));
   }
 }

@@ -12,6 +12,7 @@
 #include "barrier/threading.h"
 #include "barrier/topology.h"
 #include "core/check.h"
+#include "core/number_text.h"
 #include "core/worst.h"
 #include "dem/bonds/bond_constants.h"
 #include "dem/bonds/bond_energy.h"
@@ -71,7 +72,7 @@ void guide(barrier::Guides& guides, dem::Solids& solids) {
   guides.apply(solids.particles());
   if (!guides.slipped_out()) return;
   const Vec3& point = *guides.slipped_out();
-  throw NumericalFailure("guide at (" + std::to_string(point.x()) + ", " + std::to_string(point.y()) + ")",
+  throw NumericalFailure("guide at (" + number_text(point.x()) + ", " + number_text(point.y()) + ")",
                          solids.step_count(),
                          "a cable has slipped out: its dissipator is drawn out by more than net.cable_extension_m");
 }

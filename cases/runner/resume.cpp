@@ -7,6 +7,7 @@
 #include "cases/runner/output_folder.h"
 #include "cases/scene/one_line.h"
 #include "core/check.h"
+#include "core/number_text.h"
 
 namespace lahar::cases {
 
@@ -56,10 +57,10 @@ scene::Scene load_resumed(const std::filesystem::path& folder, const std::vector
                                       [](const std::string& text) { return key_of(text) == "run.duration_s"; });
   if (shortened != overrides.end() && scene.run.duration < head.time * (1 - 1e-9) &&
       scene.run.duration != scene::load(folder / "scene.resolved.toml").run.duration)
-    throw InputError(std::vector<InputMistake>{{"--set " + scene::on_one_line(*shortened), 1, 1,
-                                                "run.duration_s is " + std::to_string(scene.run.duration) +
-                                                    ", expected at least the " + std::to_string(head.time) +
-                                                    " s that the checkpoint has reached"}});
+    throw InputError(
+        std::vector<InputMistake>{{"--set " + scene::on_one_line(*shortened), 1, 1,
+                                   "run.duration_s is " + number_text(scene.run.duration) + ", expected at least the " +
+                                       number_text(head.time) + " s that the checkpoint has reached"}});
   return scene;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/check.h"
+#include "core/number_text.h"
 #include "core/sphere.h"
 #include "dem/packing/relaxer.h"
 
@@ -25,13 +26,13 @@ void check(const PackingSpec& spec) {
     if (!(c.radius > 0) || c.count < 0 || !(c.density > 0))
       throw InputError("packing: a size class needs a positive radius and density and a count of at least 0");
     if (c.count > 0 && 2 * c.radius > box.minCoeff())
-      throw InputError("packing: spheres of radius " + std::to_string(c.radius) + " m are wider than the box");
+      throw InputError("packing: spheres of radius " + number_text(c.radius) + " m are wider than the box");
     volume += c.count * sphere_volume(c.radius);
   }
   constexpr double kDensest = 0.7405;  // of equal spheres; random packings of any sizes used here stay below
   if (volume > kDensest * box.prod())
-    throw InputError("packing: the spheres' volume of " + std::to_string(volume) + " m^3 does not fit a box of " +
-                     std::to_string(box.prod()) + " m^3");
+    throw InputError("packing: the spheres' volume of " + number_text(volume) + " m^3 does not fit a box of " +
+                     number_text(box.prod()) + " m^3");
 }
 
 /// Orders each class along columns of cells a few spheres wide: neighbours in space then are near each other in memory.
@@ -82,14 +83,14 @@ std::vector<ParticleSpec> pack(const PackingSpec& spec) {
   tap_while(kMaxTapsOfJams, 0.25, [&] { return relaxer.max_relative_overlap() > kBearableOverlap; });
   tap_while(kMaxTaps, 0, [&] { return spec.target_height > 0 && relaxer.surface_height() > spec.target_height; });
   if (const double overlap = relaxer.max_relative_overlap(); overlap > kBearableOverlap)
-    throw InputError("packing: settled spheres still overlap by " + std::to_string(overlap) +
+    throw InputError("packing: settled spheres still overlap by " + number_text(overlap) +
                      " of a radius, expected fewer, or a larger box");
   for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].position = spec.lower + relaxer.position()[i];
   sort_along_cells(spec, spheres);
   const double top = relaxer.height(), limit = spec.upper.z() - spec.lower.z();
   if (top > limit)
-    throw InputError("packing: the settled spheres stand " + std::to_string(top) + " m high in a box of " +
-                     std::to_string(limit) + " m");
+    throw InputError("packing: the settled spheres stand " + number_text(top) + " m high in a box of " +
+                     number_text(limit) + " m");
   return spheres;
 }
 

@@ -10,6 +10,7 @@
 #include "cases/assembly/estimates.h"
 #include "cases/assembly/load.h"
 #include "cases/compare_cfd_dem/study_case.h"
+#include "cases/files/case_file.h"
 #include "core/check.h"
 #include "tests/cases/compare_cfd_dem/study_program.h"
 #include "tests/cases/files/test_folder.h"
@@ -190,6 +191,25 @@ TEST(StudyCases, StripsArePartsOfTheFlow) {
   EXPECT_FALSE(count_in_one_spread(strip, other));
   other = strip, other.variant = "rockfall_dissipators";
   EXPECT_FALSE(count_in_one_spread(strip, other));
+}
+
+/// A scene of its own, as lists of walls cannot be changed in part: only its bed is other than that of the strip.
+TEST(StudyCases, StripThatRubsAtTheNetIsOtherwiseTheMatchedOne) {
+  const StudyCase study_case{"matched", "strip", "resolved", "study", 4.1, 1};
+  const scene::Scene smooth = scene::load(study_case.scene_file(), study_case.changes());
+  scene::Scene rubs = scene::load(cases::case_file("compare_cfd_dem/strip_rubs_at_net.toml"), {});
+  ASSERT_EQ(rubs.walls.size(), smooth.walls.size() + 1);
+  EXPECT_EQ(rubs.walls[0].material, "smooth");
+  EXPECT_EQ(rubs.walls[1].material, "wall");
+  EXPECT_EQ(rubs.walls[0].upper.x(), rubs.walls[1].lower.x());
+  EXPECT_EQ(rubs.walls[0].upper.z(), 0);
+  EXPECT_EQ(rubs.walls[1].upper.z(), 0);
+  for (std::size_t k = 1; k < smooth.walls.size(); ++k) EXPECT_TRUE(rubs.walls[k + 1] == smooth.walls[k]) << k;
+  EXPECT_EQ(rubs.contacts.at(1).friction, 0.7) << "rock on wall, as Table 4 says";
+  EXPECT_EQ(rubs.contacts.at(2).friction, 0) << "rock on smooth";
+  rubs.walls = smooth.walls, rubs.contacts = smooth.contacts, rubs.materials = smooth.materials;
+  rubs.probes.clear(), rubs.identity = smooth.identity, rubs.domain.slip = smooth.domain.slip;
+  EXPECT_TRUE(rubs == smooth);
 }
 
 /// Each choice of each axis makes a scene that can be run, and that holds what was chosen.
