@@ -153,7 +153,7 @@ cases::Chart over_flows(const char* name, const std::vector<CaseResult>& results
 cases::Chart change_over_flows(const std::string& name, const std::vector<OverSeeds>& seeds) {
   using namespace cases;
   Chart chart;
-  chart.title = "what averaging changes: " + quantity(name.c_str()).meaning;
+  chart.title = "what averaging changes, strips of the flows";
   chart.x = {.label = "Froude number of the paper's flow"};
   chart.y = {.label = "change of " + name, .unit = "%"};
   chart.y_guides.push_back({0, ""});
@@ -172,6 +172,7 @@ cases::Chart change_over_flows(const std::string& name, const std::vector<OverSe
           line.x.push_back(flow->froude), line.y.push_back(100 * s.change);
           line.error.push_back(100 * s.change_error);
         }
+      if (line.x.size() < 4) line.mark = Mark::points;  // what lies between is not known
       if (!line.x.empty()) chart.series.push_back(std::move(line));
     }
   return chart;
